@@ -45,7 +45,8 @@ std::vector<Kind> allKinds() {
             {"refraction", part(kinds::refraction)},
             {"transparency", [](Document& document, const std::string& id) {
                  document.setBlock(pathOf(kinds::refraction), "");
-                 document.setValue(document.currentPath(settings::material), "opacity", 0.5);
+                 document.setValue(document.selection().currentPath(settings::material), "opacity",
+                                   0.5);
                  document.setBlock(pathOf(kinds::transparency), id);
              }}};
 }
@@ -56,8 +57,8 @@ bool useAll(EditorCourse& course, Document& document, const Kind& kind) {
     const auto drawn = [&] { return course.view().frames().isUpToDate(); };
     const std::vector<const Block*> blocks = document.catalog().ofKind(kind.name);
     for (const Block* block : blocks) {
-        const EditorCourse::Cost cost =
-            course.take(block->id, [&] { kind.use(document, block->id); }, drawn);
+        const EditorCourse::Cost cost = course.take(
+            block->id, [&] { kind.use(document, block->id); }, drawn);
         if (cost.gap < 0.0) {
             return false;
         }

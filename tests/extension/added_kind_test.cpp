@@ -142,7 +142,7 @@ TEST(AddedKind, ItsFunctions_AreChecked) {
 TEST(AddedKind, InADocument_IsChosenEditedAndUndone) {
     Document document(catalog());
     document.startFrom({setupWith({})->scene, std::nullopt});
-    const BlockPath path = document.currentPath(kind);
+    const BlockPath path = document.selection().currentPath(kind);
     document.setBlock(path, "velvet");
     EXPECT_EQ(document.undoStack().undoText(), "Sheen Velvet");
     document.setValue(path, "width", 4.0);

@@ -48,7 +48,7 @@ TEST_F(AccuracyPanel, ComparedSideB_LeavesSideAAsItWas) {
     ASSERT_TRUE(measure()) << state().toStdString();
     const int far = pointOf("far");
     window().comparison().setComparing(true);
-    document().setActiveSide(Side::B);
+    document().selection().setSide(Side::B);
     Material other = *document().material(Side::A);
     other.opacity = 0.5;
     document().replaceMaterial(Side::A, other, "Another");
@@ -77,7 +77,7 @@ TEST_F(AccuracyPanel, EditedWhileComparing_StaysEditedAfterwards) {
     const int far = pointOf("far");
     dock().apply(pointOf("near"));
     dock().compare(far);
-    document().setValue(document().currentPath(settings::material), "opacity", 0.5);
+    document().setValue(document().selection().currentPath(settings::material), "opacity", 0.5);
     window().comparison().setComparing(false);
     EXPECT_EQ(document().material(Side::A)->opacity, 0.5);
     EXPECT_EQ(level(Side::A), "near");

@@ -124,8 +124,7 @@ TEST_F(AccuracyPanel, ClickOnAStalePoint_ChoosesAndSaysThatNumbersAreOld) {
 TEST_F(AccuracyPanel, BlocksThatAreReadAgain_PutTheChartOutOfDateWhenTheyDiffer) {
     ASSERT_TRUE(measure()) << state().toStdString();
     const auto readAgain = [this] {
-        document().setCatalog(
-            std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())));
+        document().setCatalog(std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())));
         settle();
     };
     readAgain();
@@ -188,11 +187,11 @@ TEST_F(AccuracyPanel, WhatIsNotMeasured_LeavesTheChartFresh) {
     renamed.name = "Another name";
     renamed.tags = {"a", "b"};
     document().replaceMaterial(Side::A, renamed, "Rename");
-    document().setValue(document().currentPath(settings::scene), "ground.mode",
+    document().setValue(document().selection().currentPath(settings::scene), "ground.mode",
                         std::string("plane"));
     settle();
     EXPECT_FALSE(dock().isStale());
-    document().setValue(document().currentPath(settings::material), "opacity", 0.5);
+    document().setValue(document().selection().currentPath(settings::material), "opacity", 0.5);
     settle();
     EXPECT_TRUE(dock().isStale());
 }
@@ -235,8 +234,8 @@ TEST_F(AccuracyPanel, ExportedChart_NamesWhatItShows) {
     document().replaceMaterial(Side::A, named, "Name");
     settle();
     const QString chart = QString::fromUtf8(exported("svg"));
-    for (const char* text : {"What accuracy costs: Candle", "48 × 48 pixels", "OpenGL", ">Exact<",
-                             "Work: Far"}) {
+    for (const char* text :
+         {"What accuracy costs: Candle", "48 × 48 pixels", "OpenGL", ">Exact<", "Work: Far"}) {
         EXPECT_TRUE(chart.contains(QString::fromUtf8(text))) << text;
     }
 }
@@ -263,9 +262,8 @@ TEST_F(AccuracyPanel, RunningMeasurement_SaysWhichStepItIsAtFromTheStart) {
         return QStringList(told.begin(), told.end()).join('\n').toStdString();
     };
     const auto said = [&told](const char* start) {
-        return std::ranges::any_of(told, [&](const QString& each) {
-            return each.startsWith(start);
-        });
+        return std::ranges::any_of(told,
+                                   [&](const QString& each) { return each.startsWith(start); });
     };
     EXPECT_TRUE(said("Measuring, step 1 of 5: the ground truth, ")) << all();
     EXPECT_TRUE(said("Measuring, step 3 of 5: Exact, ")) << all();

@@ -72,7 +72,8 @@ class AccuracyPanel : public WindowFixture {
         while (document().scene().lights.size() > 1) { // each of them costs as much again
             removeLight(document(), 0);
         }
-        document().setValue(document().currentPath(settings::scene), "ambient", glm::dvec3(0.0));
+        document().setValue(document().selection().currentPath(settings::scene), "ambient",
+                            glm::dvec3(0.0));
         window().dock("accuracy")->show();
         settle();
     }

@@ -165,7 +165,7 @@ TEST_F(PicturePanel, ErrorBudget_PicksAWayWithinItAndTheSceneTakesIt) {
 TEST_F(PicturePanel, ShadowsLayersAndDirections_AreGivenToWhatHasThem) {
     document().setBlock(pathOf(kinds::environment), "studio");
     document().setBlock(pathOf(kinds::transparency), "peeled");
-    document().setValue(document().currentPath(settings::material), "opacity", 0.5);
+    document().setValue(document().selection().currentPath(settings::material), "opacity", 0.5);
     document().setBlock(pathOf(kinds::shadows, 0), "filtered");
     const std::vector<Choice> choices = choicesOfPicture(document().scene(), document().catalog());
     const ChosenLevels wanted{
@@ -194,7 +194,7 @@ TEST_F(PicturePanel, PicturesAccuracy_LeavesTheMaterialsChartFresh) {
     options.combinations = false;
     material.measure(options);
     ASSERT_TRUE(QTest::qWaitFor([&] { return !material.isMeasuring(); }, waitMs));
-    document().setValue(document().currentPath(settings::scene), "picture.scale",
+    document().setValue(document().selection().currentPath(settings::scene), "picture.scale",
                         std::string("half"));
     settle();
     EXPECT_FALSE(material.isStale());
@@ -290,7 +290,7 @@ TEST_F(ComparedPicturePanel, SavedScene_HasItsOwnPictureAndNoOtherSide) {
 
 TEST_F(ComparedPicturePanel, EditedMaterial_IsShownOnBothSides) {
     compareHalf();
-    const BlockPath path = document().currentPath(settings::material);
+    const BlockPath path = document().selection().currentPath(settings::material);
     document().setValue(path, "opacity", 0.5);
     for (const Side side : {Side::A, Side::B}) {
         EXPECT_EQ(document().scene(side).objects.front().material.opacity, 0.5);
@@ -306,7 +306,7 @@ TEST_F(ComparedPicturePanel, ChosenPicture_IsShownInA) {
     const int count = steps();
     document().undoStack().undo();
     EXPECT_EQ(scaleOf(document().scene(Side::A)), 1.0);
-    document().setValue(document().currentPath(settings::scene), "picture.scale",
+    document().setValue(document().selection().currentPath(settings::scene), "picture.scale",
                         std::string("half"));
     EXPECT_EQ(scaleOf(document().scene(Side::A)), 0.5);
     EXPECT_EQ(steps(), count);

@@ -36,9 +36,7 @@ class RestartedAccuracy : public AccuracyPanel {
         return found;
     }
 
-    std::filesystem::path folder() const {
-        return home("XDG_STATE_HOME") / "patina/measurements";
-    }
+    std::filesystem::path folder() const { return home("XDG_STATE_HOME") / "patina/measurements"; }
 };
 
 TEST_F(RestartedAccuracy, SameScene_HasItsChartAgain) {
@@ -74,7 +72,7 @@ TEST_F(RestartedAccuracy, ChangedScene_HasItOutOfDate) {
     ASSERT_NE(dock().shown(), nullptr);
     EXPECT_TRUE(dock().isStale());
     EXPECT_TRUE(state().startsWith("Out of date")) << state().toStdString();
-    document().setValue(document().currentPath(settings::material), "opacity", 1.0);
+    document().setValue(document().selection().currentPath(settings::material), "opacity", 1.0);
     settle();
     EXPECT_FALSE(dock().isStale()) << state().toStdString();
 }
@@ -119,8 +117,7 @@ TEST_F(RestartedAccuracy, FolderThatMayNotBeWritten_IsToldAndLosesNothing) {
     ASSERT_TRUE(measure()) << state().toStdString();
     EXPECT_NE(dock().shown(), nullptr);
     ASSERT_GT(window().messages().count(), 0);
-    EXPECT_NE(window().messages().messages().back().text().find("measurements"),
-              std::string::npos);
+    EXPECT_NE(window().messages().messages().back().text().find("measurements"), std::string::npos);
 }
 
 } // namespace

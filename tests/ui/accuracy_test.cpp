@@ -38,7 +38,7 @@ struct AccuracyForm : testing::Test {
         fixture.document.setModel(Side::A, "shine");
     }
 
-    BlockPath path() const { return fixture.document.currentPath(settings::accuracy); }
+    BlockPath path() const { return fixture.document.selection().currentPath(settings::accuracy); }
     const Block& choices() const { return *fixture.document.block(path()); }
 };
 

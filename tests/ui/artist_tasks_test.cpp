@@ -51,7 +51,8 @@ class ArtistTask : public PresetWindow {
     }
     const Material& material(Side side = Side::A) { return *document().material(side); }
     Value value(const std::string& id) {
-        return document().value(document().currentPath(kinds::models), row(id).parameter());
+        return document().value(document().selection().currentPath(kinds::models),
+                                row(id).parameter());
     }
     double number(const std::string& id) { return std::get<double>(value(id)); }
     int steps() { return document().undoStack().count(); }

@@ -113,7 +113,7 @@ TEST_F(CameraKeys, EscWhileAnObjectIsTurned_PutsItBackWithoutAStep) {
     key(Qt::Key_Escape);
     EXPECT_EQ(document().scene().objects, before);
     EXPECT_EQ(steps(), 0);
-    EXPECT_FALSE(document().isInteracting());
+    EXPECT_FALSE(document().interaction().isGoingOn());
 }
 
 TEST_F(CameraKeys, CtrlWheel_KeepsWhatIsUnderThePointer) {
@@ -180,7 +180,7 @@ TEST_F(CameraKeys, FieldOfViewInThePanel_MovesTheCameraWithoutAnEdit) {
 
 TEST_F(CameraKeys, NearPlane_CutsAwayWhatIsBeforeIt) {
     const QImage whole = view().grabFramebuffer();
-    const BlockPath path = document().currentPath(settings::camera);
+    const BlockPath path = document().selection().currentPath(settings::camera);
     document().setValue(path, "near", camera().distance + 100.0);
     newFrames();
     const QImage cut = view().grabFramebuffer();

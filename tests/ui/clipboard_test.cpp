@@ -60,10 +60,10 @@ TEST(Clipboard, Material_GoesToAnotherWindowAsThePresetItIs) {
 TEST(Clipboard, Material_GoesOntoAllSelectedObjects) {
     Desk desk;
     desk.addCopies(2);
-    desk.document.selectObjects({0});
+    desk.document.selection().setObjects({0});
     desk.set("roughness", 0.75);
     desk.actions.copyMaterial();
-    desk.document.selectObjects({1, 2});
+    desk.document.selection().setObjects({1, 2});
     const int steps = desk.steps();
     desk.actions.paste();
     EXPECT_EQ(desk.objects()[1].material, desk.objects()[0].material);
@@ -74,7 +74,7 @@ TEST(Clipboard, Material_GoesOntoAllSelectedObjects) {
 TEST(Clipboard, Objects_AreAddedUnderNamesOfTheirOwnAsOneStep) {
     Desk desk;
     desk.addCopies(1);
-    desk.document.selectObjects({0, 1});
+    desk.document.selection().setObjects({0, 1});
     desk.actions.copyObjects();
     const int steps = desk.steps();
     desk.actions.paste();
@@ -82,7 +82,7 @@ TEST(Clipboard, Objects_AreAddedUnderNamesOfTheirOwnAsOneStep) {
     EXPECT_EQ(desk.objects()[2].name, "Object 3");
     EXPECT_EQ(desk.objects()[3].name, "Object 4");
     EXPECT_EQ(desk.objects()[2].material, desk.objects()[0].material);
-    EXPECT_EQ(desk.document.selectedObjects(), (std::vector<int>{2, 3}));
+    EXPECT_EQ(desk.document.selection().objects(), (std::vector<int>{2, 3}));
     EXPECT_EQ(desk.steps(), steps + 1);
 }
 
@@ -107,7 +107,7 @@ TEST(Clipboard, Light_IsAddedButNoSecondKeyLight) {
     ASSERT_EQ(desk.lights().size(), 2u);
     EXPECT_EQ(desk.lights()[1].block, key.block);
     EXPECT_FALSE(desk.lights()[1].isKey);
-    EXPECT_EQ(desk.document.currentLight(), 1);
+    EXPECT_EQ(desk.document.selection().light(), 1);
     desk.actions.duplicateLight();
     EXPECT_EQ(desk.lights().size(), 3u);
     desk.actions.cutLight();
@@ -169,7 +169,7 @@ TEST(Clipboard, MeshThatATextNames_IsWithheld) {
 
 TEST(RandomMaterial, PartsInUse_ChangeWithTheModelInOneStep) {
     Desk desk;
-    desk.document.setBlock(desk.document.currentPath(kinds::fresnel), "rim");
+    desk.document.setBlock(desk.document.selection().currentPath(kinds::fresnel), "rim");
     setLocked(desk.document, desk.model(), {"roughness"}, true);
     const int steps = desk.steps();
     randomiseMaterial(desk.document, [] { return 1.0; });
@@ -245,11 +245,11 @@ TEST(Original, AppliedPreset_IsOneUntilItIsUndone) {
 TEST(Original, ObjectBehindARemovedOne_KeepsItsOwn) {
     Desk desk;
     desk.addCopies(2);
-    desk.document.selectObjects({2});
+    desk.document.selection().setObjects({2});
     desk.set("roughness", 0.75);
     const Material second = desk.objects()[1].material;
     removeObject(desk.document, 0);
-    desk.document.selectObjects({1});
+    desk.document.selection().setObjects({1});
     EXPECT_EQ(std::get<double>(desk.value("roughness")), 0.75);
     EXPECT_EQ(*desk.document.originalMaterial({1, Side::A}), second);
 }
@@ -258,7 +258,7 @@ TEST(Original, SideB_IsAsItWasPutThere) {
     Desk desk;
     desk.comparison.setComparing(true);
     const Material second = *desk.document.material(Side::B);
-    desk.document.setActiveSide(Side::B);
+    desk.document.selection().setSide(Side::B);
     desk.set("roughness", 0.75);
     EXPECT_EQ(*desk.document.originalMaterial({0, Side::B}), second);
 }

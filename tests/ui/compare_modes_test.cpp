@@ -100,7 +100,7 @@ TEST_F(CompareModes, DragBesideTheLine_TurnsTheCameraAndTakesTheSide) {
     const double yaw = camera().yaw;
     const QPoint inB(3 * composed().width() / 4, composed().height() / 2);
     dragOver(inB, inB + QPoint(30, 0));
-    EXPECT_EQ(document().activeSide(), Side::B);
+    EXPECT_EQ(document().selection().side(), Side::B);
     EXPECT_NE(camera().yaw, yaw);
     EXPECT_EQ(secondView().camera(), camera());
 }

@@ -9,6 +9,7 @@
 #include <QToolButton>
 #include <QTreeWidget>
 
+#include "document/compare_edits.h"
 #include "parameters/parameter_editor.h"
 #include "ui/window_fixture.h"
 #include "viewport/views_capture.h"
@@ -259,7 +260,7 @@ TEST_F(OwnViews, KeptPicture_HasTheExposureOfItsView) {
     compareTwo();
     OwnView own;
     own.exposure = 2.0;
-    document().setOwnView(Side::B, own, "");
+    setOwnView(document(), Side::B, own, "");
     const Image a = viewOf(Side::A).capture().picture(false);
     const Image b = viewOf(Side::B).capture().picture(false);
     const auto meanRed = [](const Image& image) {
@@ -276,7 +277,7 @@ TEST_F(OwnViews, KeptPicture_HasTheExposureOfItsView) {
 TEST_F(OwnViews, EffectsPanel_SwitchesThoseOfTheActiveView) {
     compareTwo();
     actionOfB("ownEffects")->trigger();
-    document().setActiveSide(Side::B);
+    document().selection().setSide(Side::B);
     ASSERT_TRUE(document().state().ownViews[1].switchedOff);
     settle();
     const QRgb before = middleOf(Side::A);

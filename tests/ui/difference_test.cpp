@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-
+#include "document/compare_edits.h"
 #include "ui/accuracy_fixture.h"
 #include "viewport/difference_view.h"
 
@@ -23,7 +23,7 @@ class Difference : public AccuracyPanel {
         window().comparison().setComparing(true);
         Material chosen = *document().material(Side::B);
         chosen.accuracy["work"] = "far";
-        document().setSecondMaterial(chosen);
+        setSecondMaterial(document(), chosen);
         window().views().setDifferenceWanted(true);
         ASSERT_TRUE(waitForView());
     }
@@ -83,7 +83,7 @@ TEST_F(Difference, SameMaterials_AreBlackAtTheGreatestGain) {
 
 TEST_F(Difference, ChangedMaterial_IsFollowed) {
     compareWithFar();
-    document().setSecondMaterial(*document().material(Side::A));
+    setSecondMaterial(document(), *document().material(Side::A));
     ASSERT_TRUE(waitForView());
     EXPECT_EQ(std::ranges::max(view().difference()->relative), 0.0f);
 }

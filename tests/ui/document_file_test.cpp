@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "document/compare_edits.h"
 #include "document/scene_edits.h"
 #include "scene/scene_file.h"
 #include "ui/fixtures.h"
@@ -98,7 +99,7 @@ TEST_F(DocumentFile_, SideB_StaysOnItsObject) {
     shown.name = "a"; // as the file
     fixture.files.startFrom(Scene());
     ASSERT_TRUE(fixture.files.openScene(folder / "a.patina-scene.json"));
-    EXPECT_EQ(document.currentObject(), 1);
+    EXPECT_EQ(document.selection().object(), 1);
     EXPECT_EQ(document.scene(Side::B), shown);
 }
 
@@ -120,9 +121,9 @@ TEST_F(DocumentFile_, WhatViewsHaveOfTheirOwn_IsSavedWithTheScene) {
     OwnView own;
     own.exposure = -1.5;
     own.switchedOff = {"one", "other"};
-    document.setOwnView(Side::A, own, "");
+    setOwnView(document, Side::A, own, "");
     own.hasEnvironment = true;
-    document.setOwnView(Side::C, own, "");
+    setOwnView(document, Side::C, own, "");
     const DocumentState before = document.state();
     ASSERT_TRUE(fixture.files.saveScene(folder / "a.patina-scene.json"));
     fixture.files.startFrom(Scene());
@@ -135,7 +136,7 @@ TEST_F(DocumentFile_, OwnViewsOfAnotherShape_AreKeptAndLinked) {
     fixture.comparison.setComparing(true);
     OwnView own;
     own.exposure = 1.0;
-    document.setOwnView(Side::B, own, "");
+    setOwnView(document, Side::B, own, "");
     ASSERT_TRUE(fixture.files.saveScene(folder / "a.patina-scene.json"));
     std::string file = readFile(folder / "a.patina-scene.json");
     const std::size_t at = file.find("\"exposure\": 1.0", file.find("\"compareViews\""));
@@ -155,7 +156,7 @@ TEST_F(DocumentFile_, SideBOfAnObjectThatIsNotThere_IsOnTheFirst) {
     file.replace(file.find(named), named.size(), "\"compareObject\": 1e99");
     writeFile(folder / "a.patina-scene.json", file);
     ASSERT_TRUE(fixture.files.openScene(folder / "a.patina-scene.json"));
-    EXPECT_EQ(document.currentObject(), 0);
+    EXPECT_EQ(document.selection().object(), 0);
 }
 
 TEST_F(DocumentFile_, PresetOfTheSecondObject_IsSavedFromIt) {
@@ -163,7 +164,7 @@ TEST_F(DocumentFile_, PresetOfTheSecondObject_IsSavedFromIt) {
     ASSERT_TRUE(fixture.files.savePreset(folder / "a.patina.json", Side::A));
     ASSERT_TRUE(fixture.files.openPreset(folder / "a.patina.json"));
     document.setValue(pathOf(kinds::models, 1), "roughness", 0.75);
-    document.setCurrentObject(0);
+    document.selection().setObject(0);
     ASSERT_TRUE(fixture.files.save());
     EXPECT_NE(readFile(folder / "a.patina.json").find("0.75"), std::string::npos);
 }
@@ -188,7 +189,7 @@ TEST_F(DocumentFile_, SavedPreset_OpensAsItWas) {
 }
 
 TEST_F(DocumentFile_, SavedPresetOfAChangedScene_StaysModified) {
-    document.setValue(document.currentPath(kinds::lights), "intensity", 5.0);
+    document.setValue(document.selection().currentPath(kinds::lights), "intensity", 5.0);
     ASSERT_TRUE(fixture.files.savePreset(folder / "a.patina.json", Side::A));
     EXPECT_TRUE(document.isModified());
 }
@@ -266,7 +267,7 @@ TEST_F(DocumentFile_, RecoveredWork_IsSavedToTheFileItBelongsTo) {
 }
 
 TEST_F(DocumentFile_, RecoveredPreset_StaysModifiedWhenMoreThanThePresetChanged) {
-    document.setValue(document.currentPath(kinds::lights), "intensity", 5.0);
+    document.setValue(document.selection().currentPath(kinds::lights), "intensity", 5.0);
     ASSERT_TRUE(fixture.files.saveScene(folder / "copy.patina-scene.json"));
     document.undoStack().undo();
     const DocumentFile origin{DocumentFile::Kind::Preset, folder / "a.patina.json", false};
@@ -279,7 +280,7 @@ TEST_F(DocumentFile_, PresetWithAChangedLight_IsOutgrown) {
     ASSERT_TRUE(fixture.files.savePreset(folder / "a.patina.json", Side::A));
     document.setValue(fixture.model(), "roughness", 0.75);
     EXPECT_FALSE(fixture.files.outgrewPreset());
-    document.setValue(document.currentPath(kinds::lights), "intensity", 5.0);
+    document.setValue(document.selection().currentPath(kinds::lights), "intensity", 5.0);
     EXPECT_TRUE(fixture.files.outgrewPreset());
 }
 

@@ -69,7 +69,7 @@ struct ShorthandEdit : testing::Test {
         document->startFrom({fixtureScene(*blocks.catalog()), std::nullopt});
         document->setBlock(pathOf(kinds::fresnel), "alloy");
     }
-    BlockPath path() const { return document->currentPath(kinds::fresnel); }
+    BlockPath path() const { return document->selection().currentPath(kinds::fresnel); }
     Value value(const char* id) const {
         return document->value(path(), *document->block(path())->parameter(id));
     }
@@ -96,10 +96,10 @@ TEST_F(ShorthandEdit, TypingAValue_IsOnesOwnAndUndoesTogether) {
 }
 
 TEST_F(ShorthandEdit, DraggingAValue_StaysOnesOwnAfterRedo) {
-    const int token = document->beginInteraction();
+    const int token = document->interaction().begin();
     document->setValue(path(), "a", 0.3);
     document->setValue(path(), "a", 0.4);
-    document->endInteraction(token);
+    document->interaction().end(token);
     document->undoStack().undo();
     document->undoStack().redo();
     EXPECT_EQ(value("a"), roundedToFloat(0.4));
@@ -109,19 +109,20 @@ TEST_F(ShorthandEdit, DraggingAValue_StaysOnesOwnAfterRedo) {
 TEST_F(DocumentEdit, EveryPart_UndoesAndRedoes) {
     document.setBlock(pathOf(kinds::fresnel), "rim");
     document.setBlock(pathOf(kinds::fog), "mist");
-    document.setValue(document.currentPath(kinds::fresnel), "f0", 0.5);
-    document.setValue(document.currentPath(kinds::fog), "density", 0.5);
-    document.setValue(document.currentPath(kinds::lights), "intensity", 3.0);
-    document.setValue(document.currentPath(settings::material), "opacity", 0.5);
-    document.setValue(document.currentPath(settings::object), "translation", glm::dvec3(1, 2, 3));
-    document.setValue(document.currentPath(settings::scene), "exposure", 1.0);
+    document.setValue(document.selection().currentPath(kinds::fresnel), "f0", 0.5);
+    document.setValue(document.selection().currentPath(kinds::fog), "density", 0.5);
+    document.setValue(document.selection().currentPath(kinds::lights), "intensity", 3.0);
+    document.setValue(document.selection().currentPath(settings::material), "opacity", 0.5);
+    document.setValue(document.selection().currentPath(settings::object), "translation",
+                      glm::dvec3(1, 2, 3));
+    document.setValue(document.selection().currentPath(settings::scene), "exposure", 1.0);
     EXPECT_EQ(fixture.steps(), 8);
     EXPECT_TRUE(survivesUndoAndRedo(document, before));
 }
 
 TEST_F(DocumentEdit, Highlight_UndoesAndRedoes) {
     document.setBlock(pathOf(kinds::specular), "spark");
-    document.setValue(document.currentPath(kinds::specular), "size", 0.25);
+    document.setValue(document.selection().currentPath(kinds::specular), "size", 0.25);
     EXPECT_EQ(fixture.steps(), 2);
     EXPECT_TRUE(survivesUndoAndRedo(document, before));
 }
@@ -155,37 +156,37 @@ TEST_F(DocumentEdit, Objects_UndoAndRedo) {
 
 /// Side B is on the current object: redoing an import must not move it to another one.
 TEST_F(DocumentEdit, CurrentObject_FollowsUndoAndRedo) {
-    const int first = document.currentObject();
+    const int first = document.selection().object();
     addObject(document, document.scene().objects.front());
-    const int second = document.currentObject();
+    const int second = document.selection().object();
     ASSERT_NE(first, second);
     document.undoStack().undo();
-    EXPECT_EQ(document.currentObject(), first);
+    EXPECT_EQ(document.selection().object(), first);
     document.undoStack().redo();
-    EXPECT_EQ(document.currentObject(), second);
+    EXPECT_EQ(document.selection().object(), second);
     removeObject(document, first);
-    EXPECT_EQ(document.currentObject(), second - 1);
+    EXPECT_EQ(document.selection().object(), second - 1);
     document.undoStack().undo();
-    EXPECT_EQ(document.currentObject(), second);
+    EXPECT_EQ(document.selection().object(), second);
 }
 
 TEST_F(DocumentEdit, RemovedLight_IsCurrentAgainWhenItIsBack) {
     addLight(document, "sun");
-    ASSERT_EQ(document.currentLight(), 1);
+    ASSERT_EQ(document.selection().light(), 1);
     removeLight(document, 1);
-    document.setCurrentLight(0);
+    document.selection().setLight(0);
     document.undoStack().undo();
-    EXPECT_EQ(document.currentLight(), 1);
+    EXPECT_EQ(document.selection().light(), 1);
 }
 
 TEST_F(DocumentEdit, Shadow_IsChosenAndSetAndUndone) {
     addLight(document, "sun");
-    const int light = document.currentLight();
+    const int light = document.selection().light();
     const auto shadow = [this, light] {
         return document.scene().lights.at(static_cast<std::size_t>(light)).part(kinds::shadows);
     };
     document.setBlock(pathOf(kinds::shadows, light), "veil");
-    document.setValue(document.currentPath(kinds::shadows), "width", 0.5);
+    document.setValue(document.selection().currentPath(kinds::shadows), "width", 0.5);
     ASSERT_TRUE(shadow());
     EXPECT_EQ(shadow()->parameters.at("width"), Value(0.5));
     document.undoStack().undo();
@@ -211,9 +212,10 @@ TEST_F(DocumentEdit, ShadowOfALightThatIsNotThere_LeavesNoStep) {
 
 TEST_F(DocumentEdit, Ground_IsSetAndUndone) {
     const Ground untouched = document.scene().ground;
-    document.setValue(document.currentPath(settings::scene), "ground.mode", std::string("plane"));
+    document.setValue(document.selection().currentPath(settings::scene), "ground.mode",
+                      std::string("plane"));
     EXPECT_EQ(document.scene().ground.mode, GroundMode::Plane);
-    document.setValue(document.currentPath(settings::scene), "ground.height", -0.5);
+    document.setValue(document.selection().currentPath(settings::scene), "ground.height", -0.5);
     EXPECT_EQ(document.scene().ground.height, -0.5);
     document.undoStack().undo();
     document.undoStack().undo();
@@ -227,9 +229,9 @@ TEST_F(DocumentEdit, Fog_UndoesAndRedoes) {
 
 TEST_F(DocumentEdit, SideB_IsOnItsObjectAfterUndoAndRedo) {
     addObject(document, document.scene().objects.front());
-    document.setCurrentObject(0);
+    document.selection().setObject(0);
     fixture.comparison.setComparing(true);
-    document.setCurrentObject(1);
+    document.selection().setObject(1);
     document.setValue(pathOf(kinds::models, 1, Side::B), "roughness", 0.9);
     const Scene shown = document.scene(Side::B);
     ASSERT_TRUE(survivesUndoAndRedo(document, before));
@@ -268,39 +270,39 @@ TEST_F(DocumentEdit, BeyondHardRange_StopsAtIt) {
 }
 
 TEST_F(DocumentEdit, OneInteraction_IsOneStep) {
-    const int token = document.beginInteraction();
+    const int token = document.interaction().begin();
     for (int i = 0; i < 20; ++i) {
         document.setValue(fixture.model(), "roughness", 0.01 * i);
     }
-    document.endInteraction(token);
+    document.interaction().end(token);
     EXPECT_EQ(fixture.steps(), 1);
 }
 
 TEST_F(DocumentEdit, TwoInteractions_AreTwoSteps) {
     for (const double wanted : {0.2, 0.3}) {
-        const int token = document.beginInteraction();
+        const int token = document.interaction().begin();
         document.setValue(fixture.model(), "roughness", wanted);
-        document.endInteraction(token);
+        document.interaction().end(token);
     }
     EXPECT_EQ(fixture.steps(), 2);
 }
 
 TEST_F(DocumentEdit, InteractionBackToItsStart_LeavesNoStep) {
-    const int token = document.beginInteraction();
+    const int token = document.interaction().begin();
     document.setValue(fixture.model(), "roughness", 0.9);
     document.setValue(fixture.model(), "roughness", 0.5);
-    document.endInteraction(token);
+    document.interaction().end(token);
     EXPECT_EQ(fixture.steps(), 0);
     EXPECT_FALSE(document.isModified());
 }
 
 TEST_F(DocumentEdit, LateEndOfAnInteraction_LeavesTheNextAlone) {
-    const int wheel = document.beginInteraction();
-    const int drag = document.beginInteraction();
+    const int wheel = document.interaction().begin();
+    const int drag = document.interaction().begin();
     document.setValue(fixture.model(), "roughness", 0.6);
-    document.endInteraction(wheel);
+    document.interaction().end(wheel);
     document.setValue(fixture.model(), "roughness", 0.7);
-    document.endInteraction(drag);
+    document.interaction().end(drag);
     EXPECT_EQ(fixture.steps(), 1);
 }
 
@@ -319,7 +321,7 @@ TEST_F(DocumentEdit, ModelSwap_CarriesSharedValues) {
 }
 
 TEST_F(DocumentEdit, LightKindAndBack_RestoresValues) {
-    const BlockPath light = document.currentPath(kinds::lights);
+    const BlockPath light = document.selection().currentPath(kinds::lights);
     document.setValue(light, "height", 5.0);
     document.setBlock(pathOf(kinds::lights), "sun");
     document.setBlock(pathOf(kinds::lights), "lamp");
@@ -328,14 +330,15 @@ TEST_F(DocumentEdit, LightKindAndBack_RestoresValues) {
 
 TEST_F(DocumentEdit, FogOffAndOn_RestoresValues) {
     document.setBlock(pathOf(kinds::fog), "mist");
-    document.setValue(document.currentPath(kinds::fog), "density", 0.5);
+    document.setValue(document.selection().currentPath(kinds::fog), "density", 0.5);
     document.setBlock(pathOf(kinds::fog), "");
     document.setBlock(pathOf(kinds::fog), "mist");
     EXPECT_EQ(document.scene().part(kinds::fog)->parameters.at("density"), Value(0.5));
 }
 
 TEST_F(DocumentEdit, ScaleOfNothing_IsWhatASceneFileMayHold) {
-    document.setValue(document.currentPath(settings::object), "scale", glm::dvec3(0.0, 1.0, -2.0));
+    document.setValue(document.selection().currentPath(settings::object), "scale",
+                      glm::dvec3(0.0, 1.0, -2.0));
     const glm::dvec3 scale = document.scene().objects[0].scale;
     EXPECT_GT(scale.x, 0.0);
     EXPECT_EQ(scale.y, 1.0);
@@ -353,11 +356,11 @@ TEST_F(DocumentEdit, ComparingAgain_BringsBackWhatWasOnSideB) {
 
 TEST_F(DocumentEdit, ComparingOnAnotherObject_StartsWithACopy) {
     addObject(document, document.scene().objects.front());
-    document.setCurrentObject(0);
+    document.selection().setObject(0);
     fixture.comparison.setComparing(true);
     document.setValue(pathOf(kinds::models, 0, Side::B), "roughness", 0.75);
     fixture.comparison.setComparing(false);
-    document.setCurrentObject(1);
+    document.selection().setObject(1);
     fixture.comparison.setComparing(true);
     EXPECT_EQ(document.state().second, *document.material(Side::A));
 }
@@ -366,7 +369,7 @@ TEST_F(DocumentEdit, SecondMaterial_ShowsOnSideBOnly) {
     fixture.comparison.setComparing(true);
     document.scene(Side::B);
     document.setValue(pathOf(kinds::models, 0, Side::B), "roughness", 0.75);
-    document.setValue(document.currentPath(settings::scene), "exposure", 1.0);
+    document.setValue(document.selection().currentPath(settings::scene), "exposure", 1.0);
     EXPECT_EQ(document.scene(Side::A).objects[0].material, before.scene.objects[0].material);
     EXPECT_EQ(document.scene(Side::B).objects[0].material, *document.state().second);
     EXPECT_EQ(document.scene(Side::B).exposure, 1.0);
@@ -374,9 +377,9 @@ TEST_F(DocumentEdit, SecondMaterial_ShowsOnSideBOnly) {
 
 TEST_F(DocumentEdit, RemovingTheLastLight_LeavesNoCurrentLight) {
     removeLight(document, 0);
-    EXPECT_EQ(document.currentLight(), -1);
+    EXPECT_EQ(document.selection().light(), -1);
     document.undoStack().undo();
-    EXPECT_EQ(document.currentLight(), 0);
+    EXPECT_EQ(document.selection().light(), 0);
 }
 
 TEST_F(DocumentEdit, NewCatalogue_KeepsValuesById) {

@@ -107,7 +107,7 @@ TEST_F(EffectsPanel, MaterialWithoutImages_HasALabelForThem) {
 /// In the panel and in the status line.
 TEST_F(EffectsPanel, Image_IsCalledByWhatItChanges) {
     document().setModel(Side::A, "phong");
-    document().setTexture(document().currentPath(kinds::models), "diffuse.color",
+    document().setTexture(document().selection().currentPath(kinds::models), "diffuse.color",
                           textureUse("diffuse.color", "/gone.png"));
     settle();
     newFrames();
@@ -226,7 +226,8 @@ TEST_F(EffectsPanel, AnotherDocument_HasEverythingOnAndNoCosts) {
 
 TEST_F(EffectsPanel, ValueDraggedWhileAnotherEffectIsOff_IsShown) {
     switchOff("fog/");
-    document().setValue(document().currentPath(settings::scene), "ambient", glm::dvec3(0.7));
+    document().setValue(document().selection().currentPath(settings::scene), "ambient",
+                        glm::dvec3(0.7));
     EXPECT_EQ(newFrames(), 1);
     EXPECT_FALSE(isInTheShader("fog/"));
 }
@@ -260,7 +261,8 @@ TEST_F(EffectsPanel, ChangedScene_PutsTheCostsOutOfDate) {
     dock().measure();
     press("Cancel");
     ASSERT_TRUE(QTest::qWaitFor([this] { return !dock().isMeasuring(); }, waitMs));
-    document().setValue(document().currentPath(settings::scene), "ambient", glm::dvec3(0.7));
+    document().setValue(document().selection().currentPath(settings::scene), "ambient",
+                        glm::dvec3(0.7));
     settle();
     EXPECT_TRUE(total().startsWith("Out of date")) << total().toStdString();
 }
@@ -276,11 +278,11 @@ TEST_F(EffectsPanel, BlocksThatAreReadAgainAsTheyWere_LeaveTheCostsFresh) {
 
 TEST_F(EffectsPanel, CostsOfAnotherObject_AreNotCalledThoseOfAnotherScene) {
     addObject(document(), document().scene().objects.front());
-    document().setCurrentObject(0);
+    document().selection().setObject(0);
     dock().measure();
     press("Cancel");
     ASSERT_TRUE(QTest::qWaitFor([this] { return !dock().isMeasuring(); }, waitMs));
-    document().setCurrentObject(1);
+    document().selection().setObject(1);
     settle();
     EXPECT_EQ(total(), "Out of date: the costs were measured of another object.");
 }

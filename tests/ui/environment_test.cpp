@@ -10,6 +10,7 @@
 #include "docks/block_chooser.h"
 #include "docks/environment_chooser.h"
 #include "docks/lamp_taking.h"
+#include "document/compare_edits.h"
 #include "document/scene_edits.h"
 #include "scene/environment.h"
 #include "session/session.h"
@@ -54,7 +55,8 @@ TEST_F(EnvironmentInTheWindow, LeftAlone_SettlesAndThenDrawsNothing) {
     constexpr int wanted = 64;
     view().setFixedSize(160, 120);
     document().setBlock(pathOf(kinds::environment), "studio");
-    document().setValue(document().currentPath(kinds::environment), "directions", wanted);
+    document().setValue(document().selection().currentPath(kinds::environment), "directions",
+                        wanted);
     ASSERT_TRUE(waitForSamples(wanted));
     newFrames();
     QTest::qWait(1000);
@@ -67,7 +69,8 @@ TEST_F(EnvironmentInTheWindow, ChangedValue_StartsAgainWithoutAProgram) {
     document().setBlock(pathOf(kinds::environment), "studio");
     ASSERT_TRUE(waitForSamples(24));
     QSignalSpy frames(&view().frames(), &FrameLoop::frameDrawn);
-    document().setValue(document().currentPath(kinds::environment), "key.intensity", 2.0);
+    document().setValue(document().selection().currentPath(kinds::environment), "key.intensity",
+                        2.0);
     ASSERT_TRUE(frames.wait());
     EXPECT_LT(view().frames().samples(), 24);
     EXPECT_EQ(view().frames().report().compiled, 0);
@@ -78,7 +81,7 @@ TEST_F(EnvironmentInTheWindow, WhileItChanges_IsFittedAndSettlesWithoutAJump) {
     constexpr int wanted = 64;
     view().setFixedSize(160, 120);
     document().setBlock(pathOf(kinds::environment), "studio");
-    const BlockPath path = document().currentPath(kinds::environment);
+    const BlockPath path = document().selection().currentPath(kinds::environment);
     document().setValue(path, "directions", wanted);
     ASSERT_TRUE(waitForSamples(wanted));
     newFrames();
@@ -129,8 +132,8 @@ TEST_F(EnvironmentInTheWindow, IntensityDraggedToNothingAndBack_CompilesNothing)
     int compiled = 0;
     QObject::connect(&view().frames(), &FrameLoop::frameDrawn, &view(),
                      [&] { compiled += view().frames().report().compiled; });
-    const BlockPath path = document().currentPath(kinds::environment);
-    const int token = document().beginInteraction(ParameterTarget{path, "intensity"});
+    const BlockPath path = document().selection().currentPath(kinds::environment);
+    const int token = document().interaction().begin(ParameterTarget{path, "intensity"});
     for (const double intensity : {0.6, 0.0, 0.3}) {
         const int frames = view().frames().frameCount();
         document().setValue(path, "intensity", intensity);
@@ -138,7 +141,7 @@ TEST_F(EnvironmentInTheWindow, IntensityDraggedToNothingAndBack_CompilesNothing)
             QTest::qWaitFor([&] { return view().frames().frameCount() > frames; }, limitMs));
     }
     EXPECT_EQ(compiled, 0);
-    document().endInteraction(token);
+    document().interaction().end(token);
 }
 
 TEST_F(EnvironmentInTheWindow, StatusLine_TellsHowFarItIs) {
@@ -172,13 +175,13 @@ TEST_F(EnvironmentInTheWindow, EnvironmentOfAViewsOwn_HasThePictureThatIsDropped
     window().comparison().setComparing(true);
     OwnView own;
     own.hasEnvironment = true;
-    document().setOwnView(Side::B, own, "");
+    setOwnView(document(), Side::B, own, "");
     EXPECT_FALSE(document().scene(Side::B).part(kinds::environment));
-    document().setActiveSide(Side::B);
+    document().selection().setSide(Side::B);
     setEnvironmentPicture(document(), ofB);
     EXPECT_EQ(environmentPicture(document(), Side::A), ofScene);
     EXPECT_EQ(environmentPicture(document(), Side::B), ofB);
-    const BlockPath path = document().currentPath(kinds::environment);
+    const BlockPath path = document().selection().currentPath(kinds::environment);
     EXPECT_TRUE(path.isOfView);
     document().setValue(path, "rotate", 90.0);
     EXPECT_EQ(document().scene(Side::B).part(kinds::environment)->parameters.at("rotate"),
@@ -230,7 +233,7 @@ TEST_F(EnvironmentInTheWindow, PictureTakenWhileItSettles_HasTheSamplesThatAreSh
 TEST_F(EnvironmentInTheWindow, ChosenAndTurnedOff_AreStepsThatUndo) {
     const int before = document().undoStack().count();
     document().setBlock(pathOf(kinds::environment), "studio");
-    document().setValue(document().currentPath(kinds::environment), "rotate", 30.0);
+    document().setValue(document().selection().currentPath(kinds::environment), "rotate", 30.0);
     document().setBlock(pathOf(kinds::environment), "");
     EXPECT_EQ(document().undoStack().count(), before + 3);
     document().undoStack().undo();
@@ -266,7 +269,7 @@ TEST_F(EnvironmentInTheWindow, ShiftRightDragWithoutOne_ChangesNothing) {
 
 TEST_F(EnvironmentInTheWindow, TurnedOnAgain_HasItsValues) {
     document().setBlock(pathOf(kinds::environment), "studio");
-    document().setValue(document().currentPath(kinds::environment), "rotate", 30.0);
+    document().setValue(document().selection().currentPath(kinds::environment), "rotate", 30.0);
     document().setBlock(pathOf(kinds::environment), "");
     document().setBlock(pathOf(kinds::environment), "studio");
     EXPECT_EQ(document().scene().part(kinds::environment)->parameters.at("rotate"), Value(30.0));

@@ -33,7 +33,7 @@ class EyedropperTest : public WindowFixture {
     QPoint corner() { return view().mapToGlobal(QPoint(5, 5)); }
 
     glm::dvec3 color() {
-        const BlockPath path = document().currentPath(kinds::models);
+        const BlockPath path = document().selection().currentPath(kinds::models);
         for (const Parameter& parameter : document().block(path)->parameters) {
             if (parameter.type == ParameterType::Color) {
                 return std::get<glm::dvec3>(document().value(path, parameter));
@@ -47,8 +47,9 @@ constexpr double halfFloat = 1e-3; // the picture is stored in half floats: 11 b
 
 TEST_F(EyedropperTest, ClickOnTheView_TakesItsLinearLight) {
     const glm::dvec3 background(0.25, 0.5, 0.125);
-    document().setValue(document().currentPath(settings::scene), "background", background);
-    document().setValue(document().currentPath(settings::scene), "exposure", 1.0);
+    document().setValue(document().selection().currentPath(settings::scene), "background",
+                        background);
+    document().setValue(document().selection().currentPath(settings::scene), "exposure", 1.0);
     startPicking();
     send(QEvent::MouseMove, corner());
     send(QEvent::MouseButtonRelease, corner(), Qt::LeftButton);
@@ -79,9 +80,8 @@ TEST_F(EyedropperTest, AnyOtherWidget_GivesTheColourItShows) {
     startPicking();
     const QPoint place = window().statusBar()->mapToGlobal(QPoint(1, 1));
     send(QEvent::MouseMove, place);
-    const QColor shown = window().grab(QRect(window().mapFromGlobal(place), QSize(1, 1)))
-                             .toImage()
-                             .pixelColor(0, 0);
+    const QColor shown =
+        window().grab(QRect(window().mapFromGlobal(place), QSize(1, 1))).toImage().pixelColor(0, 0);
     const glm::dvec3 encoded(shown.redF(), shown.greenF(), shown.blueF());
     const glm::dvec3 expected = srgbDecoded(encoded);
     EXPECT_EQ(color(), std::get<glm::dvec3>(roundedToFloat(Value(expected))));

@@ -44,7 +44,7 @@ struct FixtureDocument {
 
     FixtureDocument() { files.startFrom(fixtureScene(*blocks.catalog())); }
 
-    BlockPath model() const { return document.currentPath(kinds::models); }
+    BlockPath model() const { return document.selection().currentPath(kinds::models); }
     Value value(const std::string& id) const;
     double number(const std::string& id) const { return std::get<double>(value(id)); }
     int steps() { return document.undoStack().count(); }

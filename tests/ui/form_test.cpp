@@ -236,7 +236,7 @@ TEST_F(Form, Undo_IsShown) {
 
 TEST_F(Form, ActiveSide_IsWhatTheFormEdits) {
     fixture.comparison.setComparing(true);
-    document.setActiveSide(Side::B);
+    document.selection().setSide(Side::B);
     type("roughness", "0.75");
     EXPECT_EQ(document.material(Side::A)->model.parameters.at("roughness"), Value(0.5));
     EXPECT_EQ(document.material(Side::B)->model.parameters.at("roughness"), Value(0.75));

@@ -41,11 +41,11 @@ class FrozenEffectss : public WindowFixture, public testing::WithParamInterface<
         newFrames();
     }
 
-    BlockPath path() { return document().currentPath(GetParam().kind); }
+    BlockPath path() { return document().selection().currentPath(GetParam().kind); }
     void set(const Value& value) { document().setValue(path(), GetParam().parameterId, value); }
     int press() {
         const int token =
-            document().beginInteraction(ParameterTarget{path(), GetParam().parameterId});
+            document().interaction().begin(ParameterTarget{path(), GetParam().parameterId});
         newFrames();
         return token;
     }
@@ -106,7 +106,7 @@ TEST_P(FrozenEffectss, DragThatEndsAtZero_LeavesTheEffectOut) {
     const int token = press();
     compiledFor(GetParam().with);
     compiledFor(GetParam().without);
-    document().endInteraction(token);
+    document().interaction().end(token);
     newFrames();
     EXPECT_FALSE(isInTheShader());
 }
@@ -123,8 +123,8 @@ INSTANTIATE_TEST_SUITE_P(
 class HeldValue : public WindowFixture {};
 
 TEST_F(HeldValue, OrdinaryValue_IsNotHeld) {
-    document().beginInteraction(
-        ParameterTarget{document().currentPath(settings::scene), "background"});
+    document().interaction().begin(
+        ParameterTarget{document().selection().currentPath(settings::scene), "background"});
     EXPECT_EQ(window().effects().scene(Side::A), nullptr);
     EXPECT_EQ(newFrames(), 0);
 }
@@ -205,10 +205,10 @@ TEST_F(Prewarming, PointerThatRestsOnAModel_HasItsProgramsMade) {
 }
 
 TEST_F(HeldValue, AnotherValueThatChangesMeanwhile_GetsItsEffect) {
-    const BlockPath scene = document().currentPath(settings::scene);
+    const BlockPath scene = document().selection().currentPath(settings::scene);
     document().setValue(scene, "ambient", glm::dvec3(0.0));
-    document().beginInteraction(
-        ParameterTarget{document().currentPath(settings::material), "opacity"});
+    document().interaction().begin(
+        ParameterTarget{document().selection().currentPath(settings::material), "opacity"});
     document().setValue(scene, "ambient", glm::dvec3(0.5));
     newFrames();
     const std::vector<std::string>& effects = view().frames().report().effects;

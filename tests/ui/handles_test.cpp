@@ -57,7 +57,7 @@ class Handles : public WindowFixture {
         });
         addLight(document(), (*spot)->id);
         const std::size_t index = document().scene().lights.size() - 1;
-        document().setCurrentLight(int(index));
+        document().selection().setLight(int(index));
         LightPose above = pose(index);
         above.point = {0.3, 1.4, 0.2};
         above.direction = glm::normalize(glm::dvec3(0.0) - above.point);
@@ -204,7 +204,7 @@ TEST_F(Handles, LShiftAndClick_PutTheShadowUnderThePointer) {
     floor.scale = {4.0, 0.5, 4.0};
     floor.material = object().material;
     addObject(document(), floor);
-    document().setCurrentObject(0);
+    document().selection().setObject(0);
     const std::size_t spot = addSpot();
     const QPoint place = placeOf({1.5, -1.1, 1.0});
     QTest::keyPress(&view(), Qt::Key_L);

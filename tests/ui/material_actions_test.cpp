@@ -20,7 +20,8 @@ class MaterialInTheWindow : public WindowFixture {
         (*found)->trigger();
     }
     void setColour(const glm::dvec3& colour) {
-        document().setValue(document().currentPath(kinds::models), "diffuse.color", colour);
+        document().setValue(document().selection().currentPath(kinds::models), "diffuse.color",
+                            colour);
     }
     /// What the first view shows.
     const Material& shown() { return view().viewed().sources().scene().objects.front().material; }
@@ -65,12 +66,12 @@ TEST_F(MaterialInTheWindow, DefaultOfTheModel_CountsUntilItIsForgotten) {
         document().setModel(Side::A, model);
     };
     const auto gloss = [this] {
-        const BlockPath path = document().currentPath(kinds::models);
+        const BlockPath path = document().selection().currentPath(kinds::models);
         return document().value(path, *document().block(path)->parameter("gloss"));
     };
     choose("phong");
     const Value usual = gloss();
-    document().setValue(document().currentPath(kinds::models), "gloss", 0.25);
+    document().setValue(document().selection().currentPath(kinds::models), "gloss", 0.25);
     trigger("Set as &Default of the Model");
     choose("phong");
     EXPECT_EQ(gloss(), Value(0.25));

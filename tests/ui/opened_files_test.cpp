@@ -34,7 +34,7 @@ class OpenedFiles : public WindowFixture {
         return file;
     }
     void expose(double stops) {
-        document().setValue(document().currentPath(settings::scene), "exposure", stops);
+        document().setValue(document().selection().currentPath(settings::scene), "exposure", stops);
     }
     void drop(const std::filesystem::path& file, QWidget& target) {
         QMimeData files;

@@ -13,14 +13,14 @@ constexpr int limitMs = 120000;
 
 class OutlineInTheWindow : public WindowFixture {
   protected:
-    BlockPath path() { return document().currentPath(kinds::outline); }
+    BlockPath path() { return document().selection().currentPath(kinds::outline); }
 
     void choose(const std::string& id) {
-        document().setBlock(document().currentPath(kinds::outline), id);
+        document().setBlock(document().selection().currentPath(kinds::outline), id);
     }
 
     const BlockValues* lines() {
-        return document().material(document().activeSide())->part("outline");
+        return document().material(document().selection().side())->part("outline");
     }
 };
 
@@ -57,7 +57,7 @@ TEST_F(OutlineInTheWindow, ChosenAgain_HasItsValues) {
 
 TEST_F(OutlineInTheWindow, OfAnotherModel_Stays) {
     choose("ink-line");
-    document().setModel(document().activeSide(), "gooch");
+    document().setModel(document().selection().side(), "gooch");
     EXPECT_NE(lines(), nullptr);
 }
 
@@ -68,7 +68,7 @@ TEST_F(OutlineInTheWindow, WidthDraggedToNothingAndBack_CompilesNothing) {
     int compiled = 0;
     QObject::connect(&view().frames(), &FrameLoop::frameDrawn, &view(),
                      [&] { compiled += view().frames().report().compiled; });
-    const int token = document().beginInteraction(ParameterTarget{path(), "width"});
+    const int token = document().interaction().begin(ParameterTarget{path(), "width"});
     for (const double width : {3.0, 0.0, 8.0}) {
         const int frames = view().frames().frameCount();
         document().setValue(path(), "width", width);
@@ -76,7 +76,7 @@ TEST_F(OutlineInTheWindow, WidthDraggedToNothingAndBack_CompilesNothing) {
             QTest::qWaitFor([&] { return view().frames().frameCount() > frames; }, limitMs));
     }
     EXPECT_EQ(compiled, 0);
-    document().endInteraction(token);
+    document().interaction().end(token);
 }
 
 } // namespace

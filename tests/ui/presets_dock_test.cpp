@@ -131,10 +131,10 @@ TEST_F(PresetsDropped, OnAnObject_IsForThatObject) {
     beside.name = "Beside";
     beside.translation = {100.0, 0.0, 0.0};
     window().files().addObject(beside);
-    ASSERT_EQ(document().currentObject(), 1);
+    ASSERT_EQ(document().selection().object(), 1);
     const Material before = document().scene().objects[1].material;
     drop(QRectF(WindowFixture::view().rect()).center());
-    EXPECT_EQ(document().currentObject(), 0);
+    EXPECT_EQ(document().selection().object(), 0);
     EXPECT_EQ(document().scene().objects[1].material, before);
     EXPECT_NE(document().scene().objects[0].material, before);
 }

@@ -91,11 +91,11 @@ TEST_F(EditOfTheGuide, EditThatChangesNothing_IsNoStep) {
 
 TEST_F(EditOfTheGuide, EditsOfOneInteraction_AreOneStep) {
     const std::vector<Light> before = document().scene().lights;
-    const int token = document().beginInteraction();
+    const int token = document().interaction().begin();
     for (const std::size_t index : {0u, 1u, 2u}) {
         soloLight(document(), index);
     }
-    document().endInteraction(token);
+    document().interaction().end(token);
     EXPECT_EQ(steps(), 1);
     soloLight(document(), 0);
     EXPECT_EQ(steps(), 2);
@@ -105,19 +105,19 @@ TEST_F(EditOfTheGuide, EditsOfOneInteraction_AreOneStep) {
 }
 
 TEST_F(EditOfTheGuide, EditsOfOtherKindsInOneInteraction_AreStepsOfTheirOwn) {
-    const int token = document().beginInteraction();
+    const int token = document().interaction().begin();
     soloLight(document(), 0);
     setLight(document(), 1, document().scene().lights[0]);
-    document().endInteraction(token);
+    document().interaction().end(token);
     EXPECT_EQ(steps(), 2);
 }
 
 TEST_F(EditOfTheGuide, InteractionThatEndsWhereItBegan_IsNoStep) {
     soloLight(document(), 0);
-    const int token = document().beginInteraction();
+    const int token = document().interaction().begin();
     soloLight(document(), 1);
     soloLight(document(), 0);
-    document().endInteraction(token);
+    document().interaction().end(token);
     EXPECT_EQ(steps(), 1);
 }
 

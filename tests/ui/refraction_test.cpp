@@ -42,21 +42,21 @@ TEST_F(RefractionInTheWindow, ThatHasNoEffect_SaysWhy) {
     ASSERT_NE(hint, nullptr);
     choose("solid-body");
     EXPECT_EQ(hint->text(), "The material's opacity is 1: nothing passes.");
-    document().setValue(document().currentPath(settings::material), "opacity", 0.2);
+    document().setValue(document().selection().currentPath(settings::material), "opacity", 0.2);
     EXPECT_EQ(hint->text(), "");
 }
 
 TEST_F(RefractionInTheWindow, DraggedToIndexOneAndBack_CompilesNothing) {
     view().setFixedSize(160, 120);
     choose("solid-body");
-    document().setValue(document().currentPath(settings::material), "opacity", 0.2);
-    const BlockPath path = document().currentPath(kinds::refraction);
+    document().setValue(document().selection().currentPath(settings::material), "opacity", 0.2);
+    const BlockPath path = document().selection().currentPath(kinds::refraction);
     document().setValue(path, "index.from", std::string("own"));
     ASSERT_TRUE(QTest::qWaitFor([&] { return view().frames().isUpToDate(); }, limitMs));
     int compiled = 0;
     QObject::connect(&view().frames(), &FrameLoop::frameDrawn, &view(),
                      [&] { compiled += view().frames().report().compiled; });
-    const int token = document().beginInteraction(ParameterTarget{path, "index"});
+    const int token = document().interaction().begin(ParameterTarget{path, "index"});
     for (const double index : {1.8, 1.0, 2.5, 1.2}) {
         const int frames = view().frames().frameCount();
         document().setValue(path, "index", index);
@@ -64,7 +64,7 @@ TEST_F(RefractionInTheWindow, DraggedToIndexOneAndBack_CompilesNothing) {
             QTest::qWaitFor([&] { return view().frames().frameCount() > frames; }, limitMs));
     }
     EXPECT_EQ(compiled, 0);
-    document().endInteraction(token);
+    document().interaction().end(token);
 }
 
 } // namespace

@@ -46,7 +46,7 @@ class Selection : public WindowFixture {
         QTest::mouseClick(&view(), Qt::LeftButton, modifiers, placeOf(object));
     }
     QWidget& overlay() { return *view().findChild<QWidget*>("overlay"); }
-    const std::vector<int>& selected() { return document().selectedObjects(); }
+    const std::vector<int>& selected() { return document().selection().objects(); }
     double visibleObjects() {
         return double(std::ranges::count(document().scene().objects, true, &Object::visible));
     }
@@ -55,7 +55,7 @@ class Selection : public WindowFixture {
 TEST_F(Selection, Click_SelectsTheObjectUnderThePointer) {
     click(1);
     EXPECT_EQ(selected(), std::vector<int>{1});
-    EXPECT_EQ(document().currentObject(), 1);
+    EXPECT_EQ(document().selection().object(), 1);
     click(2);
     EXPECT_EQ(selected(), std::vector<int>{2});
 }
@@ -84,7 +84,7 @@ TEST_F(Selection, ClickBesideEverything_KeepsTheCurrentObject) {
     click(1);
     QTest::mouseClick(&view(), Qt::LeftButton, Qt::NoModifier, {3, 3});
     EXPECT_TRUE(selected().empty());
-    EXPECT_EQ(document().currentObject(), 1);
+    EXPECT_EQ(document().selection().object(), 1);
     EXPECT_FALSE(overlay().isVisible());
 }
 
@@ -106,12 +106,12 @@ TEST_F(Selection, EditOfAValue_IsOneStepOfAllSelected) {
     click(2, Qt::ControlModifier);
     const int steps = document().undoStack().count();
     const DocumentState before = document().state();
-    document().beginInteraction();
+    document().interaction().begin();
     for (const double red : {0.3, 0.2, 0.1}) {
-        document().setValue(document().currentPath(kinds::models), "diffuse.color",
+        document().setValue(document().selection().currentPath(kinds::models), "diffuse.color",
                             glm::dvec3(red, 0.5, 0.5));
     }
-    document().endInteraction();
+    document().interaction().end();
     const auto color = [this](std::size_t i) {
         return document().scene().objects[i].material.model.parameters.at("diffuse.color");
     };
@@ -126,12 +126,12 @@ TEST_F(Selection, DragBackToTheStart_LeavesNoStep) {
     click(1);
     click(2, Qt::ControlModifier);
     const int steps = document().undoStack().count();
-    const BlockPath path = document().currentPath(settings::object);
+    const BlockPath path = document().selection().currentPath(settings::object);
     const Value start = document().value(path, *document().block(path)->parameter("rotation"));
-    document().beginInteraction();
+    document().interaction().begin();
     document().setValue(path, "rotation", glm::dvec3(20.0));
     document().setValue(path, "rotation", start);
-    document().endInteraction();
+    document().interaction().end();
     EXPECT_EQ(document().undoStack().count(), steps);
 }
 
@@ -202,7 +202,7 @@ TEST_F(Selection, CtrlClickInTheList_SelectsSeveral) {
     clickRow(0, Qt::NoModifier);
     clickRow(2, Qt::ControlModifier);
     EXPECT_EQ(selected(), (std::vector<int>{0, 2}));
-    EXPECT_EQ(document().currentObject(), 2);
+    EXPECT_EQ(document().selection().object(), 2);
     clickRow(1, Qt::NoModifier);
     EXPECT_EQ(selected(), std::vector<int>{1});
 }

@@ -81,11 +81,11 @@ TEST_F(SheetsPanel, Sheet_HasEveryCellThatCanBeAndSaysWhyNotOfOthers) {
 
 TEST_F(SheetsPanel, Edit_DrawsTheCellsThatItChangesAndNoOthers) {
     QSignalSpy drawn(panel().findChild<SheetDrawing*>(), &SheetDrawing::drawn);
-    document().setValue(document().currentPath(kinds::models), "metalness", 0.25);
+    document().setValue(document().selection().currentPath(kinds::models), "metalness", 0.25);
     await();
     EXPECT_EQ(drawn.count(), 3); // the row of the start: the others have a metalness of their own
     drawn.clear();
-    document().setValue(document().currentPath(kinds::models), "smoothness", 0.5);
+    document().setValue(document().selection().currentPath(kinds::models), "smoothness", 0.5);
     await();
     EXPECT_EQ(drawn.count(), 6);
     drawn.clear();
@@ -99,7 +99,7 @@ TEST_F(SheetsPanel, Hidden_DrawsNothingUntilItIsSeen) {
     QSignalSpy drawn(panel().findChild<SheetDrawing*>(), &SheetDrawing::drawn);
     window().dock("sheets")->hide();
     ASSERT_FALSE(panel().isVisible());
-    document().setValue(document().currentPath(kinds::models), "smoothness", 0.5);
+    document().setValue(document().selection().currentPath(kinds::models), "smoothness", 0.5);
     settle();
     EXPECT_TRUE(panel().isIdle());
     EXPECT_EQ(drawn.count(), 0);
@@ -135,13 +135,14 @@ TEST_F(SheetsPanel, Enter_TakesTheCellThatTheArrowsWentTo) {
 }
 
 TEST_F(SheetsPanel, ClickOnACellThatIsOutOfDate_TakesNothingBack) {
-    document().setValue(document().currentPath(kinds::models), "smoothness", 0.5);
+    document().setValue(document().selection().currentPath(kinds::models), "smoothness", 0.5);
     click(2, 0);
     ASSERT_TRUE(QTest::qWaitFor([this] { return metalness() == 1.0; }, longMs));
-    EXPECT_EQ(document().value(
-                  document().currentPath(kinds::models),
-                  *document().parameter({document().currentPath(kinds::models), "smoothness"})),
-              Value(0.5));
+    EXPECT_EQ(
+        document().value(document().selection().currentPath(kinds::models),
+                         *document().parameter(
+                             {document().selection().currentPath(kinds::models), "smoothness"})),
+        Value(0.5));
 }
 
 TEST_F(SheetsPanel, AxisThatTheModelLacks_IsSaidWithAnotherOnOffer) {

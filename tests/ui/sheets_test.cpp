@@ -35,7 +35,7 @@ const Sheet roughnessSheet{.x = range("roughness", 0.0, 1.0, 3)};
 class Sheets : public testing::Test {
   protected:
     Document& document() { return fixture.document; }
-    Scene shown() { return drawnScene(document().ownScene(document().activeSide())); }
+    Scene shown() { return drawnScene(document().ownScene(document().selection().side())); }
 
     SheetPlan plan(const Sheet& sheet) {
         const auto made = SheetPlan::of(sheet, shown(), 0, document().sharedCatalog());
@@ -88,7 +88,7 @@ TEST_F(Sheets, TakenCell_IsForAllSelectedObjects) {
     other.name = "Other";
     other.material.model.parameters["exponent"] = 7.0;
     addObject(document(), other);
-    document().selectObjects({1, 0});
+    document().selection().setObjects({1, 0});
     ASSERT_TRUE(takeCell(document(), plan(roughnessSheet), 2, 0));
     const Values& values = document().scene().objects[1].material.model.parameters;
     EXPECT_EQ(values.at("roughness"), Value(1.0));

@@ -190,9 +190,9 @@ TEST_F(Slider, ItsKeys_WinOverShortcutsOfTheWindow) {
 
 TEST_F(Slider, RowThatGoesWhileKeysRest_EndsTheInteraction) {
     QTest::keyClick(slider("roughness"), Qt::Key_Right);
-    EXPECT_TRUE(document.isInteracting());
+    EXPECT_TRUE(document.interaction().isGoingOn());
     document.setModel(Side::A, "second");
-    EXPECT_FALSE(document.isInteracting());
+    EXPECT_FALSE(document.interaction().isGoingOn());
 }
 
 /// Drags a row's label sideways in small moves.

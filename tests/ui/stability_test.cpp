@@ -126,7 +126,7 @@ TEST_F(Stability, ChangedMaterial_PutsTheResultOutOfDate) {
     useBrokenModel();
     ASSERT_TRUE(check());
     EXPECT_FALSE(verdict().contains("Out of date"));
-    document().setValue(document().currentPath(kinds::models), "limit", 0.2);
+    document().setValue(document().selection().currentPath(kinds::models), "limit", 0.2);
     EXPECT_TRUE(verdict().contains("Out of date"));
 }
 
@@ -159,8 +159,8 @@ TEST_F(Stability, NumericalCheckOfABrokenModel_PaintsItInColour) {
     useBrokenModel();
     newFrames(); // of a model that a process of its own has tried by then
     inspect(true);
-    EXPECT_TRUE(QTest::qWaitFor(
-        [this] { return colouredPixels(view().grabFramebuffer()) > 500; }, sweepMs));
+    EXPECT_TRUE(QTest::qWaitFor([this] { return colouredPixels(view().grabFramebuffer()) > 500; },
+                                sweepMs));
 }
 
 TEST_F(Stability, NumericalCheckSwitchedOff_BringsThePictureBack) {

@@ -42,7 +42,7 @@ TEST_F(TransparencyInTheWindow, Chosen_IsShownAndUndoneInOneStep) {
 
 TEST_F(TransparencyInTheWindow, ChosenAgain_HasItsValues) {
     document().setBlock(pathOf(kinds::transparency), "peeled");
-    document().setValue(document().currentPath(kinds::transparency), "layers", 3);
+    document().setValue(document().selection().currentPath(kinds::transparency), "layers", 3);
     document().setBlock(pathOf(kinds::transparency), "");
     document().setBlock(pathOf(kinds::transparency), "peeled");
     EXPECT_EQ(document().scene().part(kinds::transparency)->parameters.at("layers"), Value(3));
@@ -51,13 +51,13 @@ TEST_F(TransparencyInTheWindow, ChosenAgain_HasItsValues) {
 TEST_F(TransparencyInTheWindow, OpacityDraggedToOneAndBack_CompilesNothing) {
     view().setFixedSize(160, 120);
     document().setBlock(pathOf(kinds::transparency), "peeled");
-    const BlockPath path = document().currentPath(settings::material);
+    const BlockPath path = document().selection().currentPath(settings::material);
     document().setValue(path, "opacity", 0.5);
     ASSERT_TRUE(QTest::qWaitFor([&] { return view().frames().isUpToDate(); }, limitMs));
     int compiled = 0;
     QObject::connect(&view().frames(), &FrameLoop::frameDrawn, &view(),
                      [&] { compiled += view().frames().report().compiled; });
-    const int token = document().beginInteraction(ParameterTarget{path, "opacity"});
+    const int token = document().interaction().begin(ParameterTarget{path, "opacity"});
     for (const double opacity : {0.8, 1.0, 0.0, 0.3}) {
         const int frames = view().frames().frameCount();
         document().setValue(path, "opacity", opacity);
@@ -65,7 +65,7 @@ TEST_F(TransparencyInTheWindow, OpacityDraggedToOneAndBack_CompilesNothing) {
             QTest::qWaitFor([&] { return view().frames().frameCount() > frames; }, limitMs));
     }
     EXPECT_EQ(compiled, 0);
-    document().endInteraction(token);
+    document().interaction().end(token);
 }
 
 } // namespace

@@ -10,6 +10,7 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "document/compare_edits.h"
 #include "document/random_material.h"
 #include "document/scene_edits.h"
 #include "parameters/number_box.h"
@@ -31,14 +32,15 @@ struct Edit {
 };
 
 void set(Document& document, std::string_view kind, const std::string& id, const Value& value) {
-    document.setValue(document.currentPath(kind), id, value);
+    document.setValue(document.selection().currentPath(kind), id, value);
 }
 
 const std::vector<Edit> edits{
     {"Parameter", [](Document& d) { set(d, kinds::models, "diffuse.color", glm::dvec3(0.1)); }},
     {"ValuesAtOnce",
      [](Document& d) {
-         d.setValues(d.currentPath(kinds::models), {{"diffuse.color", glm::dvec3(0.1)}}, "Reset");
+         d.setValues(d.selection().currentPath(kinds::models), {{"diffuse.color", glm::dvec3(0.1)}},
+                     "Reset");
      }},
     {"RandomMaterial",
      [](Document& d) { randomiseMaterial(d, [share = 0.0]() mutable { return share += 0.06; }); }},
@@ -105,11 +107,11 @@ const std::vector<Edit> edits{
      }},
     {"OwnView",
      [](Document& d) {
-         d.setSecondMaterial(*d.material(Side::A));
+         setSecondMaterial(d, *d.material(Side::A));
          OwnView own;
          own.exposure = 1.5;
          own.hasEnvironment = true;
-         d.setOwnView(Side::B, own, "Exposure of view B");
+         setOwnView(d, Side::B, own, "Exposure of view B");
      }},
     {"ObjectAdded",
      [](Document& d) {
@@ -135,7 +137,7 @@ const std::vector<Edit> edits{
     {"Mute", [](Document& d) { toggleMute(d, 0); }},
     {"LightPlaced",
      [](Document& d) {
-         const BlockPath path = d.currentPath(kinds::lights);
+         const BlockPath path = d.selection().currentPath(kinds::lights);
          Values places;
          for (const Parameter& parameter : d.block(path)->parameters) {
              if (parameter.space != Space::None) {
@@ -218,7 +220,7 @@ TEST_F(LightingMenu, EveryShippedScene_LightsWhatIsThereInOneStep) {
         EXPECT_EQ(document().scene().objects, before.objects);
         EXPECT_EQ(document().scene().camera, before.camera);
         EXPECT_EQ(document().undoStack().count(), steps + 1);
-        EXPECT_LT(document().currentLight(), int(document().scene().lights.size()));
+        EXPECT_LT(document().selection().light(), int(document().scene().lights.size()));
     }
 }
 

@@ -33,7 +33,7 @@ TEST_F(Viewports, LeftAloneForTenSeconds_DrawNothing) {
 }
 
 TEST_F(Viewports, ManyChangesInOneTurn_DrawOneFrame) {
-    const BlockPath path = document().currentPath(settings::scene);
+    const BlockPath path = document().selection().currentPath(settings::scene);
     for (int i = 1; i <= 50; ++i) {
         document().setValue(path, "exposure", 0.01 * i);
     }
@@ -299,7 +299,7 @@ TEST_F(Viewports, Realigned_LookFromTheSamePlace) {
 TEST_F(Viewports, ClickOnB_MakesItActive) {
     window().comparison().setComparing(true);
     QTest::mouseClick(&secondView(), Qt::LeftButton);
-    EXPECT_EQ(document().activeSide(), Side::B);
+    EXPECT_EQ(document().selection().side(), Side::B);
 }
 
 TEST_F(Viewports, PresetDroppedOnB_ChangesOnlyB) {
@@ -317,7 +317,7 @@ TEST_F(Viewports, PresetDroppedOnB_ChangesOnlyB) {
     QApplication::sendEvent(&secondView(), &drop);
     EXPECT_EQ(*document().material(Side::A), before);
     EXPECT_NE(document().material(Side::B)->model.id, before.model.id);
-    EXPECT_EQ(document().activeSide(), Side::B);
+    EXPECT_EQ(document().selection().side(), Side::B);
 }
 
 } // namespace

@@ -45,7 +45,7 @@ class Layout : public Window {
 constexpr int waitMs = 20000;
 
 void edit(Document& document) {
-    document.setValue(document.currentPath(settings::scene), "exposure", 0.5);
+    document.setValue(document.selection().currentPath(settings::scene), "exposure", 0.5);
 }
 
 bool waitUntil(const std::function<bool()>& holds) {
@@ -223,7 +223,7 @@ TEST_F(Window, MeshDroppedOnAnEditedDocument_StandsBesideTheOthers) {
     edit(document());
     drop("triangle.obj");
     ASSERT_TRUE(waitUntil([&] { return document().scene().objects.size() == 2; }));
-    EXPECT_EQ(document().currentObject(), 1);
+    EXPECT_EQ(document().selection().object(), 1);
     const glm::dvec3& place = document().scene().objects[1].translation;
     EXPECT_GT(place.x, 1.0);
     for (const double steps : {1e5 * place.x, 1e5 * place.y, 1e5 * place.z}) {
@@ -247,7 +247,7 @@ TEST_F(Window, ObjectInAnEmptyScene_LooksLikeANewDocuments) {
     sphere.mesh = "builtin:sphere";
     window().files().addObject(sphere);
     EXPECT_EQ(document().scene().objects[0].material, start);
-    EXPECT_EQ(document().currentObject(), 0);
+    EXPECT_EQ(document().selection().object(), 0);
 }
 
 TEST_F(Window, ExportedPicture_IsWhatTheViewShows) {
@@ -400,7 +400,7 @@ TEST_F(Window, EveryEdit_IsRecoveredWithoutAnotherOne) {
     const std::filesystem::path folder = home("XDG_STATE_HOME") / "patina/autosave";
     edit(document());
     ASSERT_TRUE(waitUntil([&] { return copiesIn(folder) == 1 && !journalIn(folder).empty(); }));
-    document().setValue(document().currentPath(settings::scene), "exposure", -0.5);
+    document().setValue(document().selection().currentPath(settings::scene), "exposure", -0.5);
     ASSERT_TRUE(waitUntil([&] { return journalIn(folder).find("-0.5") != std::string::npos; }));
     close();
     open();

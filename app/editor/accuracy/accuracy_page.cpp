@@ -175,7 +175,7 @@ void AccuracyPage::compare(int point) {
 }
 
 std::string AccuracyPage::subjectName() const {
-    const Material* material = document().material(document().activeSide());
+    const Material* material = document().material(document().selection().side());
     return material != nullptr ? material->name : std::string();
 }
 

@@ -12,14 +12,14 @@ namespace patina {
 
 CostSweep::Subject costSubject(const Document& document, MeshLibrary& meshes,
                                TextureLibrary& textures, EnvironmentLibrary& environments) {
-    const Scene scene = document.ownScene(document.activeSide());
+    const Scene scene = document.ownScene(document.selection().side());
     return {scene,
-            static_cast<std::size_t>(document.currentObject()),
+            static_cast<std::size_t>(document.selection().object()),
             scene.camera,
             meshSnapshot(scene, meshes),
             document.sharedCatalog(),
             textures.snapshot(),
-            environments.image(environmentPicture(document, document.activeSide()))};
+            environments.image(environmentPicture(document, document.selection().side()))};
 }
 
 } // namespace patina

@@ -40,27 +40,27 @@ void forgetPicture(Scene& scene, const Catalog& catalog) {
 } // namespace
 
 std::vector<Choice> MaterialTarget::choices() const {
-    const int object = document_.currentObject();
+    const int object = document_.selection().object();
     return object < 0 ? std::vector<Choice>()
-                      : materialChoices(document_.ownScene(document_.activeSide()),
+                      : materialChoices(document_.ownScene(document_.selection().side()),
                                         static_cast<std::size_t>(object), document_.catalog());
 }
 
 ChosenLevels MaterialTarget::levels(const std::vector<Choice>& choices) const {
-    const Material* material = document_.material(document_.activeSide());
+    const Material* material = document_.material(document_.selection().side());
     if (material == nullptr) {
         return {};
     }
     const std::optional<Material> aside =
-        document_.activeSide() == Side::A
-            ? materialAside(document_.state(), document_.currentObject())
+        document_.selection().side() == Side::A
+            ? materialAside(document_.state(), document_.selection().object())
             : std::nullopt;
     return levelsOf(aside.value_or(*material), choices);
 }
 
 MeasuredSubject MaterialTarget::subject() const {
-    const int object = document_.currentObject();
-    Scene scene = document_.ownScene(document_.activeSide());
+    const int object = document_.selection().object();
+    Scene scene = document_.ownScene(document_.selection().side());
     if (object >= 0) {
         Material& material = scene.objects[static_cast<std::size_t>(object)].material;
         material.accuracy.clear();
@@ -77,14 +77,14 @@ MeasuredSubject MaterialTarget::subject() const {
 
 void MaterialTarget::apply(const std::vector<Choice>& choices, const ChosenLevels& levels,
                            const QString& label) {
-    if (const Material* held = document_.material(document_.activeSide())) {
-        comparison_.setLevels(document_.activeSide(), withLevels(*held, choices, levels).accuracy,
-                              label);
+    if (const Material* held = document_.material(document_.selection().side())) {
+        comparison_.setLevels(document_.selection().side(),
+                              withLevels(*held, choices, levels).accuracy, label);
     }
 }
 
 void MaterialTarget::compare(const std::vector<Choice>& choices, const ChosenLevels& levels) {
-    const Material* held = document_.material(document_.activeSide());
+    const Material* held = document_.material(document_.selection().side());
     if (held == nullptr) {
         return;
     }

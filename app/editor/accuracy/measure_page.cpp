@@ -148,7 +148,7 @@ QString MeasurePage::state() const {
 }
 
 QString MeasurePage::nothingText() const {
-    return document_.currentObject() < 0 ? tr("There is no object.") : QString();
+    return document_.selection().object() < 0 ? tr("There is no object.") : QString();
 }
 
 QString MeasurePage::outOfDateText() const {

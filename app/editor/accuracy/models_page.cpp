@@ -68,7 +68,7 @@ ModelsPage::ModelsPage(const DockContext& context, std::shared_ptr<MeasureTurn> 
       list_(new ModelList(this)) {
     rows().addWidget(list_, 1);
     connect(list_, &ModelList::picked, this, [this](const QString& model) {
-        document().setModel(document().activeSide(), model.toStdString());
+        document().setModel(document().selection().side(), model.toStdString());
     });
     refresh();
 }
@@ -92,8 +92,8 @@ void ModelsPage::measure(CostSweep::Options options) {
 
 /// Every model comes with its defaults: the object's own material does not matter.
 MeasuredSubject ModelsPage::subject() const {
-    const int object = document().currentObject();
-    Scene scene = document().ownScene(document().activeSide());
+    const int object = document().selection().object();
+    Scene scene = document().ownScene(document().selection().side());
     if (object >= 0) {
         scene.objects[static_cast<std::size_t>(object)].material = {};
     }

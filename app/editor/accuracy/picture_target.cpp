@@ -5,6 +5,7 @@
 
 #include <QCoreApplication>
 
+#include "document/compare_edits.h"
 #include "document/comparison.h"
 #include "document/picture_edits.h"
 #include "viewport/compare_area.h"
@@ -20,7 +21,7 @@ QString tr(const char* text) {
 
 Scene PictureTarget::withLevels(const std::vector<Choice>& choices,
                                 const ChosenLevels& levels) const {
-    ChosenFrame frame{document_.ownScene(document_.activeSide()), View()};
+    ChosenFrame frame{document_.ownScene(document_.selection().side()), View()};
     if (!frame.scene.objects.empty()) {
         choose(frame, 0, choices, levels, document_.catalog());
     }
@@ -28,18 +29,19 @@ Scene PictureTarget::withLevels(const std::vector<Choice>& choices,
 }
 
 std::vector<Choice> PictureTarget::choices() const {
-    const Scene scene = document_.ownScene(document_.activeSide());
+    const Scene scene = document_.ownScene(document_.selection().side());
     return scene.objects.empty() ? std::vector<Choice>()
                                  : choicesOfPicture(scene, document_.catalog());
 }
 
 ChosenLevels PictureTarget::levels(const std::vector<Choice>& choices) const {
-    return levelsOfPicture(document_.ownScene(document_.activeSide()), choices,
+    return levelsOfPicture(document_.ownScene(document_.selection().side()), choices,
                            document_.catalog());
 }
 
 MeasuredSubject PictureTarget::subject() const {
-    return subjectOf(withLevels(choices(), {}), document_.currentObject(), document_.catalog());
+    return subjectOf(withLevels(choices(), {}), document_.selection().object(),
+                     document_.catalog());
 }
 
 void PictureTarget::apply(const std::vector<Choice>& choices, const ChosenLevels& levels,
@@ -51,7 +53,7 @@ void PictureTarget::apply(const std::vector<Choice>& choices, const ChosenLevels
         return;
     }
     document_.editAsOneStep(label, [&] {
-        document_.showOwnPicture();
+        showOwnPicture(document_);
         setPicture(document_, wanted);
     });
 }

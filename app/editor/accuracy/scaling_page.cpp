@@ -90,8 +90,8 @@ void ScalingPage::measure(ScalingSweep::Options options) {
 }
 
 MeasuredSubject ScalingPage::subject() const {
-    return subjectOf(document().ownScene(document().activeSide()), document().currentObject(),
-                     document().catalog());
+    return subjectOf(document().ownScene(document().selection().side()),
+                     document().selection().object(), document().catalog());
 }
 
 void ScalingPage::showNumbers(bool stale) {

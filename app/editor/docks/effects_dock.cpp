@@ -140,8 +140,8 @@ void EffectsDock::showEvent(QShowEvent* event) {
 }
 
 void EffectsDock::updateRows() {
-    const int object = document_.currentObject();
-    const Side side = document_.activeSide();
+    const int object = document_.selection().object();
+    const Side side = document_.selection().side();
     std::vector<EffectRow> rows;
     if (object >= 0) {
         std::optional<Scene> turned;
@@ -167,7 +167,7 @@ void EffectsDock::updateRows() {
 /// What the views have of the images now; none is read for the list.
 KnownImages EffectsDock::images() const {
     return {textures_.snapshot(),
-            environments_.isMissing(environmentPicture(document_, document_.activeSide()))};
+            environments_.isMissing(environmentPicture(document_, document_.selection().side()))};
 }
 
 double EffectsDock::aspect() const {
@@ -249,7 +249,7 @@ void EffectsDock::fillRow(QTreeWidgetItem* item, const EffectRow& row) {
 }
 
 QString EffectsDock::labelOf(const std::string& effect) const {
-    const Side side = document_.activeSide();
+    const Side side = document_.selection().side();
     return effectLabel(effect, document_.material(side), document_.scene(side),
                        document_.catalog());
 }
@@ -265,7 +265,7 @@ QString EffectsDock::whyOf(const EffectRow& row) const {
 }
 
 void EffectsDock::fillCost(QTreeWidgetItem* item, const EffectRow& row) {
-    const bool isOfObject = measured_ && measured_->object == document_.currentObject();
+    const bool isOfObject = measured_ && measured_->object == document_.selection().object();
     const EffectCost* cost = isOfObject && row.in ? measured_->costs.of(row.line.effect) : nullptr;
     if (cost == nullptr) {
         return;
@@ -295,12 +295,12 @@ void EffectsDock::toggle(QTreeWidgetItem* item) {
 }
 
 void EffectsDock::measure() {
-    if (isMeasuring() || document_.currentObject() < 0) {
+    if (isMeasuring() || document_.selection().object() < 0) {
         return;
     }
     updateRows();
-    const Scene& scene = document_.scene(document_.activeSide());
-    measured_ = Measured{scene, document_.currentObject(), document_.activeSide(),
+    const Scene& scene = document_.scene(document_.selection().side());
+    measured_ = Measured{scene, document_.selection().object(), document_.selection().side(),
                          KnownBlocks(document_.sharedCatalog(), scene)};
     progress_->setValue(0);
     const EffectCostMeter::Subject subject{
@@ -310,7 +310,7 @@ void EffectsDock::measure() {
         rows_,
         measured_->blocks.catalog(),
         images().textures,
-        environments_.image(environmentPicture(document_, document_.activeSide()))};
+        environments_.image(environmentPicture(document_, document_.selection().side()))};
     measurement_.ask([this, subject](Worker::Control& control) { return meter(subject, control); },
                      [this](const MeasureEnd& end) { finish(end); });
     fill();
@@ -351,18 +351,18 @@ void EffectsDock::finish(const MeasureEnd& end) {
 
 /// The costs are of another scene or object than the one that is shown.
 bool EffectsDock::isStale() const {
-    return !measured_ || measured_->object != document_.currentObject() ||
+    return !measured_ || measured_->object != document_.selection().object() ||
            !measured_->blocks.areIn(document_.sharedCatalog()) ||
-           !(measured_->scene == document_.scene(document_.activeSide()));
+           !(measured_->scene == document_.scene(document_.selection().side()));
 }
 
 QString EffectsDock::whyStale() const {
-    const bool hasSameObjects =
-        measured_->scene.objects.size() == document_.scene(document_.activeSide()).objects.size();
-    if (hasSameObjects && measured_->object != document_.currentObject()) {
+    const bool hasSameObjects = measured_->scene.objects.size() ==
+                                document_.scene(document_.selection().side()).objects.size();
+    if (hasSameObjects && measured_->object != document_.selection().object()) {
         return tr("Out of date: the costs were measured of another object.");
     }
-    if (hasSameObjects && measured_->side != document_.activeSide()) {
+    if (hasSameObjects && measured_->side != document_.selection().side()) {
         return tr("Out of date: the costs were measured of the other side.");
     }
     return tr("Out of date: the scene has changed since the costs were measured.");
@@ -384,7 +384,7 @@ QString EffectsDock::totalText() const {
 
 void EffectsDock::showState() {
     const bool running = isMeasuring();
-    start_->setEnabled(!running && document_.currentObject() >= 0);
+    start_->setEnabled(!running && document_.selection().object() >= 0);
     cancel_->setVisible(running);
     progress_->setVisible(running);
     allOn_->setEnabled(!switches_.off().empty());

@@ -87,9 +87,9 @@ void EnvironmentChooser::addFiles() {
 
 void EnvironmentChooser::showCurrent() {
     const BlockValues* environment =
-        blockValuesAt(document().state(), document().currentPath(kinds::environment));
+        blockValuesAt(document().state(), document().selection().currentPath(kinds::environment));
     const auto picture = QString::fromStdString(
-        std::string(environmentPicture(document(), document().activeSide())));
+        std::string(environmentPicture(document(), document().selection().side())));
     show(environment == nullptr                      ? QString()
          : isFile(picture) && findData(picture) >= 0 ? picture
                                                      : QString::fromStdString(environment->id));

@@ -32,7 +32,8 @@ EnvironmentDock::EnvironmentDock(const DockContext& context)
               new DocumentForm(document_, context.textures, kinds::environment));
     connect(chooser_, &BlockChooser::chosen, this, [this](const QString& id) {
         if (id.isEmpty() || document_.catalog().find(kinds::environment, id.toStdString())) {
-            document_.setBlock(document_.currentPath(kinds::environment), id.toStdString());
+            document_.setBlock(document_.selection().currentPath(kinds::environment),
+                               id.toStdString());
         }
     });
     connect(chooser_, &EnvironmentChooser::pictureChosen, this,
@@ -48,8 +49,8 @@ EnvironmentDock::EnvironmentDock(const DockContext& context)
 }
 
 void EnvironmentDock::update() {
-    const bool isOfView = document_.currentPath(kinds::environment).isOfView;
-    owner_->setText(tr("Of view %1 alone").arg(letterOf(document_.activeSide())));
+    const bool isOfView = document_.selection().currentPath(kinds::environment).isOfView;
+    owner_->setText(tr("Of view %1 alone").arg(letterOf(document_.selection().side())));
     owner_->setVisible(isOfView);
     chooser_->showCurrent();
     take_->setEnabled(!isOfView && document_.scene().part(kinds::environment) != nullptr);

@@ -17,7 +17,7 @@ FresnelDock::FresnelDock(const DockContext& context)
     fillPanel(this, {labelled(tr("&Kind"), chooser_), hint_},
               new DocumentForm(document_, context.textures, kinds::fresnel));
     connect(chooser_, &BlockChooser::chosen, this, [this](const QString& id) {
-        document_.setBlock(document_.currentPath(kinds::fresnel), id.toStdString());
+        document_.setBlock(document_.selection().currentPath(kinds::fresnel), id.toStdString());
     });
     onChange(document_, DocumentChange::Material | DocumentChange::Current | DocumentChange::Scene,
              this, &FresnelDock::update);
@@ -25,7 +25,7 @@ FresnelDock::FresnelDock(const DockContext& context)
 }
 
 void FresnelDock::update() {
-    const Material* material = document_.material(document_.activeSide());
+    const Material* material = document_.material(document_.selection().side());
     const BlockValues* part = material ? material->part(kinds::fresnel) : nullptr;
     chooser_->setEnabled(material != nullptr);
     chooser_->show(part ? QString::fromStdString(part->id) : QString());

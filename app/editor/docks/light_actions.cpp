@@ -15,12 +15,12 @@ LightActions::LightActions(Document& document, FileActions& files, QObject* pare
     paste_ = add(tr("&Paste"), "Ctrl+V", [&files] { files.clipboard().paste(); });
     add(tr("&Duplicate"), "Ctrl+D", [&files] { files.clipboard().duplicateLight(); });
     add(tr("S&olo"), "", [&document] {
-        toggleSolo(document, document.currentLight());
+        toggleSolo(document, document.selection().light());
     })->setToolTip(tr("Only the current light is on; once more: those that were"));
     add(tr("&Mute"), "", [&document] {
-        toggleMute(document, document.currentLight());
+        toggleMute(document, document.selection().light());
     })->setToolTip(tr("Turn the current light off or on"));
-    add(tr("&Remove"), "", [&document] { removeLight(document, document.currentLight()); });
+    add(tr("&Remove"), "", [&document] { removeLight(document, document.selection().light()); });
     onChange(document, DocumentChange::Lights | DocumentChange::Current | DocumentChange::Scene,
              this, &LightActions::follow);
     follow();
@@ -37,7 +37,7 @@ QAction* LightActions::add(const QString& text, const char* key, std::function<v
 
 void LightActions::follow() {
     for (QAction* action : actions_) {
-        action->setEnabled(action == paste_ || document_.currentLight() >= 0);
+        action->setEnabled(action == paste_ || document_.selection().light() >= 0);
     }
 }
 

@@ -46,16 +46,16 @@ LightsDock::LightsDock(const DockContext& context)
     connectList(context.files);
     connect(kinds_, &QMenu::aboutToShow, this, &LightsDock::fillMenu);
     connect(kind_, &BlockChooser::chosen, this, [this](const QString& id) {
-        document_.setBlock(document_.currentPath(kinds::lights), id.toStdString());
+        document_.setBlock(document_.selection().currentPath(kinds::lights), id.toStdString());
     });
     connect(shadow_, &BlockChooser::chosen, this, [this](const QString& id) {
-        document_.setBlock(document_.currentPath(kinds::shadows), id.toStdString());
+        document_.setBlock(document_.selection().currentPath(kinds::shadows), id.toStdString());
     });
     connect(key_, &QCheckBox::clicked, this, &LightsDock::markKey);
     connect(solo_, &QToolButton::clicked, this,
-            [this] { toggleSolo(document_, document_.currentLight()); });
+            [this] { toggleSolo(document_, document_.selection().light()); });
     connect(remove_, &QToolButton::clicked, this,
-            [this] { removeLight(document_, document_.currentLight()); });
+            [this] { removeLight(document_, document_.selection().light()); });
     onChange(document_, DocumentChange::Lights | DocumentChange::Current | DocumentChange::Scene,
              this, &LightsDock::update);
     onChange(document_, DocumentChange::Block, this, &LightsDock::updateShadow);
@@ -69,7 +69,8 @@ void LightsDock::connectList(FileActions& files) {
     list_->setContextMenuPolicy(Qt::ActionsContextMenu);
     connect(list_, &CheckList::duplicateWished, &files.clipboard(),
             &ClipboardActions::duplicateLight);
-    connect(list_, &CheckList::chosen, this, [this](int row) { document_.setCurrentLight(row); });
+    connect(list_, &CheckList::chosen, this,
+            [this](int row) { document_.selection().setLight(row); });
     connect(list_, &CheckList::switched, this, &LightsDock::switchLight, Qt::QueuedConnection);
     connect(list_, &CheckList::renamed, this, &LightsDock::renameLight, Qt::QueuedConnection);
     connect(list_, &CheckList::removeWished, this,
@@ -85,7 +86,7 @@ void LightsDock::fillMenu() {
         action->setToolTip(blockToolTip(*light));
         connect(action, &QAction::triggered, this, [this, id] {
             addLight(document_, id);
-            document_.setCurrentLight(static_cast<int>(document_.scene().lights.size()) - 1);
+            document_.selection().setLight(static_cast<int>(document_.scene().lights.size()) - 1);
         });
     }
 }
@@ -98,7 +99,7 @@ void LightsDock::update() {
         rows.push_back(
             {light.name.empty() ? kind : QString::fromStdString(light.name), kind, light.enabled});
     }
-    const int current = document_.currentLight();
+    const int current = document_.selection().light();
     list_->setRows(rows, current);
     const bool any = current >= 0;
     kind_->setEnabled(any);
@@ -114,7 +115,7 @@ void LightsDock::update() {
 
 /// Lights of a kind that casts no shadows have no choice of them.
 void LightsDock::updateShadow() {
-    const auto index = static_cast<std::size_t>(document_.currentLight());
+    const auto index = static_cast<std::size_t>(document_.selection().light());
     const auto& lights = document_.scene().lights;
     const Light* light = index < lights.size() ? &lights[index] : nullptr;
     const Block* block = light ? document_.catalog().find(kinds::lights, light->block.id) : nullptr;
@@ -130,7 +131,7 @@ void LightsDock::switchLight(int index, bool on) {
 }
 
 void LightsDock::markKey(bool isKey) {
-    const int index = document_.currentLight();
+    const int index = document_.selection().light();
     Light light = document_.scene().lights.at(static_cast<std::size_t>(index));
     light.isKey = isKey;
     setLight(document_, index, light);

@@ -62,9 +62,9 @@ QAction* MaterialActions::add(const QString& text, const QString& toolTip,
 }
 
 void MaterialActions::showOriginal(bool shows) {
-    const Side side = document_.activeSide();
+    const Side side = document_.selection().side();
     tried_.end(); // whoever tries another one hears of it
-    const Material* original = document_.originalMaterial({document_.currentObject(), side});
+    const Material* original = document_.originalMaterial({document_.selection().object(), side});
     if (shows && original) {
         tried_.show(side, *original, originalName);
     }
@@ -78,7 +78,7 @@ void MaterialActions::randomise() {
 }
 
 void MaterialActions::setStartValues(bool isRemoval) {
-    const Material* material = document_.material(document_.activeSide());
+    const Material* material = document_.material(document_.selection().side());
     if (!material) {
         return;
     }
@@ -98,7 +98,7 @@ void MaterialActions::setStartValues(bool isRemoval) {
 }
 
 void MaterialActions::follow() {
-    const Material* material = document_.material(document_.activeSide());
+    const Material* material = document_.material(document_.selection().side());
     for (QAction* action : actions_) {
         action->setEnabled(material != nullptr);
     }

@@ -31,7 +31,7 @@ ModelDock::ModelDock(const DockContext& context)
     rest_.setSingleShot(true);
     rest_.setInterval(restMs);
     connect(&rest_, &QTimer::timeout, this, [this] {
-        Q_EMIT document_.modelApproached(document_.activeSide(), approached_.toStdString());
+        Q_EMIT document_.modelApproached(document_.selection().side(), approached_.toStdString());
     });
     connect(grid_, &QListWidget::itemEntered, this, &ModelDock::approach);
     connect(grid_, &QListWidget::currentItemChanged, this, &ModelDock::approach);
@@ -66,7 +66,7 @@ void ModelDock::askForPicture(const QString& id) {
 }
 
 void ModelDock::showCurrent() {
-    const Material* material = document_.material(document_.activeSide());
+    const Material* material = document_.material(document_.selection().side());
     QListWidgetItem* item =
         material ? grid_->find(QString::fromStdString(material->model.id)) : nullptr;
     grid_->setEnabled(material != nullptr);
@@ -89,10 +89,10 @@ void ModelDock::approach(const QListWidgetItem* item) {
 }
 
 void ModelDock::choose(const QString& id) {
-    const Material* material = document_.material(document_.activeSide());
+    const Material* material = document_.material(document_.selection().side());
     if (material && material->model.id != id.toStdString()) {
         rest_.stop();
-        document_.setModel(document_.activeSide(), id.toStdString());
+        document_.setModel(document_.selection().side(), id.toStdString());
     }
 }
 

@@ -22,13 +22,13 @@ std::vector<int> allOf(const Scene& scene) {
 ObjectActions::ObjectActions(Document& document, FileActions& files, QObject* parent)
     : QObject(parent), document_(document) {
     const auto any = [&document] { return !document.scene().objects.empty(); };
-    const auto edited = [&document] { return document.editedObjects(); };
+    const auto edited = [&document] { return document.selection().editedObjects(); };
     const auto isGrouped = [&document](int index) {
         return !document.scene().objects[static_cast<std::size_t>(index)].group.empty();
     };
     add(
         tr("Select &All Objects"), "Ctrl+A",
-        [&document] { document.selectObjects(allOf(document.scene())); }, any);
+        [&document] { document.selection().setObjects(allOf(document.scene())); }, any);
     add(
         tr("&Copy"), "Ctrl+C", [&files] { files.clipboard().copyObjects(); }, any);
     add(

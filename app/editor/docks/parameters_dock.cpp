@@ -121,7 +121,7 @@ void ParametersDock::showNotice() {
 }
 
 void ParametersDock::update() {
-    const Block* choices = document_.block(document_.currentPath(settings::accuracy));
+    const Block* choices = document_.block(document_.selection().currentPath(settings::accuracy));
     accuracy_->setVisible(choices && !choices->parameters.empty());
 }
 

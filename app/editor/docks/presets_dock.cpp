@@ -211,7 +211,7 @@ void PresetsDock::chooseAShownOne() {
 }
 
 void PresetsDock::tryOut(const PresetPtr& entry) {
-    context_.tried.show(context_.document.activeSide(), entry->material);
+    context_.tried.show(context_.document.selection().side(), entry->material);
     if (!context_.tried.isShown()) {
         return;
     }
@@ -235,7 +235,7 @@ void PresetsDock::apply(const PresetPtr& entry) {
     const PresetPtr applied = entry; // which ending may let go of
     endTrying();
     if (applied) {
-        context_.files.applyPreset(applied->path, context_.document.activeSide());
+        context_.files.applyPreset(applied->path, context_.document.selection().side());
     }
 }
 
@@ -340,7 +340,7 @@ void PresetsDock::showMenu(const QPoint& place) {
         menu.addAction(tr("Put on side B"), this, [put] { put(Side::B); });
         menu.addAction(entry->shipped ? tr("Open to edit a copy") : tr("Open to edit this file"),
                        this, [this, file = entry->path] {
-                           context_.files.open({file}, context_.document.activeSide());
+                           context_.files.open({file}, context_.document.selection().side());
                        });
         menu.addSeparator();
     }

@@ -23,7 +23,7 @@ RefractionPanel::RefractionPanel(Document& document, TextureLibrary& textures, Q
     layout->addWidget(hint_);
     layout->addWidget(new DocumentForm(document_, textures, kinds::refraction));
     connect(chooser_, &BlockChooser::chosen, this, [this](const QString& id) {
-        document_.setBlock(document_.currentPath(kinds::refraction), id.toStdString());
+        document_.setBlock(document_.selection().currentPath(kinds::refraction), id.toStdString());
     });
     onChange(document_,
              DocumentChange::Material | DocumentChange::Value | DocumentChange::Current |
@@ -34,7 +34,7 @@ RefractionPanel::RefractionPanel(Document& document, TextureLibrary& textures, Q
 
 /// What is chosen and has no effect says why.
 void RefractionPanel::update() {
-    const Material* material = document_.material(document_.activeSide());
+    const Material* material = document_.material(document_.selection().side());
     const BlockValues* part = material ? material->part(kinds::refraction) : nullptr;
     chooser_->setEnabled(material != nullptr);
     chooser_->show(part ? QString::fromStdString(part->id) : QString());

@@ -69,7 +69,7 @@ SceneDock::SceneDock(const DockContext& context)
     connectList();
     connect(meshes_, &QMenu::aboutToShow, this, &SceneDock::fillMenu);
     connect(remove_, &QToolButton::clicked, this,
-            [this] { removeObjects(document_, document_.editedObjects()); });
+            [this] { removeObjects(document_, document_.selection().editedObjects()); });
     onChange(document_, DocumentChange::Objects | DocumentChange::Current | DocumentChange::Scene,
              this, &SceneDock::update);
     onChange(document_, DocumentChange::Value, this, [this](const DocumentChange& change) {
@@ -126,12 +126,12 @@ void SceneDock::connectList() {
     list_->setContextMenuPolicy(Qt::ActionsContextMenu);
     list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
     connect(list_, &CheckList::selected, this,
-            [this](const std::vector<int>& rows) { document_.selectObjects(rows); });
+            [this](const std::vector<int>& rows) { document_.selection().setObjects(rows); });
     connect(list_, &CheckList::switched, this, &SceneDock::switchObject, Qt::QueuedConnection);
     connect(list_, &CheckList::renamed, this, &SceneDock::renameObject, Qt::QueuedConnection);
     connect(list_, &CheckList::duplicateWished, &files_, &FileActions::duplicateObjects);
     connect(list_, &CheckList::removeWished, this,
-            [this] { removeObjects(document_, document_.editedObjects()); });
+            [this] { removeObjects(document_, document_.selection().editedObjects()); });
 }
 
 void SceneDock::fillMenu() {
@@ -151,8 +151,8 @@ void SceneDock::update() {
         rows.push_back({nameOf(object), group.isEmpty() ? mesh : tr("%1, in %2").arg(mesh, group),
                         object.visible});
     }
-    list_->setRows(rows, document_.currentObject(), document_.selectedObjects());
-    remove_->setEnabled(document_.currentObject() >= 0);
+    list_->setRows(rows, document_.selection().object(), document_.selection().objects());
+    remove_->setEnabled(document_.selection().object() >= 0);
 }
 
 void SceneDock::addBuiltin(const std::string& name) {
@@ -163,7 +163,7 @@ void SceneDock::addBuiltin(const std::string& name) {
 }
 
 void SceneDock::switchObject(int index, bool on) {
-    const std::vector<int> edited = document_.editedObjects();
+    const std::vector<int> edited = document_.selection().editedObjects();
     const bool isOfSelection = std::ranges::find(edited, index) != edited.end();
     changeObjects(document_, isOfSelection ? edited : std::vector<int>{index},
                   on ? tr("Show") : tr("Hide"), [on](Object& object) { object.visible = on; });

@@ -21,7 +21,7 @@ SlotPanel::SlotPanel(Document& document, TextureLibrary& textures, std::string_v
     layout->addWidget(labelled(tr("&Kind"), chooser_));
     layout->addWidget(form_);
     connect(chooser_, &BlockChooser::chosen, this, [this](const QString& id) {
-        document_.setBlock(document_.currentPath(kind_), id.toStdString());
+        document_.setBlock(document_.selection().currentPath(kind_), id.toStdString());
     });
     onChange(document_,
              DocumentChange::Material | DocumentChange::Current | DocumentChange::Scene |
@@ -31,7 +31,7 @@ SlotPanel::SlotPanel(Document& document, TextureLibrary& textures, std::string_v
 }
 
 void SlotPanel::update() {
-    const Material* material = document_.material(document_.activeSide());
+    const Material* material = document_.material(document_.selection().side());
     const Block* model =
         material ? document_.catalog().find(kinds::models, material->model.id) : nullptr;
     const BlockValues* part = material ? material->part(kind_) : nullptr;

@@ -105,7 +105,7 @@ void StabilityDock::connectParts() {
 }
 
 void StabilityDock::start() {
-    const Material* material = document_.material(document_.activeSide());
+    const Material* material = document_.material(document_.selection().side());
     if (material == nullptr || isRunning()) {
         return;
     }
@@ -158,14 +158,14 @@ void StabilityDock::fill(const StabilityOutcome& outcome) {
 
 /// The result is of another material than the one that is shown.
 bool StabilityDock::isStale() const {
-    const Material* material = document_.material(document_.activeSide());
+    const Material* material = document_.material(document_.selection().side());
     return material == nullptr || !(*material == checked_) ||
            !blocks_.areIn(document_.sharedCatalog());
 }
 
 void StabilityDock::showState() {
     const bool running = isRunning();
-    start_->setEnabled(!running && document_.material(document_.activeSide()) != nullptr);
+    start_->setEnabled(!running && document_.material(document_.selection().side()) != nullptr);
     cancel_->setVisible(running);
     progress_->setVisible(running);
     remarks_->setVisible(!remarks_->text().isEmpty());

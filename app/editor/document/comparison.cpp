@@ -6,6 +6,7 @@
 
 #include "document/commands/material_command.h"
 #include "document/commands/preview_command.h"
+#include "document/compare_edits.h"
 
 namespace patina {
 
@@ -18,17 +19,17 @@ void Comparison::setComparing(bool on) {
     if (!on && document_.state().second) {
         if (hasSecondMaterial(document_.state())) {
             lastSecond_ = document_.state().second;
-            lastSecondObject_ = document_.currentObject();
+            lastSecondObject_ = document_.selection().object();
         }
         end();
     } else if (on && first && !document_.state().second) {
-        const bool returns = lastSecond_ && lastSecondObject_ == document_.currentObject();
-        document_.setSecondMaterial(returns ? *lastSecond_ : *first);
+        const bool returns = lastSecond_ && lastSecondObject_ == document_.selection().object();
+        setSecondMaterial(document_, returns ? *lastSecond_ : *first);
     }
 }
 
 void Comparison::setSideCount(std::size_t count) {
-    const Material* active = document_.material(document_.activeSide());
+    const Material* active = document_.material(document_.selection().side());
     if (!active || count == document_.shownSides()) {
         return;
     }
@@ -37,32 +38,32 @@ void Comparison::setSideCount(std::size_t count) {
         return;
     }
     const Material copied = *active;
-    const OwnView own = ownView(document_.state(), document_.activeSide());
+    const OwnView own = ownView(document_.state(), document_.selection().side());
     const std::size_t before = document_.shownSides();
     const QString label = tr("Compare %1 views").arg(count);
     document_.editAsOneStep(label, [&] {
         setComparing(true);
         for (const Side side : sides) {
             if (indexOf(side) >= std::max(before, indexOf(Side::C)) && indexOf(side) < count) {
-                document_.setOwnView(side, own, label);
+                setOwnView(document_, side, own, label);
             }
         }
         std::vector<Material> further = document_.state().further;
         further.resize(std::min(count, sides.size()) - indexOf(Side::C), copied);
-        document_.setFurtherMaterials(std::move(further));
+        setFurtherMaterials(document_, std::move(further));
     });
 }
 
 /// Side A gets its own material back, if another one was there just to be looked at.
 void Comparison::end() {
     if (!document_.state().preview && !document_.state().picture) {
-        document_.setSecondMaterial(std::nullopt);
+        setSecondMaterial(document_, std::nullopt);
         return;
     }
     document_.editAsOneStep(tr("Stop comparing"), [&] {
         putBack();
-        document_.setComparedPicture(std::nullopt);
-        document_.setSecondMaterial(std::nullopt);
+        setComparedPicture(document_, std::nullopt);
+        setSecondMaterial(document_, std::nullopt);
         setPreview(std::nullopt);
     });
 }
@@ -89,27 +90,27 @@ void Comparison::previewMaterials(const Material& first, const Material& second,
         return;
     }
     document_.editAsOneStep(label, [&] {
-        document_.setComparedPicture(std::nullopt);
+        setComparedPicture(document_, std::nullopt);
         putBack();
         const Material own = *document_.material(Side::A);
         document_.replaceMaterial(Side::A, first, label);
-        document_.setSecondMaterial(second);
-        setPreview(own == first
-                       ? std::nullopt
-                       : std::optional(MaterialPreview{document_.currentObject(), own, first}));
+        setSecondMaterial(document_, second);
+        setPreview(own == first ? std::nullopt
+                                : std::optional(
+                                      MaterialPreview{document_.selection().object(), own, first}));
     });
 }
 
 void Comparison::previewPictures(const Scene& first, const Scene& second, const QString& label) {
-    const Material* held = document_.material(document_.activeSide());
+    const Material* held = document_.material(document_.selection().side());
     if (!held) {
         return;
     }
     const std::optional<Material> aside =
-        document_.activeSide() == Side::A
-            ? materialAside(document_.state(), document_.currentObject())
+        document_.selection().side() == Side::A
+            ? materialAside(document_.state(), document_.selection().object())
             : std::nullopt;
-    const Scene own = document_.ownScene(document_.activeSide());
+    const Scene own = document_.ownScene(document_.selection().side());
     const ComparedPicture wanted{aside.value_or(*held), pictureOf(first, own),
                                  pictureOf(second, own)};
     if (document_.isComparing() && document_.state().picture == wanted) {
@@ -120,7 +121,7 @@ void Comparison::previewPictures(const Scene& first, const Scene& second, const 
             !(*document_.material(Side::B) == wanted.material)) {
             previewMaterials(wanted.material, wanted.material, label);
         }
-        document_.setComparedPicture(wanted);
+        setComparedPicture(document_, wanted);
     });
 }
 
@@ -131,7 +132,7 @@ void Comparison::setLevels(Side side, const AccuracyLevels& levels, const QStrin
     }
     Material wanted = *held;
     wanted.accuracy = levels;
-    if (side == Side::B || !materialAside(document_.state(), document_.currentObject())) {
+    if (side == Side::B || !materialAside(document_.state(), document_.selection().object())) {
         document_.replaceMaterial(side, wanted, label);
         return;
     }
@@ -155,13 +156,13 @@ void Comparison::swapSides() {
     if (document_.state().picture) {
         ComparedPicture swapped = *document_.state().picture;
         std::swap(swapped.first, swapped.second);
-        document_.setComparedPicture(std::move(swapped));
+        setComparedPicture(document_, std::move(swapped));
     }
     document_.replaceMaterial(Side::A, *document_.state().second, tr("Swap A and B"),
                               MaterialEdit::Applied);
-    document_.setSecondMaterial(formerFirst);
-    document_.setOwnView(Side::A, ownB, tr("Swap A and B"));
-    document_.setOwnView(Side::B, ownA, tr("Swap A and B"));
+    setSecondMaterial(document_, formerFirst);
+    setOwnView(document_, Side::A, ownB, tr("Swap A and B"));
+    setOwnView(document_, Side::B, ownA, tr("Swap A and B"));
     document_.undoStack().endMacro();
 }
 

@@ -6,17 +6,14 @@
 
 #include "document/block_label.h"
 #include "document/commands/camera_command.h"
-#include "document/commands/compare_command.h"
-#include "document/commands/further_command.h"
 #include "document/commands/group_command.h"
 #include "document/commands/light_command.h"
 #include "document/commands/model_command.h"
-#include "document/commands/own_view_command.h"
 #include "document/commands/parameter_command.h"
 #include "document/commands/part_command.h"
-#include "document/commands/picture_command.h"
 #include "document/commands/scene_block_command.h"
 #include "document/commands/texture_command.h"
+#include "document/compare_edits.h"
 #include "document/swapped_block.h"
 #include "scene/scene_settings.h"
 #include "text/short_text.h"
@@ -48,7 +45,9 @@ Light ofKind(Light light, const Block* before, const Block& wanted) {
 } // namespace
 
 Document::Document(std::shared_ptr<const Catalog> catalog, QObject* parent)
-    : QObject(parent), catalog_(std::move(catalog)) {
+    : QObject(parent), catalog_(std::move(catalog)),
+      selection_(state_, [this](const DocumentChange& change) { announce(change); }),
+      interaction_([this] { announce({DocumentChange::Interaction}); }) {
     connect(&undoStack_, &QUndoStack::cleanChanged, this,
             [this](bool clean) { Q_EMIT modifiedChanged(!clean); });
 }
@@ -61,39 +60,35 @@ Document::~Document() {
 /// The document itself follows first, so that everybody finds it in order.
 void Document::announce(const DocumentChange& change) {
     if (change.has(DocumentChange::Value)) {
-        shownScenes_.follow(state_, currentObject_, change.path, change.parameterId);
+        shownScenes_.follow(state_, selection_.object(), change.path, change.parameterId);
     } else if (change.has(DocumentChange::Drawn)) {
         shownScenes_.forget();
     }
     if (change.has(DocumentChange::Lights | DocumentChange::Objects | DocumentChange::Comparing)) {
-        keepCurrentInside();
+        selection_.keepInside();
     }
     Q_EMIT changed(change);
 }
 
 const Scene& Document::scene(Side side) const {
-    return shownScenes_.scene(state_, currentObject_, side);
+    return shownScenes_.scene(state_, selection_.object(), side);
 }
 
 Scene Document::ownScene(Side side) const {
-    return patina::ownScene(state_, currentObject_, side);
+    return patina::ownScene(state_, selection_.object(), side);
 }
 
 const Material* Document::material(Side side) const {
-    return currentObject_ < 0 ? nullptr : materialAt(state_, currentObject_, side);
+    return selection_.object() < 0 ? nullptr : materialAt(state_, selection_.object(), side);
 }
 
 void Document::startFrom(DocumentState state, int object) {
     undoStack_.clear();
-    interaction_ = 0;
-    dragged_.reset();
+    interaction_.drop();
     lastParts_.clear();
     state_ = std::move(state);
     opened_ = state_;
-    currentObject_ = state_.scene.objects.empty() ? -1 : object;
-    selectedObjects_.clear();
-    currentLight_ = state_.scene.lights.empty() ? -1 : 0;
-    activeSide_ = Side::A;
+    selection_.start(object);
     announce({DocumentChange::Scene | DocumentChange::Comparing});
 }
 
@@ -102,96 +97,6 @@ void Document::setCatalog(std::shared_ptr<const Catalog> catalog) {
     blocks_.forget();
     reconcile(state_, *before, *catalog_);
     announce({DocumentChange::Catalog});
-}
-
-void Document::setCurrentObject(int index) {
-    const int inside = std::min(index, static_cast<int>(state_.scene.objects.size()) - 1);
-    if (inside != currentObject_) {
-        currentObject_ = inside;
-        if (!std::ranges::binary_search(selectedObjects_, inside)) {
-            selectedObjects_.clear();
-        }
-        shownScenes_.forget();
-        DocumentChange change{DocumentChange::Current};
-        change.aspects.setFlag(DocumentChange::Material, isComparing()); // B moved to this object
-        announce(change);
-    }
-}
-
-void Document::selectObjects(std::vector<int> objects) {
-    const auto count = static_cast<int>(state_.scene.objects.size());
-    std::erase_if(objects, [count](int object) { return object < 0 || object >= count; });
-    const int current = objects.empty() ? currentObject_ : objects.back();
-    std::ranges::sort(objects);
-    const auto [repeated, end] = std::ranges::unique(objects);
-    objects.erase(repeated, end);
-    if (objects != selectedObjects_) {
-        selectedObjects_ = std::move(objects);
-        if (current == currentObject_) {
-            announce({DocumentChange::Current});
-        }
-    }
-    setCurrentObject(current);
-}
-
-std::vector<int> Document::editedObjects() const {
-    if (std::ranges::binary_search(selectedObjects_, currentObject_)) {
-        return selectedObjects_;
-    }
-    return currentObject_ < 0 ? std::vector<int>() : std::vector<int>{currentObject_};
-}
-
-/// The paths that an edit at a path is for: its own first, then those of the other objects that are
-/// selected with it. Sides but A have a material of their own, which is on one object.
-std::vector<BlockPath> Document::editedPaths(const BlockPath& path) const {
-    std::vector<BlockPath> paths{path};
-    const bool isOfObject = path.owner == BlockOwner::Object || path.owner == BlockOwner::Material;
-    if (!isOfObject || path.side != Side::A || path.index != currentObject_) {
-        return paths;
-    }
-    for (const int object : editedObjects()) {
-        if (object != path.index) {
-            paths.push_back(path);
-            paths.back().index = object;
-        }
-    }
-    return paths;
-}
-
-void Document::setCurrentLight(int index) {
-    const int inside = std::min(index, static_cast<int>(state_.scene.lights.size()) - 1);
-    if (inside != currentLight_) {
-        currentLight_ = inside;
-        announce({DocumentChange::Current});
-    }
-}
-
-void Document::setActiveSide(Side side) {
-    const Side possible = indexOf(side) < shownSides() ? side : Side::A;
-    if (possible != activeSide_) {
-        activeSide_ = possible;
-        announce({DocumentChange::Current});
-    }
-}
-
-void Document::keepCurrentInside() {
-    const bool hasObjects = !state_.scene.objects.empty();
-    const bool hasLights = !state_.scene.lights.empty();
-    std::erase_if(selectedObjects_,
-                  [count = std::ssize(state_.scene.objects)](int i) { return i >= count; });
-    setCurrentObject(hasObjects ? std::max(currentObject_, 0) : -1);
-    setCurrentLight(hasLights ? std::max(currentLight_, 0) : -1);
-    setActiveSide(activeSide_);
-}
-
-BlockPath Document::currentPath(std::string_view kind) const {
-    BlockPath path = pathOf(kind);
-    if (path.owner == BlockOwner::Scene) {
-        return path.isAt(kinds::environment) ? environmentPath(state_, activeSide_) : path;
-    }
-    path.index = path.owner == BlockOwner::Light ? currentLight_ : currentObject_;
-    path.side = path.owner == BlockOwner::Material ? activeSide_ : Side::A;
-    return path;
 }
 
 const Block* Document::block(const BlockPath& path) const {
@@ -226,7 +131,7 @@ void Document::setValue(const BlockPath& path, std::string_view parameterId, con
     const QString label = tr("Change %1").arg(QString::fromStdString(parameter->label));
     bool isChange = false;
     GroupCommand::Edits edits;
-    for (const BlockPath& each : editedPaths(path)) {
+    for (const BlockPath& each : selection_.editedPaths(path)) {
         const Block* block = this->block(each);
         const Parameter* same = block ? block->parameter(parameterId) : nullptr;
         if (same && same->type == parameter->type) {
@@ -244,7 +149,7 @@ void Document::setValue(const BlockPath& path, std::string_view parameterId, con
         return;
     }
     editAsOneStep(label, [&] {
-        showOwnPicture(); // so that the edit is seen
+        showOwnPicture(*this); // so that the edit is seen
         edit();
     });
 }
@@ -260,7 +165,7 @@ void Document::setValues(const BlockPath& path, const Values& values, const QStr
     bool isChange = false;
     bool isHidden = false;
     GroupCommand::Edits edits; // also of values that stay: the steps of a drag merge
-    for (const BlockPath& each : editedPaths(path)) {
+    for (const BlockPath& each : selection_.editedPaths(path)) {
         isChange |= addValueEdits(edits, each, values, label);
         isChange |= addTextureEdits(edits, each, textures, label);
     }
@@ -276,7 +181,7 @@ void Document::setValues(const BlockPath& path, const Values& values, const QStr
         return;
     }
     editAsOneStep(label, [&] {
-        showOwnPicture(); // so that the edit is seen
+        showOwnPicture(*this); // so that the edit is seen
         edit();
     });
 }
@@ -342,7 +247,7 @@ void Document::setTexture(const BlockPath& path, std::string_view parameterId,
         return;
     }
     bool isChange = false;
-    std::vector<BlockPath> paths = editedPaths(path);
+    std::vector<BlockPath> paths = selection_.editedPaths(path);
     std::erase_if(paths, [&](const BlockPath& each) {
         const Block* block = this->block(each);
         const Parameter* same = block ? block->parameter(parameterId) : nullptr;
@@ -392,7 +297,7 @@ void Document::setBlock(const BlockPath& path, std::string_view blockId) {
 /// Gives every material that is edited the block that it does not have yet.
 void Document::setBlocksOfMaterials(const BlockPath& path, const Block* wanted) {
     GroupCommand::Edits edits;
-    for (const BlockPath& each : editedPaths(path)) {
+    for (const BlockPath& each : selection_.editedPaths(path)) {
         const BlockValues* held = blockValuesAt(state_, each);
         if ((held ? held->id : std::string()) == (wanted ? wanted->id : std::string())) {
             continue;
@@ -439,24 +344,26 @@ void Document::setOwnEnvironment(const BlockPath& path, const Block* wanted) {
     const BlockValues* held = own.environment ? &*own.environment : nullptr;
     own.environment =
         wanted ? std::optional(swappedBlock(held, block(path), *wanted)) : std::nullopt;
-    setOwnView(path.side, own, blockLabel(path.kind, wanted));
+    setOwnView(*this, path.side, own, blockLabel(path.kind, wanted));
 }
 
 void Document::setModel(Side side, std::string_view modelId) {
-    setBlock(pathOf(kinds::models, currentObject_, side), modelId);
+    setBlock(pathOf(kinds::models, selection_.object(), side), modelId);
 }
 
 void Document::replaceMaterial(Side side, const Material& wanted, const QString& label,
                                MaterialEdit edit) {
     const Material* held = material(side);
     if (held && !(*held == wanted)) {
-        undoStack_.push(new MaterialCommand(*this, {currentObject_, side}, wanted, label, edit));
+        undoStack_.push(
+            new MaterialCommand(*this, {selection_.object(), side}, wanted, label, edit));
     }
 }
 
 void Document::replaceMaterials(Side side, const Material& wanted, const QString& label) {
     GroupCommand::Edits edits;
-    for (const BlockPath& each : editedPaths(pathOf(kinds::models, currentObject_, side))) {
+    for (const BlockPath& each :
+         selection_.editedPaths(pathOf(kinds::models, selection_.object(), side))) {
         const Material* held = materialAt(state_, each.index, each.side);
         if (held && !(*held == wanted)) {
             edits.push_back(std::make_unique<MaterialCommand>(
@@ -464,38 +371,6 @@ void Document::replaceMaterials(Side side, const Material& wanted, const QString
         }
     }
     pushAsOne(*this, label, std::move(edits));
-}
-
-void Document::setSecondMaterial(std::optional<Material> wanted) {
-    if (wanted != state_.second) {
-        undoStack_.push(new CompareCommand(*this, std::move(wanted)));
-    }
-}
-
-void Document::setFurtherMaterials(std::vector<Material> materials) {
-    if (materials != state_.further) {
-        undoStack_.push(new FurtherCommand(*this, std::move(materials)));
-    }
-}
-
-void Document::setComparedPicture(std::optional<ComparedPicture> picture) {
-    if (picture != state_.picture) {
-        undoStack_.push(new PictureCommand(*this, std::move(picture)));
-    }
-}
-
-void Document::setOwnView(Side side, const OwnView& own, const QString& label) {
-    if (own != state_.ownViews[indexOf(side)]) {
-        undoStack_.push(new OwnViewCommand(*this, side, own, label));
-    }
-}
-
-void Document::showOwnPicture() {
-    if (state_.picture && state_.picture->first) {
-        ComparedPicture picture = *state_.picture;
-        picture.first.reset();
-        setComparedPicture(std::move(picture));
-    }
 }
 
 void Document::setCamera(const Camera& camera) {
@@ -508,21 +383,6 @@ void Document::setCamera(const Camera& camera) {
 void Document::nameScene(const std::string& name) {
     state_.scene.name = name;
     shownScenes_.forget(); // they have the name too
-}
-
-int Document::beginInteraction(std::optional<ParameterTarget> dragged) {
-    interaction_ = ++lastInteraction_;
-    dragged_ = std::move(dragged);
-    announce({DocumentChange::Interaction});
-    return interaction_;
-}
-
-void Document::endInteraction(int token) {
-    if (token == 0 || token == interaction_) {
-        interaction_ = 0;
-        dragged_.reset();
-        announce({DocumentChange::Interaction});
-    }
 }
 
 const Material* Document::originalMaterial(MaterialPlace place) const {

@@ -18,6 +18,8 @@
 #include "document/described_blocks.h"
 #include "document/document_change.h"
 #include "document/document_state.h"
+#include "document/interaction.h"
+#include "document/selection.h"
 #include "document/shown_scenes.h"
 
 namespace patina {
@@ -36,8 +38,8 @@ using StartValues = std::map<std::string, nlohmann::json, std::less<>>;
 using TextureEdits = std::map<std::string, std::optional<TextureUse>, std::less<>>;
 
 /// Holds the truth of an editing session as values. Widgets show it and ask it to change; every
-/// change is a command on the undo stack. Which object, light and side are current, and where the
-/// camera stands, is view state: it is kept here and saved, but neither undone nor asked about.
+/// change is a command on the undo stack. Where the camera stands is view state, as the selection
+/// is: it is saved, but neither undone nor asked about.
 class Document : public QObject {
     Q_OBJECT
 
@@ -68,24 +70,10 @@ class Document : public QObject {
     const StartValues& startValues() const { return startValues_; }
     void setStartValues(StartValues values) { startValues_ = std::move(values); }
 
-    // What is current (-1: nothing).
-    int currentObject() const { return currentObject_; }
-    int currentLight() const { return currentLight_; }
-    Side activeSide() const { return activeSide_; }
-    void setCurrentObject(int index);
-    /// The selected objects by rising index; none, or the current one is among them. An edit of the
-    /// current one is one of them all.
-    const std::vector<int>& selectedObjects() const { return selectedObjects_; }
-    /// Selects these objects; the last one becomes the current one. Without one the current one
-    /// stays what the panels show.
-    void selectObjects(std::vector<int> objects);
-    /// The objects that an edit of the current one changes: the selected ones, or it alone.
-    std::vector<int> editedObjects() const;
-    void setCurrentLight(int index);
-    void setActiveSide(Side side);
-    /// The path of a kind of block, or of settings, in what is current: the active material, the
-    /// current light or object, the environment of the active view where that is its own.
-    BlockPath currentPath(std::string_view kind) const;
+    const Selection& selection() const { return selection_; }
+    Selection& selection() { return selection_; }
+    const Interaction& interaction() const { return interaction_; }
+    Interaction& interaction() { return interaction_; }
 
     // Parameter values, whatever they belong to.
     /// Describes the values at a path; null when nothing is there or its block is not known.
@@ -108,7 +96,8 @@ class Document : public QObject {
     void setTexture(const BlockPath& path, std::string_view parameterId,
                     const std::optional<TextureUse>& use);
 
-    // Blocks and materials. Edits of the scene's lists are in scene_edits.h.
+    // Blocks and materials. Edits of the scene's lists are in scene_edits.h, those of what is
+    // compared in compare_edits.h.
     /// Another block of the path's kind; values with the same id carry over. Empty: none, where the
     /// kind is a part.
     void setBlock(const BlockPath& path, std::string_view blockId);
@@ -117,30 +106,11 @@ class Document : public QObject {
                          MaterialEdit edit = MaterialEdit::Changed);
     /// Applies a material to every object that is edited.
     void replaceMaterials(Side side, const Material& material, const QString& label);
-    /// Starts comparing with a material, changes it, or stops (nullopt).
-    void setSecondMaterial(std::optional<Material> material);
-    /// Gives sides C and D these materials; fewer take sides away.
-    void setFurtherMaterials(std::vector<Material> materials);
-    /// Lays ways to draw the picture over what the sides show, or none (nullopt).
-    void setComparedPicture(std::optional<ComparedPicture> picture);
-    /// What a side's view has of its own, which all else links with the scene.
-    void setOwnView(Side side, const OwnView& own, const QString& label);
-    /// Side A draws the picture as its scene says, where another way was shown there.
-    void showOwnPicture();
 
     // What is no edit.
     void setCamera(const Camera& camera);
     /// The scene is called as the file that it was saved to.
     void nameScene(const std::string& name);
-
-    // One interaction (a drag, a held key) is one undo step: every edit between begin and end
-    // merges, and one that ends where it began leaves no step. A new one ends the one before; a
-    // token makes a late end harmless (0 ends whichever is going on).
-    /// Begins one that drags this value, where it is a single one.
-    int beginInteraction(std::optional<ParameterTarget> dragged = std::nullopt);
-    void endInteraction(int token = 0);
-    bool isInteracting() const { return interaction_ != 0; }
-    const std::optional<ParameterTarget>& dragged() const { return dragged_; }
 
     // Undo.
     QUndoStack& undoStack() { return undoStack_; }
@@ -169,7 +139,6 @@ class Document : public QObject {
   private:
     friend class DocumentCommand;
 
-    std::vector<BlockPath> editedPaths(const BlockPath& path) const;
     bool addValueEdits(std::vector<std::unique_ptr<DocumentCommand>>& edits, const BlockPath& path,
                        const Values& values, const QString& label);
     bool addTextureEdits(std::vector<std::unique_ptr<DocumentCommand>>& edits,
@@ -178,7 +147,6 @@ class Document : public QObject {
     void setKindOfLight(const BlockPath& path, const Block& wanted);
     void setScenePart(const BlockPath& path, const Block* wanted);
     void setOwnEnvironment(const BlockPath& path, const Block* wanted);
-    void keepCurrentInside();
 
     std::shared_ptr<const Catalog> catalog_;
     mutable DescribedBlocks blocks_;
@@ -186,13 +154,8 @@ class Document : public QObject {
     DocumentState opened_; ///< what it started from
     StartValues startValues_;
     mutable ShownScenes shownScenes_;
-    int currentObject_ = -1;
-    std::vector<int> selectedObjects_;
-    int currentLight_ = -1;
-    Side activeSide_ = Side::A;
-    int interaction_ = 0;
-    int lastInteraction_ = 0;
-    std::optional<ParameterTarget> dragged_;
+    Selection selection_;
+    Interaction interaction_;
     BlockParts lastParts_; ///< of the scene: they come back when the kind is turned on again
     QUndoStack undoStack_;
 };

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "document/commands/material_command.h"
+#include "document/compare_edits.h"
 #include "document/snapshot_edits.h"
 #include "material/parked.h"
 #include "material/variant.h"
@@ -340,7 +341,7 @@ bool DocumentFiles::openPreset(const std::filesystem::path& path, const ReadingR
     if (state.scene.objects.empty()) {
         state.scene.objects.emplace_back();
     }
-    const int object = std::max(document_.currentObject(), 0);
+    const int object = std::max(document_.selection().object(), 0);
     *materialAt(state, object, Side::A) = reading->material;
     start(std::move(state), {DocumentFile::Kind::Preset, path, reading->readOnly}, object);
     tell(reading->notes);
@@ -355,7 +356,7 @@ bool DocumentFiles::applyPreset(const std::filesystem::path& path, Side side,
         return false;
     }
     if (side == Side::B && !document_.state().second) {
-        document_.setSecondMaterial(reading->material);
+        setSecondMaterial(document_, reading->material);
     } else {
         document_.replaceMaterials(side, reading->material, tr("Preset %1").arg(titleOf(path)));
     }
@@ -383,7 +384,7 @@ Scene DocumentFiles::sceneToSave() const {
         scene.extras[snapshotsKey] = snapshotsToJson(document_.state().snapshots);
     }
     return hasSecondMaterial(document_.state())
-               ? withCompared(std::move(scene), document_.state(), document_.currentObject())
+               ? withCompared(std::move(scene), document_.state(), document_.selection().object())
                : scene;
 }
 
@@ -443,7 +444,8 @@ bool DocumentFiles::savePreset(const std::filesystem::path& path, Side side,
     }
     Material saved = *held;
     saved.name = name;
-    return savePreset(path, pathOf(settings::material, document_.currentObject(), side), saved);
+    return savePreset(path, pathOf(settings::material, document_.selection().object(), side),
+                      saved);
 }
 
 /// Nothing is called otherwise before its file is written.

@@ -16,7 +16,7 @@ void setValues(Document& document, const BlockPath& path, const BlockValues& wan
 } // namespace
 
 void setPicture(Document& document, const Scene& from) {
-    const BlockPath scenePath = document.currentPath(settings::scene);
+    const BlockPath scenePath = document.selection().currentPath(settings::scene);
     for (const Parameter& parameter : pictureAccuracyParameters()) {
         if (const auto level = pictureLevel(from, parameter.id)) {
             document.setValue(scenePath, parameter.id, *level);
@@ -27,7 +27,7 @@ void setPicture(Document& document, const Scene& from) {
         setValues(document, pathOf(kinds::transparency), *transparency);
     }
     if (const BlockValues* environment = from.part(kinds::environment)) {
-        setValues(document, document.currentPath(kinds::environment), *environment);
+        setValues(document, document.selection().currentPath(kinds::environment), *environment);
     }
     for (std::size_t i = 0; i < from.lights.size(); ++i) {
         if (const BlockValues* shadow = from.lights[i].part(kinds::shadows)) {

@@ -17,12 +17,13 @@ void ProgramEffects::follow(const DocumentChange& change) {
         frozen_.follow(document_.state(), change.path, change.parameterId);
         return;
     }
-    const bool isDragged = change.has(DocumentChange::Texture) && document_.isInteracting();
+    const bool isDragged =
+        change.has(DocumentChange::Texture) && document_.interaction().isGoingOn();
     if (!isDragged && !change.has(DocumentChange::Camera)) {
         end();
     }
-    if (change.has(DocumentChange::Interaction) && document_.dragged()) {
-        begin(*document_.dragged());
+    if (change.has(DocumentChange::Interaction) && document_.interaction().dragged()) {
+        begin(*document_.interaction().dragged());
     }
 }
 
@@ -33,7 +34,7 @@ void ProgramEffects::begin(const ParameterTarget& dragged) {
         return;
     }
     const DocumentState& state = document_.state();
-    const int object = document_.currentObject();
+    const int object = document_.selection().object();
     frozen_.begin(state, object, path, *parameter, document_.catalog());
     if (document_.texture(path, parameterId)) {
         frozen_.keepTexture(state, object, path, textureKey(path, parameterId));
@@ -53,7 +54,7 @@ void ProgramEffects::end() {
 
 void ProgramEffects::prewarm(const ParameterTarget& approached) {
     const Parameter* parameter = document_.parameter(approached);
-    if (parameter && !document_.isInteracting()) {
+    if (parameter && !document_.interaction().isGoingOn()) {
         for (const DocumentState& state : patina::prewarmed(document_.state(), approached.path,
                                                             *parameter, document_.catalog())) {
             Q_EMIT prewarmed(state);
@@ -64,8 +65,8 @@ void ProgramEffects::prewarm(const ParameterTarget& approached) {
 void ProgramEffects::prewarmModel(Side side, std::string_view modelId) {
     const Block* model = document_.catalog().find(kinds::models, modelId);
     DocumentState ahead = document_.state();
-    Material* held = materialAt(ahead, document_.currentObject(), side);
-    if (held && model && held->model.id != modelId && !document_.isInteracting()) {
+    Material* held = materialAt(ahead, document_.selection().object(), side);
+    if (held && model && held->model.id != modelId && !document_.interaction().isGoingOn()) {
         *held = swappedModel(*held, *model, document_.catalog());
         Q_EMIT prewarmed(ahead);
     }

@@ -10,13 +10,14 @@ namespace {
 
 /// The paths of the blocks that a material is made of.
 std::vector<BlockPath> pathsOf(const Document& document) {
-    const Block* model = document.block(document.currentPath(kinds::models));
+    const Block* model = document.block(document.selection().currentPath(kinds::models));
     std::vector<BlockPath> paths;
     if (model) {
-        paths.push_back(document.currentPath(kinds::models));
+        paths.push_back(document.selection().currentPath(kinds::models));
         for (const std::string_view kind : partKinds(BlockOwner::Material)) {
-            if (hasPlaceFor(*model, kind) && document.block(document.currentPath(kind))) {
-                paths.push_back(document.currentPath(kind));
+            if (hasPlaceFor(*model, kind) &&
+                document.block(document.selection().currentPath(kind))) {
+                paths.push_back(document.selection().currentPath(kind));
             }
         }
     }

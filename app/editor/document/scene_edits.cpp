@@ -14,6 +14,7 @@
 #include "document/commands/lighting_command.h"
 #include "document/commands/object_command.h"
 #include "document/commands/scene_block_command.h"
+#include "document/compare_edits.h"
 #include "document/swapped_block.h"
 #include "scene/environment.h"
 
@@ -294,7 +295,7 @@ void addObjects(Document& document, const std::vector<Object>& objects, const QS
             std::make_unique<ObjectCommand>(document, added.back(), std::nullopt, object, label));
     }
     pushAsOne(document, label, std::move(edits));
-    document.selectObjects(added);
+    document.selection().setObjects(added);
 }
 
 std::vector<int> withGroups(const Scene& scene, const std::vector<int>& indices) {
@@ -354,7 +355,7 @@ std::set<std::string, std::less<>> environmentPictures(const Document& document)
 
 void setEnvironmentPicture(Document& document, const std::filesystem::path& file) {
     Q_EMIT document.fileNamed(file);
-    const BlockPath path = document.currentPath(kinds::environment);
+    const BlockPath path = document.selection().currentPath(kinds::environment);
     const BlockValues* held = blockValuesAt(document.state(), path);
     const Block* current = document.block(path);
     const std::vector<const Block*> all = document.catalog().ofKind(path.kind);
@@ -376,7 +377,7 @@ void setEnvironmentPicture(Document& document, const std::filesystem::path& file
     if (path.isOfView) {
         OwnView own = ownView(document.state(), path.side);
         own.environment = std::move(after);
-        document.setOwnView(path.side, own, label);
+        setOwnView(document, path.side, own, label);
     } else {
         document.undoStack().push(new SceneBlockCommand(document, path, after, label));
     }

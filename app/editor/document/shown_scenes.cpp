@@ -20,6 +20,7 @@ const Scene& ShownScenes::scene(const DocumentState& state, int object, Side sid
     if (isOwn || !state.second || object < 0) {
         return state.scene;
     }
+    keepFor(object);
     std::optional<Scene>& shown = shown_[indexOf(side)];
     if (!shown) {
         shown = shownScene(state, object, side);
@@ -29,8 +30,16 @@ const Scene& ShownScenes::scene(const DocumentState& state, int object, Side sid
 
 void ShownScenes::follow(const DocumentState& state, int object, const BlockPath& path,
                          std::string_view parameterId) {
+    keepFor(object);
     for (const Side side : sides) {
         update(side, state, object, path, parameterId);
+    }
+}
+
+void ShownScenes::keepFor(int object) {
+    if (object_ != object) {
+        forget();
+        object_ = object;
     }
 }
 

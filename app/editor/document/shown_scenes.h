@@ -26,10 +26,13 @@ class ShownScenes {
     void forget() { shown_ = {}; }
 
   private:
+    /// Forgets scenes whose sides' materials are on another object.
+    void keepFor(int object);
     void update(Side side, const DocumentState& state, int object, const BlockPath& path,
                 std::string_view parameterId);
 
     std::array<std::optional<Scene>, sides.size()> shown_; ///< by side
+    int object_ = -1;                                      ///< on which the sides' materials are
 };
 
 } // namespace patina

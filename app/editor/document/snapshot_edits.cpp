@@ -7,6 +7,7 @@
 #include <QByteArray>
 
 #include "document/commands/snapshots_command.h"
+#include "document/compare_edits.h"
 
 namespace patina {
 namespace {
@@ -42,7 +43,7 @@ std::string textIn(const nlohmann::json& json, const char* key) {
 } // namespace
 
 void takeSnapshot(Document& document, std::string png) {
-    const Material* material = document.material(document.activeSide());
+    const Material* material = document.material(document.selection().side());
     std::vector<Snapshot> snapshots = document.state().snapshots;
     if (material && snapshots.size() < maxSnapshots) {
         const std::string wanted =
@@ -72,14 +73,14 @@ void restoreSnapshot(Document& document, std::size_t index) {
     if (isThere(document, index)) {
         const Snapshot snapshot = document.state().snapshots[index];
         document.replaceMaterial(
-            document.activeSide(), snapshot.material,
+            document.selection().side(), snapshot.material,
             Document::tr("Restore %1").arg(QString::fromStdString(snapshot.name)));
     }
 }
 
 void compareWithSnapshot(Document& document, std::size_t index) {
     if (isThere(document, index) && document.material(Side::A)) {
-        document.setSecondMaterial(document.state().snapshots[index].material);
+        setSecondMaterial(document, document.state().snapshots[index].material);
     }
 }
 

@@ -15,7 +15,7 @@ void TriedMaterial::show(Side side, const Material& material, const QString& wha
         return;
     }
     Scene scene = document_.scene(side);
-    scene.objects[static_cast<std::size_t>(document_.currentObject())].material = material;
+    scene.objects[static_cast<std::size_t>(document_.selection().object())].material = material;
     shown_ = Shown{side, std::move(scene), what};
     Q_EMIT changed();
 }

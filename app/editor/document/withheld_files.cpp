@@ -42,7 +42,7 @@ WithheldFiles::WithheldFiles(Document& document, QObject* parent)
 OutsideFiles WithheldFiles::all() const {
     OutsideFiles found = files_;
     for (const MaterialPlace& place :
-         materialPlaces(document_.state(), document_.currentObject())) {
+         materialPlaces(document_.state(), document_.selection().object())) {
         const Material* material = materialAt(document_.state(), place.object, place.side);
         if (!material) {
             continue;
@@ -124,7 +124,7 @@ void WithheldFiles::allowAll(const std::filesystem::path& documentFile) {
     if (isInMaterials) {
         document_.editAsOneStep(tr("Allow files outside"), [&] {
             for (const MaterialPlace& place :
-                 materialPlaces(document_.state(), document_.currentObject())) {
+                 materialPlaces(document_.state(), document_.selection().object())) {
                 allowIn(place, documentFile, rights);
             }
         });

@@ -25,7 +25,7 @@ ClipboardActions::ClipboardActions(Document& document, DocumentFiles& files, Mes
     : QObject(parent), document_(document), files_(files), meshes_(meshes) {}
 
 void ClipboardActions::copyMaterial() const {
-    if (const Material* material = document_.material(document_.activeSide())) {
+    if (const Material* material = document_.material(document_.selection().side())) {
         copyJson(toJson(*material), mayReadAll(*material));
     }
 }
@@ -38,7 +38,7 @@ void ClipboardActions::copyObjects() const {
 
 void ClipboardActions::cutObjects() {
     copyObjects();
-    removeObjects(document_, document_.editedObjects());
+    removeObjects(document_, document_.selection().editedObjects());
 }
 
 void ClipboardActions::copyLight() const {
@@ -49,7 +49,7 @@ void ClipboardActions::copyLight() const {
 
 void ClipboardActions::cutLight() {
     copyLight();
-    removeLight(document_, document_.currentLight());
+    removeLight(document_, document_.selection().light());
 }
 
 void ClipboardActions::duplicateLight() {
@@ -76,12 +76,12 @@ void ClipboardActions::pasteMaterial(const CopiedJson& copied) {
         tell(reading.error());
         return;
     }
-    if (!document_.material(document_.activeSide())) {
+    if (!document_.material(document_.selection().side())) {
         tell({{{}, 0, 0, "there is no object to paste the material onto", "an object"}});
         return;
     }
     const QString name = QString::fromStdString(reading->material.name);
-    document_.replaceMaterials(document_.activeSide(), reading->material,
+    document_.replaceMaterials(document_.selection().side(), reading->material,
                                tr("Paste %1").arg(name.isEmpty() ? tr("material") : name));
     tell(reading->notes);
 }
@@ -131,14 +131,14 @@ bool ClipboardActions::mayReadAll(const std::vector<Object>& objects) const {
 
 std::vector<Object> ClipboardActions::editedObjects() const {
     std::vector<Object> objects;
-    for (const int index : document_.editedObjects()) {
+    for (const int index : document_.selection().editedObjects()) {
         objects.push_back(document_.scene().objects[static_cast<std::size_t>(index)]);
     }
     return objects;
 }
 
 const Light* ClipboardActions::currentLight() const {
-    const int index = document_.currentLight();
+    const int index = document_.selection().light();
     return index < 0 ? nullptr : &document_.scene().lights[static_cast<std::size_t>(index)];
 }
 

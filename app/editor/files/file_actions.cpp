@@ -148,12 +148,12 @@ void FileActions::askAndOpen() {
             tr("All files") + " (*)");
     if (!files.isEmpty()) {
         session_.setFolderOf("open", files.front());
-        open(files, document_.activeSide());
+        open(files, document_.selection().side());
     }
 }
 
 void FileActions::exportPreset() {
-    const Material* material = document_.material(document_.activeSide());
+    const Material* material = document_.material(document_.selection().side());
     if (!material) {
         return;
     }
@@ -171,7 +171,7 @@ void FileActions::exportPreset() {
 
 /// Under another name it is another preset: the material is called what its file is called.
 bool FileActions::writePreset(const QString& file) {
-    const Side side = document_.activeSide();
+    const Side side = document_.selection().side();
     const Material* material = document_.material(side);
     if (!material) {
         return false;
@@ -229,7 +229,7 @@ void FileActions::addBeside(const Object& object) {
 void FileActions::duplicateObjects() {
     const Scene& scene = document_.scene();
     std::vector<Object> copies;
-    for (const int index : document_.editedObjects()) {
+    for (const int index : document_.selection().editedObjects()) {
         copies.push_back(scene.objects[static_cast<std::size_t>(index)]);
     }
     addObjects(document_, placedBeside(scene, copies, meshes_),
@@ -303,7 +303,7 @@ bool FileActions::showsOnlyTheStart() const {
 void FileActions::replaceObject(Object object) {
     object.material = document_.scene().objects.front().material;
     patina::setObject(document_, 0, object);
-    document_.setCurrentObject(0);
+    document_.selection().setObject(0);
 }
 
 void FileActions::meshFailed(const QString& mesh, const Error& why) {
@@ -317,7 +317,7 @@ void FileActions::noteLinks(const QString& mesh, const std::vector<std::string>&
 }
 
 void FileActions::editDetails() {
-    const Side side = document_.activeSide();
+    const Side side = document_.selection().side();
     const Material* material = document_.material(side);
     if (!material) {
         return;
@@ -383,7 +383,7 @@ void FileActions::drop(const QStringList& files, Side side) {
         switch (kindOf(file)) {
         case Kind::Preset:
             applyPreset(file, side);
-            document_.setActiveSide(side); // what was put there is what is worked on next
+            document_.selection().setSide(side); // what was put there is what is worked on next
             break;
         case Kind::Scene:
             openDocument(file);
@@ -396,7 +396,7 @@ void FileActions::drop(const QStringList& files, Side side) {
             load(file);
             break;
         case Kind::Sheet:
-            document_.setActiveSide(side);
+            document_.selection().setSide(side);
             Q_EMIT sheetWished(file);
             break;
         }

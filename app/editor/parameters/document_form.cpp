@@ -33,7 +33,7 @@ DocumentForm::DocumentForm(Document& document, TextureLibrary& textures, std::st
 }
 
 void DocumentForm::follow() {
-    path_ = document_.currentPath(kind_);
+    path_ = document_.selection().currentPath(kind_);
     setBlock(document_.block(path_), std::make_unique<DocumentSource>(document_, textures_, path_),
              emptyText());
     setEnabled(path_.index >= 0);

@@ -24,9 +24,9 @@ class DocumentSource : public ParameterSource {
         Q_EMIT document_.valueApproached({path_, std::string(parameterId)});
     }
     int beginInteraction(std::string_view parameterId) override {
-        return document_.beginInteraction(ParameterTarget{path_, std::string(parameterId)});
+        return document_.interaction().begin(ParameterTarget{path_, std::string(parameterId)});
     }
-    void endInteraction(int token) override { document_.endInteraction(token); }
+    void endInteraction(int token) override { document_.interaction().end(token); }
 
     bool takesTextures() const override { return patina::takesTextures(path_); }
     std::optional<TextureUse> texture(std::string_view parameterId) const override;

@@ -33,9 +33,9 @@ std::optional<Material> materialOf(const SheetPlan& plan, const Scene& cell, std
 
 Materials changedMaterials(const Document& document, const SheetPlan& plan, const Scene& cell,
                            int column, int row) {
-    const Side side = document.activeSide();
-    const std::vector<int> objects =
-        side == Side::A ? document.editedObjects() : std::vector{document.currentObject()};
+    const Side side = document.selection().side();
+    const std::vector<int> objects = side == Side::A ? document.selection().editedObjects()
+                                                     : std::vector{document.selection().object()};
     Materials changed;
     for (const int object : objects) {
         const Material* held = materialAt(document.state(), object, side);
@@ -99,7 +99,7 @@ bool takeCell(Document& document, const SheetPlan& plan, int column, int row) {
     if (!cell) {
         return false;
     }
-    const Side side = document.activeSide();
+    const Side side = document.selection().side();
     const Materials materials = changedMaterials(document, plan, *cell, column, row);
     Scene after = sceneAfter(document.scene(), *cell);
     if (cell->camera == plan.start().camera) { // it may have moved since

@@ -155,7 +155,7 @@ void SheetsDock::followLater() {
 }
 
 void SheetsDock::follow() {
-    const int object = document_.currentObject();
+    const int object = document_.selection().object();
     if (object < 0) {
         grid_->table().clear();
         xTitle_->tell({});
@@ -163,7 +163,8 @@ void SheetsDock::follow() {
         notice_->say(tr("There is no object to draw."));
         return;
     }
-    const SheetStart::Subject subject{document_.activeSide(), static_cast<std::size_t>(object)};
+    const SheetStart::Subject subject{document_.selection().side(),
+                                      static_cast<std::size_t>(object)};
     const Scene shown = drawnScene(document_.ownScene(subject.side));
     if (!hasAxes_) {
         chooseAxes(axisOffers(shown, subject.object, document_.catalog()));
@@ -193,12 +194,12 @@ void SheetsDock::chooseAxes(const std::vector<AxisOffer>& offers) {
 }
 
 SheetDrawing::Request SheetsDock::request() {
-    const Side side = document_.activeSide();
+    const Side side = document_.selection().side();
     SheetDrawing::Request request;
     request.sheet = sheet_;
     request.start = start_.scene();
     request.shown = drawnScene(document_.ownScene(side));
-    request.object = static_cast<std::size_t>(document_.currentObject());
+    request.object = static_cast<std::size_t>(document_.selection().object());
     request.catalog = document_.sharedCatalog();
     request.meshes = meshSnapshot(request.shown, context_.meshes);
     request.textures = context_.textures.snapshot();
@@ -271,7 +272,7 @@ const AxisOffer* SheetsDock::freeOffer(const SheetAxis* other) const {
 
 /// Says that there is nothing an axis could be of.
 QString SheetsDock::wordsFor(const SheetAxis& axis) const {
-    const Material* material = document_.material(document_.activeSide());
+    const Material* material = document_.material(document_.selection().side());
     const Block* model =
         material ? document_.catalog().find(kinds::models, material->model.id) : nullptr;
     if (!model || axis.kind != AxisKind::Value ||
@@ -332,7 +333,7 @@ void SheetsDock::showRunning() {
 /// A cell that is out of date would take back what has changed since: it is taken when the sheet
 /// has followed.
 void SheetsDock::choose(const QModelIndex& cell) {
-    const Scene shown = drawnScene(document_.ownScene(document_.activeSide()));
+    const Scene shown = drawnScene(document_.ownScene(document_.selection().side()));
     if (grid_->table().sheet() == sheet_ && start_.holds(shown)) {
         take(cell);
         return;
@@ -344,7 +345,7 @@ void SheetsDock::choose(const QModelIndex& cell) {
 void SheetsDock::take(const QModelIndex& cell) {
     const std::shared_ptr<const SheetPlan> plan = grid_->table().plan();
     if (plan && takeCell(document_, *plan, cell.column(), cell.row())) {
-        start_.noteTaken(drawnScene(document_.ownScene(document_.activeSide())));
+        start_.noteTaken(drawnScene(document_.ownScene(document_.selection().side())));
         grid_->table().markShown(cell);
     }
 }
@@ -366,7 +367,7 @@ void SheetsDock::open(const QString& file) {
         context_.files.tell(note);
     }
     if (!reading->sheet.preset.empty()) {
-        context_.files.applyPreset(asText(reading->sheet.preset), document_.activeSide());
+        context_.files.applyPreset(asText(reading->sheet.preset), document_.selection().side());
     }
     setSheet(reading->sheet);
 }
@@ -398,11 +399,11 @@ bool SheetsDock::isUpToDate() {
         settle_.stop();
         follow();
     }
-    return start_.scene() && document_.currentObject() >= 0;
+    return start_.scene() && document_.selection().object() >= 0;
 }
 
 QString SheetsDock::suggestedName() const {
-    const Material* material = document_.material(document_.activeSide());
+    const Material* material = document_.material(document_.selection().side());
     const QString name = !sheet_.name.empty() ? asText(sheet_.name)
                          : material           ? asText(material->name)
                                               : QString();

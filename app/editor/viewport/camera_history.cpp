@@ -18,7 +18,7 @@ CameraHistory::CameraHistory(Document& document, QObject* parent)
     onChange(document, DocumentChange::Camera, this, &CameraHistory::follow);
     onChange(document, DocumentChange::Scene, this, &CameraHistory::forget);
     onChange(document, DocumentChange::Interaction, this,
-             [this] { document_.isInteracting() ? beginDrag() : endDrag(); });
+             [this] { document_.interaction().isGoingOn() ? beginDrag() : endDrag(); });
 }
 
 void CameraHistory::follow() {

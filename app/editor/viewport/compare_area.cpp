@@ -57,7 +57,7 @@ std::vector<SideView*> CompareArea::views() {
 }
 
 SideView& CompareArea::active() {
-    SideView* active = view(document_.activeSide());
+    SideView* active = view(document_.selection().side());
     return active != nullptr ? *active : first();
 }
 
@@ -327,7 +327,7 @@ void CompareArea::resizeEvent(QResizeEvent* event) {
 void CompareArea::keyPressEvent(QKeyEvent* event) {
     const QString text = event->text();
     if (!isComposed() && event->key() == Qt::Key_Space) {
-        resetCamera(document_.activeSide());
+        resetCamera(document_.selection().side());
     } else if (!isComposed()) {
         QWidget::keyPressEvent(event);
     } else if (event->key() == flipKey) {

@@ -66,7 +66,7 @@ void ComparisonMeter::followChange() {
 }
 
 Side ComparisonMeter::other() const {
-    return document_.activeSide() == Side::A ? Side::B : document_.activeSide();
+    return document_.selection().side() == Side::A ? Side::B : document_.selection().side();
 }
 
 void ComparisonMeter::giveUp() {

@@ -87,10 +87,10 @@ WipeLine ComposedView::line() const {
 /// The side that is to be seen and no other; nothing where both are.
 std::optional<Side> ComposedView::alone() const {
     if (flipped_) {
-        return otherThan(document_.activeSide());
+        return otherThan(document_.selection().side());
     }
     if (look_.mode == CompareMode::Flip) {
-        return document_.activeSide();
+        return document_.selection().side();
     }
     if (look_.mode == CompareMode::Blink) {
         return blinksSecond_ ? Side::B : Side::A;
@@ -103,7 +103,7 @@ Side ComposedView::sideAt(const QPointF& place) const {
         return line().depthInB(place) > 0.0 ? Side::B : Side::A;
     }
     // A click on what blinks would take a side by chance.
-    return flipped_ ? otherThan(document_.activeSide()) : document_.activeSide();
+    return flipped_ ? otherThan(document_.selection().side()) : document_.selection().side();
 }
 
 ComposedView::Part ComposedView::partAt(const QPointF& place) const {
@@ -211,7 +211,7 @@ void ComposedView::drawLine(QPainter& painter) const {
 }
 
 QRect ComposedView::drawTitle(QPainter& painter, Side side, bool atRight) const {
-    const bool active = document_.activeSide() == side;
+    const bool active = document_.selection().side() == side;
     QFont bold = font();
     bold.setBold(true);
     const QFontMetrics metrics = fontMetrics();
@@ -267,7 +267,7 @@ void ComposedView::paintEvent(QPaintEvent*) {
 bool ComposedView::press(const QMouseEvent& event) {
     for (const Side side : {Side::A, Side::B}) {
         if (titles_[indexOf(side)].contains(event.position().toPoint())) {
-            document_.setActiveSide(side);
+            document_.selection().setSide(side);
             return true;
         }
     }
@@ -276,7 +276,7 @@ bool ComposedView::press(const QMouseEvent& event) {
     dragged_ = isPlain ? partAt(event.position()) : Part::View;
     pivot_ = line().grip();
     if (dragged_ != Part::View) {
-        view(document_.activeSide()).viewport().setFocus(Qt::MouseFocusReason);
+        view(document_.selection().side()).viewport().setFocus(Qt::MouseFocusReason);
     }
     return dragged_ != Part::View;
 }

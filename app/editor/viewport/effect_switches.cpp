@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "document/compare_edits.h"
 #include "shading/effects/effect_rows.h"
 
 namespace patina {
@@ -63,11 +64,11 @@ void EffectSwitches::switchAllOn() {
 }
 
 void EffectSwitches::setSwitchedOff(std::vector<std::string> off, const QString& label) {
-    const Side side = document_.activeSide();
+    const Side side = document_.selection().side();
     OwnView own = ownView(document_.state(), side);
     if (own.switchedOff) {
         own.switchedOff = std::move(off);
-        document_.setOwnView(side, own, label);
+        setOwnView(document_, side, own, label);
         return;
     }
     if (off != off_) {

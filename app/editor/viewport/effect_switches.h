@@ -29,7 +29,7 @@ class EffectSwitches : public QObject {
     bool isOff(std::string_view effect) const;
     void setOff(const std::string& effect, bool off);
     void switchAllOn();
-    const std::vector<std::string>& off() const { return offOn(document_.activeSide()); }
+    const std::vector<std::string>& off() const { return offOn(document_.selection().side()); }
 
     /// Returns what is switched off on a side.
     const std::vector<std::string>& offOn(Side side) const;

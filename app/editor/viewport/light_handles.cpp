@@ -147,7 +147,7 @@ std::optional<int> LightHandles::handleAt(const ViewGeometry& view, QPointF at) 
     const auto lights = static_cast<int>(document_.scene().lights.size());
     for (int index = 0; index < lights; ++index) {
         const auto light = shown(view, index);
-        const int parts = index == document_.currentLight() ? int(PartCount) : 1;
+        const int parts = index == document_.selection().light() ? int(PartCount) : 1;
         for (int part = 0; light && part < parts; ++part) {
             const auto point = pointOf(*light, part);
             const auto place = point ? view.place(*point) : std::nullopt;
@@ -175,7 +175,7 @@ void LightHandles::drawLight(const ViewGeometry& view, QPainter& painter, int in
     if (!at) {
         return;
     }
-    const bool isCurrent = index == document_.currentLight();
+    const bool isCurrent = index == document_.selection().light();
     const auto end = view.place(light->target);
     if (isCurrent && end) {
         QPen pen(QColor(light->color.red(), light->color.green(), light->color.blue(), 170), 1.2);
@@ -217,7 +217,7 @@ void LightHandles::begin(const ViewGeometry& view, int handle, QPointF place) {
     light_ = lightOfHandle(handle);
     part_ = partOfHandle(handle);
     from_ = place;
-    document_.setCurrentLight(light_);
+    document_.selection().setLight(light_);
     start_ = *shown(view, light_);
     const BlockPath path = pathOf(kinds::lights, light_);
     held_.clear();
@@ -227,7 +227,7 @@ void LightHandles::begin(const ViewGeometry& view, int handle, QPointF place) {
             held_.emplace(part->id, document_.value(path, *part));
         }
     }
-    document_.beginInteraction();
+    document_.interaction().begin();
 }
 
 void LightHandles::drag(const ViewGeometry& view, QPointF place, bool isStepped) {
@@ -275,7 +275,7 @@ void LightHandles::store(const Values& values) {
 }
 
 void LightHandles::end() {
-    document_.endInteraction();
+    document_.interaction().end();
 }
 
 void LightHandles::cancel() {

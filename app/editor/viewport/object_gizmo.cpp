@@ -49,18 +49,18 @@ ObjectGizmo::ObjectGizmo(Document& document, const HandleModes& modes)
     : document_(document), modes_(modes) {}
 
 bool ObjectGizmo::isShown() const {
-    return modes_.gizmo() != Gizmo::None && document_.currentObject() >= 0;
+    return modes_.gizmo() != Gizmo::None && document_.selection().object() >= 0;
 }
 
 ObjectGizmo::Frame ObjectGizmo::frame(const ViewGeometry& view) const {
     const std::vector<Object>& objects = document_.scene().objects;
-    const std::vector<int> edited = document_.editedObjects();
+    const std::vector<int> edited = document_.selection().editedObjects();
     Frame frame{glm::dvec3(0.0), worldAxes, 1.0};
     for (const int index : edited) {
         frame.origin += objects[slot(index)].translation / double(edited.size());
     }
     if (modes_.gizmo() == Gizmo::Scale) { // along the object's own axes
-        Object unscaled = objects[slot(document_.currentObject())];
+        Object unscaled = objects[slot(document_.selection().object())];
         unscaled.scale = glm::dvec3(1.0);
         const glm::dmat4 world = worldMatrix(unscaled);
         for (int axis = 0; axis < 3; ++axis) {
@@ -140,10 +140,10 @@ void ObjectGizmo::begin(const ViewGeometry& view, int handle, QPointF place) {
     from_ = place;
     start_ = frame(view);
     held_.clear();
-    for (const int index : document_.editedObjects()) {
+    for (const int index : document_.selection().editedObjects()) {
         held_.emplace(index, document_.scene().objects[slot(index)]);
     }
-    document_.beginInteraction();
+    document_.interaction().begin();
 }
 
 void ObjectGizmo::drag(const ViewGeometry& view, QPointF place, bool isStepped) {
@@ -235,7 +235,7 @@ void ObjectGizmo::apply(const std::function<void(Object&)>& change) {
 }
 
 void ObjectGizmo::end() {
-    document_.endInteraction();
+    document_.interaction().end();
 }
 
 void ObjectGizmo::cancel() {

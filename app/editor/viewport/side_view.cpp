@@ -105,7 +105,7 @@ SideView::SideView(const ViewSources& sources, const ViewTools& tools, Side side
     connect(&sources.effects, &ProgramEffects::prewarmed, this, [this](const DocumentState& state) {
         if (viewport_->isVisible()) {
             viewport_->prewarmer().add(
-                withoutEffects(shownScene(state, document_.currentObject(), side_),
+                withoutEffects(shownScene(state, document_.selection().object(), side_),
                                switches_.offOn(side_), document_.catalog()));
         }
     });
@@ -129,8 +129,8 @@ SideView::SideView(const ViewSources& sources, const ViewTools& tools, Side side
         update();
     });
     connect(viewport_, &Viewport::activated, this, [this] {
-        wasActive_ = document_.activeSide() == side_;
-        document_.setActiveSide(side_);
+        wasActive_ = document_.selection().side() == side_;
+        document_.selection().setSide(side_);
     });
     std::vector<std::unique_ptr<HandleSet>> sets;
     sets.push_back(std::make_unique<ObjectGizmo>(document_, tools.modes));
@@ -203,7 +203,7 @@ double SideView::aspect() const {
 /// The camera as it is where no object is current.
 Camera SideView::framedOnCurrent() const {
     std::vector<PlacedMesh> shown;
-    for (const int index : document_.editedObjects()) {
+    for (const int index : document_.selection().editedObjects()) {
         const Object& object = document_.scene(side_).objects[static_cast<std::size_t>(index)];
         shown.push_back({object, meshes_.view(object)});
     }
@@ -287,11 +287,11 @@ void SideView::bookmark(int digit, bool isKept) {
 }
 
 void SideView::turnObject(double yaw, double pitch) {
-    const int current = document_.currentObject();
+    const int current = document_.selection().object();
     if (current < 0) {
         return;
     }
-    const std::vector<int> edited = document_.editedObjects();
+    const std::vector<int> edited = document_.selection().editedObjects();
     const QString label = tr("Turn object");
     beginTurn([this, before = objectsAt(document_.scene(), edited), label] {
         setObjects(document_, before, label);
@@ -302,7 +302,8 @@ void SideView::turnObject(double yaw, double pitch) {
 }
 
 void SideView::turnLight(double yaw, double pitch) {
-    const int index = lightToTurn(document_.scene(), document_.catalog(), document_.currentLight());
+    const int index =
+        lightToTurn(document_.scene(), document_.catalog(), document_.selection().light());
     if (index < 0) {
         return;
     }
@@ -341,14 +342,14 @@ void SideView::beginTurn(std::function<void()> restore) {
     if (!turning_) {
         turning_ = true;
         restore_ = std::move(restore);
-        document_.beginInteraction();
+        document_.interaction().begin();
     }
 }
 
 void SideView::endTurn() {
     if (turning_) {
         turning_ = false;
-        document_.endInteraction();
+        document_.interaction().end();
     }
 }
 
@@ -389,23 +390,23 @@ void SideView::pick(QPointF place, bool adds) {
     const std::optional<Hit> hit = wasActive_ ? hitAt(place) : std::nullopt;
     if (!hit) {
         if (wasActive_ && !adds) {
-            document_.selectObjects({});
+            document_.selection().setObjects({});
         }
         return;
     }
     std::vector<int> picked = withGroups(document_.scene(), {hit->object});
-    const std::vector<int>& before = document_.selectedObjects();
+    const std::vector<int>& before = document_.selection().objects();
     if (adds && std::ranges::binary_search(before, hit->object)) {
         std::vector<int> rest;
         std::ranges::set_difference(before, picked, std::back_inserter(rest));
-        document_.selectObjects(rest);
+        document_.selection().setObjects(rest);
         return;
     }
     if (adds) {
         picked.insert(picked.begin(), before.begin(), before.end());
     }
     picked.push_back(hit->object); // which becomes the current one
-    document_.selectObjects(picked);
+    document_.selection().setObjects(picked);
 }
 
 void SideView::awaitLightPick(bool isShadow) {
@@ -418,7 +419,8 @@ void SideView::awaitLightPick(bool isShadow) {
 /// is under the pointer.
 void SideView::placeLight(QPointF place, bool isShadow) {
     const std::optional<Hit> hit = hitAt(place);
-    const int index = lightToTurn(document_.scene(), document_.catalog(), document_.currentLight());
+    const int index =
+        lightToTurn(document_.scene(), document_.catalog(), document_.selection().light());
     const BlockPath path = pathOf(kinds::lights, index);
     const Block* block = index < 0 ? nullptr : document_.block(path);
     const auto held =
@@ -431,7 +433,7 @@ void SideView::placeLight(QPointF place, bool isShadow) {
     }
     if (isShadow) {
         const std::vector<Object>& objects = document_.scene().objects;
-        const auto caster = static_cast<std::size_t>(document_.currentObject());
+        const auto caster = static_cast<std::size_t>(document_.selection().object());
         const glm::dvec3 middle(worldMatrix(objects[caster]) *
                                 glm::dvec4(meshes_.view(objects[caster]).bounds.center(), 1.0));
         document_.setValues(path,
@@ -449,7 +451,7 @@ void SideView::placeLight(QPointF place, bool isShadow) {
 /// A preset is for the object that it was dropped on.
 void SideView::take(const QStringList& files, QPointF place) {
     if (const std::optional<Hit> hit = hitAt(place)) {
-        document_.setCurrentObject(hit->object);
+        document_.selection().setObject(hit->object);
     }
     Q_EMIT filesDropped(files);
 }
@@ -469,7 +471,7 @@ QString SideView::caption() const {
 }
 
 void SideView::updateTitle() {
-    const bool active = document_.activeSide() == side_;
+    const bool active = document_.selection().side() == side_;
     QString state = active ? tr(" (being edited)") : QString();
     const QString called = caption();
     const QFontMetrics font = title_->fontMetrics();

@@ -8,6 +8,7 @@
 #include <QMenu>
 #include <QWidgetAction>
 
+#include "document/compare_edits.h"
 #include "parameters/editor_factory.h"
 #include "text/as_text.h"
 #include "text/display_number.h"
@@ -61,9 +62,9 @@ ViewLinks::ViewLinks(Document& document, EffectSwitches& switches, Side side, QW
                            "that are linked"));
     relink_->setObjectName("relink");
     connect(relink_, &QAction::triggered, this,
-            [this] { document_.setOwnView(side_, {}, tr("Link view %1").arg(letterOf(side_))); });
+            [this] { setOwnView(document_, side_, {}, tr("Link view %1").arg(letterOf(side_))); });
     // What panels show of the scene is what this view has.
-    connect(menu, &QMenu::aboutToShow, this, [this] { document_.setActiveSide(side_); });
+    connect(menu, &QMenu::aboutToShow, this, [this] { document_.selection().setSide(side_); });
     onChange(document_, DocumentChange::Catalog, this, &ViewLinks::fillEnvironments);
     onChange(document_,
              DocumentChange::OwnView | DocumentChange::Comparing | DocumentChange::Scene |
@@ -90,10 +91,10 @@ void ViewLinks::makeExposure(QMenu& menu) {
     action->setDefaultWidget(row);
     menu.addAction(action);
     connect(stops_, &ParameterEditor::interactionBegan, this, [this] {
-        interaction_ = document_.beginInteraction(ParameterTarget{scenePath_, exposureSetting});
+        interaction_ = document_.interaction().begin(ParameterTarget{scenePath_, exposureSetting});
     });
     connect(stops_, &ParameterEditor::interactionEnded, this,
-            [this] { document_.endInteraction(interaction_); });
+            [this] { document_.interaction().end(interaction_); });
     connect(stops_, &ParameterEditor::edited, this,
             [this](const Value& value) { document_.setValue(scenePath_, exposureSetting, value); });
 }
@@ -140,7 +141,7 @@ void ViewLinks::fillEnvironments() {
 void ViewLinks::cutExposure(bool isOwn) {
     OwnView own = ownView(document_.state(), side_);
     own.exposure = isOwn ? std::optional(document_.scene().exposure) : std::nullopt;
-    document_.setOwnView(side_, own, tr("Exposure of view %1").arg(letterOf(side_)));
+    setOwnView(document_, side_, own, tr("Exposure of view %1").arg(letterOf(side_)));
 }
 
 void ViewLinks::cutEnvironment(bool isOwn) {
@@ -148,13 +149,13 @@ void ViewLinks::cutEnvironment(bool isOwn) {
     const BlockValues* ofScene = document_.scene().part(kinds::environment);
     own.hasEnvironment = isOwn;
     own.environment = isOwn && ofScene != nullptr ? std::optional(*ofScene) : std::nullopt;
-    document_.setOwnView(side_, own, tr("Environment of view %1").arg(letterOf(side_)));
+    setOwnView(document_, side_, own, tr("Environment of view %1").arg(letterOf(side_)));
 }
 
 void ViewLinks::cutEffects(bool isOwn) {
     OwnView own = ownView(document_.state(), side_);
     own.switchedOff = isOwn ? std::optional(switches_.offOn(side_)) : std::nullopt;
-    document_.setOwnView(side_, own, tr("Effects of view %1").arg(letterOf(side_)));
+    setOwnView(document_, side_, own, tr("Effects of view %1").arg(letterOf(side_)));
 }
 
 void ViewLinks::follow() {

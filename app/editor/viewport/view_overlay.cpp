@@ -28,7 +28,7 @@ ViewOverlay::ViewOverlay(Viewport& viewport, Document& document, MeshLibrary& me
 
 void ViewOverlay::follow() {
     const bool isSeen =
-        !isSuspended_ && (!document_.selectedObjects().empty() || handles_.isShown());
+        !isSuspended_ && (!document_.selection().objects().empty() || handles_.isShown());
     if (isSeen) {
         setGeometry(viewport_.rect());
         update();
@@ -43,7 +43,7 @@ void ViewOverlay::setSuspended(bool suspended) {
 
 void ViewOverlay::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
-    if (!document_.selectedObjects().empty()) {
+    if (!document_.selection().objects().empty()) {
         drawSelection(painter);
     }
     handles_.draw(painter);
@@ -52,8 +52,8 @@ void ViewOverlay::paintEvent(QPaintEvent* /*event*/) {
 void ViewOverlay::drawSelection(QPainter& painter) {
     const auto mesh = [this](const Object& object) { return meshes_.view(object); };
     const glm::ivec2 pixels = pixelsOf(viewport_, size());
-    QImage image = outline_.draw(document_.scene(), document_.selectedObjects(), viewport_.camera(),
-                                 {pixels.x, pixels.y}, mesh);
+    QImage image = outline_.draw(document_.scene(), document_.selection().objects(),
+                                 viewport_.camera(), {pixels.x, pixels.y}, mesh);
     painter.drawImage(rect(), image);
 }
 

@@ -200,7 +200,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 
 void MainWindow::dropEvent(QDropEvent* event) {
     event->acceptProposedAction();
-    files_->drop(draggedFiles(*event->mimeData()), document_.activeSide());
+    files_->drop(draggedFiles(*event->mimeData()), document_.selection().side());
 }
 
 } // namespace patina

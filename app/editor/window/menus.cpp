@@ -111,8 +111,9 @@ void Menus::fillRecentFiles() {
         // A single & would underline the letter after it.
         const QString name =
             shortened(QFileInfo(file).fileName()).replace('&', QLatin1String("&&"));
-        QAction* action = recent_->addAction(
-            name, this, [this, file] { parts_.files.open({file}, parts_.document.activeSide()); });
+        QAction* action = recent_->addAction(name, this, [this, file] {
+            parts_.files.open({file}, parts_.document.selection().side());
+        });
         action->setToolTip(file);
     }
     recent_->setToolTipsVisible(true);
@@ -229,7 +230,7 @@ void Menus::makeViewMenu() {
     addForViews(menu, tr("&Frame Object"), QKeySequence("F"),
                 [this] { parts_.views.active().frameObjects(); });
     addForViews(menu, tr("&Reset View"), QKeySequence(Qt::Key_Home),
-                [this] { parts_.views.resetCamera(parts_.document.activeSide()); });
+                [this] { parts_.views.resetCamera(parts_.document.selection().side()); });
     makeCameraMoves(menu);
     makeTurntable(menu->addMenu(tr("Turnta&ble")));
     menu->addSeparator();

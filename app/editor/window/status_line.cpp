@@ -112,7 +112,7 @@ void StatusLine::setViewport(Viewport* viewport) {
 }
 
 void StatusLine::showFrame() {
-    const Material* material = document_.material(document_.activeSide());
+    const Material* material = document_.material(document_.selection().side());
     const Block* model =
         material ? document_.catalog().find(kinds::models, material->model.id) : nullptr;
     const QString id = material ? QString::fromStdString(material->model.id) : QString();
@@ -124,7 +124,7 @@ void StatusLine::showFrame() {
     }
     QStringList effects;
     for (const std::string& effect : viewport_->frames().report().effects) {
-        effects << effectLabel(effect, material, document_.scene(document_.activeSide()),
+        effects << effectLabel(effect, material, document_.scene(document_.selection().side()),
                                document_.catalog());
     }
     const QString list = effects.join(tr(", "));

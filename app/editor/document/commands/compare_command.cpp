@@ -5,7 +5,7 @@ namespace patina {
 
 CompareCommand::CompareCommand(Document& document, std::optional<Material> after)
     : ChangeCommand(document, after ? Document::tr("Compare") : Document::tr("Stop comparing"),
-                    document.currentObject(), document.state().second, std::move(after)) {}
+                    document.selection().object(), document.state().second, std::move(after)) {}
 
 const Material* CompareCommand::origin(MaterialPlace& place) const {
     return place.side == Side::B && after() ? &*after() : nullptr;

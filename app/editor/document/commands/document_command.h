@@ -23,14 +23,14 @@ class DocumentCommand : public QUndoCommand {
 
   protected:
     DocumentCommand(Document& document, const QString& label)
-        : QUndoCommand(shortened(label)), document_(document), interaction_(document.interaction_) {
-    }
+        : QUndoCommand(shortened(label)), document_(document),
+          interaction_(document.interaction().token()) {}
 
     Document& document() const { return document_; }
     DocumentState& state() const { return document_.state_; }
     /// All sides but A are on the current object: an edit of them that is done again makes its own
     /// current.
-    void showSidesOn(int object) const { document_.setCurrentObject(object); }
+    void showSidesOn(int object) const { document_.selection().setObject(object); }
 
   private:
     Document& document_;

@@ -4,7 +4,7 @@
 namespace patina {
 
 FurtherCommand::FurtherCommand(Document& document, std::vector<Material> after)
-    : ChangeCommand(document, Document::tr("Compare"), FurtherSides{document.currentObject()},
+    : ChangeCommand(document, Document::tr("Compare"), FurtherSides{document.selection().object()},
                     document.state().further, std::move(after)) {}
 
 const Material* FurtherCommand::origin(MaterialPlace& place) const {

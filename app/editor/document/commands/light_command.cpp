@@ -6,7 +6,7 @@ namespace patina {
 LightCommand::LightCommand(Document& document, int index, std::optional<Light> before,
                            std::optional<Light> after, const QString& label)
     : ListCommand(document, label, index, std::move(before), std::move(after),
-                  document.currentLight()) {}
+                  document.selection().light()) {}
 
 std::vector<Light>& LightCommand::list() const {
     return state().scene.lights;
@@ -17,7 +17,7 @@ void LightCommand::announce() const {
 }
 
 void LightCommand::setCurrent(int index) const {
-    document().setCurrentLight(index);
+    document().selection().setLight(index);
 }
 
 } // namespace patina

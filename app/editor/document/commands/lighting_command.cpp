@@ -29,7 +29,8 @@ void LightingCommand::apply(const Scene& lighting) {
     scene = std::move(lit);
     document().announce({DocumentChange::Block | DocumentChange::Lights});
     const int last = static_cast<int>(scene.lights.size()) - 1;
-    document().setCurrentLight(std::clamp(document().currentLight(), std::min(last, 0), last));
+    document().selection().setLight(
+        std::clamp(document().selection().light(), std::min(last, 0), last));
 }
 
 } // namespace patina

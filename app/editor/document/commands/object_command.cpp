@@ -6,7 +6,7 @@ namespace patina {
 ObjectCommand::ObjectCommand(Document& document, int index, std::optional<Object> before,
                              std::optional<Object> after, const QString& label)
     : ListCommand(document, label, index, std::move(before), std::move(after),
-                  document.currentObject()) {}
+                  document.selection().object()) {}
 
 const Material* ObjectCommand::origin(MaterialPlace& place) const {
     if (place.side != Side::A || isReplacement()) {
@@ -30,8 +30,8 @@ void ObjectCommand::announce() const {
 }
 
 void ObjectCommand::setCurrent(int index) const {
-    document().setCurrentObject(index);
-    document().selectObjects({}); // the others' places in the list may have changed
+    document().selection().setObject(index);
+    document().selection().setObjects({}); // the others' places in the list may have changed
 }
 
 } // namespace patina

@@ -4,7 +4,7 @@
 namespace patina {
 
 PictureCommand::PictureCommand(Document& document, std::optional<ComparedPicture> after)
-    : ChangeCommand(document, Document::tr("Compare"), document.currentObject(),
+    : ChangeCommand(document, Document::tr("Compare"), document.selection().object(),
                     document.state().picture, std::move(after)) {}
 
 void PictureCommand::apply(const std::optional<ComparedPicture>& picture) {

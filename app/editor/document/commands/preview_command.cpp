@@ -4,7 +4,7 @@
 namespace patina {
 
 PreviewCommand::PreviewCommand(Document& document, std::optional<MaterialPreview> after)
-    : ChangeCommand(document, Document::tr("Compare"), document.currentObject(),
+    : ChangeCommand(document, Document::tr("Compare"), document.selection().object(),
                     document.state().preview, std::move(after)) {}
 
 void PreviewCommand::apply(const std::optional<MaterialPreview>& preview) {
