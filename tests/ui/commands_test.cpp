@@ -35,6 +35,13 @@ class Commands : public WindowFixture {
     }
 };
 
+void press(QDialog* sheet, const QString& text) {
+    const auto buttons = sheet->findChildren<QPushButton*>();
+    const auto button = std::ranges::find(buttons, text, &QPushButton::text);
+    ASSERT_NE(button, buttons.end()) << text.toStdString();
+    QTest::mouseClick(*button, Qt::LeftButton);
+}
+
 TEST_F(Commands, F1_ListsEveryKeyAndSearchesThem) {
     view().setFocus();
     key(&view(), Qt::Key_F1);
@@ -61,10 +68,7 @@ TEST_F(Commands, KeyThatIsTaken_IsToldAndTakenAwayAndKept) {
             labels, [](const QLabel* label) { return label->text().contains("Difference"); });
     };
     EXPECT_TRUE(QTest::qWaitFor(tellsHolder)); // more keys might follow
-    const auto buttons = sheet->findChildren<QPushButton*>();
-    const auto set = std::ranges::find(buttons, QString("Set"), &QPushButton::text);
-    ASSERT_NE(set, buttons.end());
-    QTest::mouseClick(*set, Qt::LeftButton);
+    press(sheet, "Set");
     EXPECT_EQ(rowOf(sheet, "Take Snapshot")->text(1), "Ctrl+D");
     EXPECT_EQ(rowOf(sheet, "Difference")->text(1), "");
     sheet->close();
@@ -73,6 +77,20 @@ TEST_F(Commands, KeyThatIsTaken_IsToldAndTakenAwayAndKept) {
     focusView();
     key(&view(), Qt::Key_F1);
     EXPECT_EQ(rowOf(dialog("shortcutSheet"), "Take Snapshot")->text(1), "Ctrl+D");
+}
+
+TEST_F(Commands, UsualKeysThatAreWantedBack_AreTakenFromWhoHasThem) {
+    key(&view(), Qt::Key_F1);
+    QDialog* sheet = dialog("shortcutSheet");
+    ASSERT_NE(sheet, nullptr);
+    sheet->findChild<QTreeWidget*>()->setCurrentItem(rowOf(sheet, "Take Snapshot"));
+    sheet->findChild<QKeySequenceEdit*>()->setKeySequence(QKeySequence("Ctrl+D"));
+    press(sheet, "Set");
+    ASSERT_EQ(rowOf(sheet, "Difference")->text(1), "");
+    sheet->findChild<QTreeWidget*>()->setCurrentItem(rowOf(sheet, "Difference"));
+    press(sheet, "As Usual");
+    EXPECT_EQ(rowOf(sheet, "Difference")->text(1), "Ctrl+D");
+    EXPECT_EQ(rowOf(sheet, "Take Snapshot")->text(1), "");
 }
 
 TEST_F(Commands, CtrlK_RunsACommandByItsName) {

@@ -41,17 +41,25 @@ const Command* CommandKeys::holderOf(const QKeySequence& keys, const Command& bu
     return found == commands_.end() ? nullptr : &*found;
 }
 
-void CommandKeys::setKeys(const Command& command, const QKeySequence& keys) {
+/// No two commands have the same keys: with both neither would be called.
+void CommandKeys::takeFromOthers(const QKeySequence& keys, const Command& command) {
     if (const Command* holder = holderOf(keys, command)) {
         QList<QKeySequence> rest = holder->action->shortcuts();
         rest.removeAll(keys);
         store(*holder, QKeySequence::listToString(rest, QKeySequence::PortableText));
     }
+}
+
+void CommandKeys::setKeys(const Command& command, const QKeySequence& keys) {
+    takeFromOthers(keys, command);
     store(command, keys.toString(QKeySequence::PortableText));
     Q_EMIT changed();
 }
 
 void CommandKeys::reset(const Command& command) {
+    for (const QKeySequence& keys : command.usual) {
+        takeFromOthers(keys, command);
+    }
     store(command, std::nullopt);
     Q_EMIT changed();
 }

@@ -38,6 +38,7 @@ class CommandKeys : public QObject {
 
     /// Gives a command these keys, and takes them from the one that had them. Empty: it has none.
     void setKeys(const Command& command, const QKeySequence& keys);
+    /// Gives a command its usual keys, in the same way.
     void reset(const Command& command);
     bool isChanged(const Command& command) const;
 
@@ -47,6 +48,7 @@ class CommandKeys : public QObject {
   private:
     void collect(const QMenu& menu, const QString& path);
     void apply(const Command& command);
+    void takeFromOthers(const QKeySequence& keys, const Command& command);
     void store(const Command& command, const std::optional<QString>& keys);
 
     Session& session_;
