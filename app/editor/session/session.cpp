@@ -33,6 +33,27 @@ QString settingsFile() {
     return QString::fromStdString(isUsable ? file.string() : "/dev/null/patina.ini");
 }
 
+constexpr const char* recentFilesKey = "files/recent";
+constexpr const char* environmentsKey = "files/environments";
+
+QStringList existingFiles(const QSettings& settings, const char* key) {
+    QStringList files = settings.value(key).toStringList();
+    files.removeIf([](const QString& file) { return !QFileInfo::exists(file); });
+    return files;
+}
+
+/// Returns the list with the newest first, at most so many.
+QStringList withNewest(QStringList files, const QString& newest, int maxFiles) {
+    files.removeAll(newest);
+    files.prepend(newest);
+    return files.mid(0, maxFiles);
+}
+
+void addFile(QSettings& settings, const char* key, const QString& file, int maxFiles) {
+    const QStringList files = settings.value(key).toStringList();
+    settings.setValue(key, withNewest(files, QFileInfo(file).absoluteFilePath(), maxFiles));
+}
+
 /// A path has characters that are none for a key.
 QString outsideKey(const QString& file, bool allowed) {
     const QByteArray name = file.toUtf8().toBase64(QByteArray::Base64UrlEncoding);
@@ -78,35 +99,23 @@ void Session::setWindow(const QByteArray& geometry, const QByteArray& layout) {
 }
 
 QStringList Session::recentFiles() const {
-    QStringList files = settings_.value("files/recent").toStringList();
-    files.removeIf([](const QString& file) { return !QFileInfo::exists(file); });
-    return files;
+    return existingFiles(settings_, recentFilesKey);
 }
 
 void Session::addRecentFile(const QString& file) {
-    QStringList files = settings_.value("files/recent").toStringList();
-    const QString absolute = QFileInfo(file).absoluteFilePath();
-    files.removeAll(absolute);
-    files.prepend(absolute);
-    settings_.setValue("files/recent", QStringList(files.mid(0, maxRecentFiles)));
+    addFile(settings_, recentFilesKey, file, maxRecentFiles);
 }
 
 void Session::clearRecentFiles() {
-    settings_.remove("files/recent");
+    settings_.remove(recentFilesKey);
 }
 
 QStringList Session::environments() const {
-    QStringList files = settings_.value("files/environments").toStringList();
-    files.removeIf([](const QString& file) { return !QFileInfo::exists(file); });
-    return files;
+    return existingFiles(settings_, environmentsKey);
 }
 
 void Session::addEnvironment(const QString& file) {
-    QStringList files = settings_.value("files/environments").toStringList();
-    const QString absolute = QFileInfo(file).absoluteFilePath();
-    files.removeAll(absolute);
-    files.prepend(absolute);
-    settings_.setValue("files/environments", QStringList(files.mid(0, maxEnvironments)));
+    addFile(settings_, environmentsKey, file, maxEnvironments);
 }
 
 QStringList Session::outside(const QString& file, bool allowed) const {
