@@ -76,7 +76,7 @@ Checked<void> draw(std::vector<Side>& sides, const CompareOptions& options,
     maker->setTextures(textures, filesIn(options.picture.textures));
     for (Side& side : sides) {
         client.setRights(side.rights);
-        const auto meshes = SceneMeshes::load(side.scene, client);
+        const auto meshes = SceneMeshes::load(side.scene, *catalog, client);
         if (!meshes) {
             return tl::unexpected(meshes.error());
         }

@@ -51,7 +51,7 @@ Checked<Prepared> prepared(const std::string& preset, const CostRequest& options
     }
     report(setup->notes);
     files.setRights(setup->rights);
-    auto loaded = SceneMeshes::load(setup->scene, files);
+    auto loaded = SceneMeshes::load(setup->scene, catalog, files);
     if (!loaded) {
         return tl::unexpected(loaded.error());
     }
@@ -75,11 +75,11 @@ template <class Measure>
 auto withSubject(const Prepared& subject, const CostRequest& options, const Tools& tools,
                  const Measure& measure) {
     TextureLoader textures(tools.files);
-    auto measured = measure(
-        {subject.scene, 0, subject.scene.camera,
-         [&subject](const Object& object) { return subject.meshes.view(object); },
-         tools.catalog, textures.source(), subject.environment},
-        options, tools.work);
+    auto measured =
+        measure({subject.scene, 0, subject.scene.camera,
+                 [&subject](const Object& object) { return subject.meshes.view(object); },
+                 tools.catalog, textures.source(), subject.environment},
+                options, tools.work);
     report(textures.takeProblems());
     return measured;
 }
@@ -92,7 +92,7 @@ Result<void> writeShown(const Image& image, const std::string& file) {
 Result<void> writePlot(const CostChart& chart, const std::string& file) {
     const std::vector<PlotShape> shapes = costPlot(chart, plotSize);
     return endingOf(file) == ".svg" ? writeFileAtomically(file, plotSvg(shapes, plotSize))
-                                  : writeShown(plotImage(shapes, plotSize), file);
+                                    : writeShown(plotImage(shapes, plotSize), file);
 }
 
 /// What the map compares with.
@@ -127,14 +127,12 @@ std::string budgetText(const CostPoint& point, const BudgetAnswer& answer) {
 
 /// False when nothing fits the budget. `name` says of which chart it is, where there are several.
 bool printBudget(const CostChart& chart, const CostRequest& options, const std::string& name) {
-    const auto answer =
-        bestFor({options.budgetMilliseconds, options.budgetError}, chart.points);
+    const auto answer = bestFor({options.budgetMilliseconds, options.budgetError}, chart.points);
     if (!answer) {
         return false;
     }
     (answer->fits && !options.json && !options.csv ? std::cout : std::cerr)
-        << (name.empty() ? "" : name + ": ")
-        << budgetText(chart.points[answer->point], *answer);
+        << (name.empty() ? "" : name + ": ") << budgetText(chart.points[answer->point], *answer);
     return answer->fits;
 }
 
@@ -238,17 +236,16 @@ Checked<std::vector<Measured>> chartsOf(const std::vector<std::string>& presets,
         if (!sweep) {
             return tl::unexpected(sweep.error());
         }
-        all.push_back({nameOf(subject, options), std::move(sweep->chart),
-                       std::move(sweep->mapped), std::move(sweep->errors)});
+        all.push_back({nameOf(subject, options), std::move(sweep->chart), std::move(sweep->mapped),
+                       std::move(sweep->errors)});
     }
     return all;
 }
 
 /// True when every budget could be met.
 Checked<bool> chart(const CostRequest& options, const Tools& tools) {
-    const auto all = chartsOf(options.presets.empty() ? std::vector<std::string>(1)
-                                                      : options.presets,
-                              options, tools);
+    const auto all = chartsOf(
+        options.presets.empty() ? std::vector<std::string>(1) : options.presets, options, tools);
     if (!all) {
         return tl::unexpected(all.error());
     }

@@ -271,7 +271,7 @@ Checked<void> effects(const EffectsOptions& options) {
     }
     AssetClient files;
     files.setRights(setup->rights);
-    const auto loaded = SceneMeshes::load(setup->scene, files);
+    const auto loaded = SceneMeshes::load(setup->scene, *catalog, files);
     if (!loaded) {
         return tl::unexpected(loaded.error());
     }

@@ -44,7 +44,7 @@ class BundlePictures {
             maker_.emplace(std::move(*made));
         }
         const PictureOptions options;
-        const auto meshes = SceneMeshes::load(setup.scene, files_);
+        const auto meshes = SceneMeshes::load(setup.scene, *catalog_, files_);
         if (!meshes) {
             return tl::unexpected(meshes.error());
         }

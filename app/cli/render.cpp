@@ -62,8 +62,9 @@ class RequestDrawer {
         : options_(options), catalog_(std::move(catalog)), client_(client), textures_(client) {}
 
     Checked<void> prepare(const Scene& scene) {
-        auto meshes = std::async(std::launch::async,
-                                 [this, &scene] { return SceneMeshes::load(scene, client_); });
+        auto meshes = std::async(std::launch::async, [this, &scene] {
+            return SceneMeshes::load(scene, *catalog_, client_);
+        });
         auto maker = PictureMaker::create(catalog_);
         auto loaded = meshes.get();
         if (!maker) {

@@ -11,10 +11,12 @@
 #include "scene/builtin_mesh.h"
 #include "scene/kept_openness.h"
 #include "scene/mesh_path.h"
+#include "shading/effects/occlusion.h"
 
 namespace patina {
 
-Checked<SceneMeshes> SceneMeshes::load(const Scene& scene, AssetClient& client) {
+Checked<SceneMeshes> SceneMeshes::load(const Scene& scene, const Catalog& catalog,
+                                       AssetClient& client) {
     SceneMeshes meshes;
     Errors errors;
     std::set<MeshKey> refused;
@@ -32,7 +34,7 @@ Checked<SceneMeshes> SceneMeshes::load(const Scene& scene, AssetClient& client) 
         return tl::unexpected(errors);
     }
     meshes.nameMissingPlaces(scene);
-    if (wantsOpenness(scene)) {
+    if (needsOpenness(scene, catalog)) {
         meshes.findOpenness();
     }
     return meshes;

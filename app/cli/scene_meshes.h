@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "assets/asset_client.h"
+#include "catalog/catalog.h"
 #include "core/error.h"
 #include "core/mesh.h"
 #include "scene/mesh_key.h"
@@ -17,7 +18,8 @@ namespace patina {
 class SceneMeshes {
   public:
     /// Reads every mesh the visible objects name; all that cannot be had are in the error.
-    static Checked<SceneMeshes> load(const Scene& scene, AssetClient& client);
+    static Checked<SceneMeshes> load(const Scene& scene, const Catalog& catalog,
+                                     AssetClient& client);
 
     MeshView view(const Object& object) const;
 

@@ -131,8 +131,9 @@ class SheetStudio {
         : plan_(plan), sheet_(sheet), options_(options), client_(client) {}
 
     Checked<void> open() {
-        auto meshes = std::async(std::launch::async,
-                                 [this] { return SceneMeshes::load(plan_.start(), client_); });
+        auto meshes = std::async(std::launch::async, [this] {
+            return SceneMeshes::load(plan_.start(), *plan_.catalog(), client_);
+        });
         auto pictures = PictureMaker::create(plan_.catalog());
         auto loaded = meshes.get();
         if (!pictures) {

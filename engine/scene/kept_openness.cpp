@@ -108,15 +108,6 @@ void keep(std::span<const VertexOpenness> openness, const fs::path& file) {
 
 } // namespace
 
-bool wantsOpenness(const Scene& scene) {
-    const auto shines = [](const glm::dvec3& color) {
-        return color.r > 0.0 || color.g > 0.0 || color.b > 0.0;
-    };
-    return scene.occlusion &&
-           (shines(scene.ambient) || shines(scene.hemisphere.sky) ||
-            shines(scene.hemisphere.ground) || scene.part(kinds::environment) != nullptr);
-}
-
 fs::path opennessFile(const MeshView& mesh, const fs::path& folder) {
     return folder /
            fmt::format("{:016x}{:016x}", hashOf(mesh, firstSeed), hashOf(mesh, secondSeed));

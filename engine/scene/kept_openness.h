@@ -6,12 +6,8 @@
 
 #include "core/mesh.h"
 #include "core/progress.h"
-#include "scene/scene.h"
 
 namespace patina {
-
-/// Tells whether the scene has light that its objects hide from themselves, and wants that.
-bool wantsOpenness(const Scene& scene);
 
 /// The openness of a mesh (opennessOf()) as a file of the folder has it, whose name says what is in
 /// the mesh; without one it is made and kept there. A file that is damaged is replaced, and one

@@ -260,15 +260,5 @@ TEST_F(KeptOpenness, NoFolder_KeepsNothing) {
     EXPECT_EQ(keptOpenness(mesh_.view(), folder_ / "file"), right_);
 }
 
-TEST(WantsOpenness, OnlyWithLightFromAllAround) {
-    Scene scene;
-    scene.ambient = glm::dvec3(0.1);
-    EXPECT_FALSE(wantsOpenness(scene));
-    scene.occlusion = true;
-    EXPECT_TRUE(wantsOpenness(scene));
-    scene.ambient = glm::dvec3(0.0);
-    EXPECT_FALSE(wantsOpenness(scene));
-}
-
 } // namespace
 } // namespace patina::mesh_openness_test

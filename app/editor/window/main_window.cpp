@@ -9,8 +9,8 @@
 #include "document/scene_edits.h"
 #include "gl/driver_cache.h"
 #include "parameters/dropped_files.h"
-#include "scene/kept_openness.h"
 #include "session/start_value_files.h"
+#include "shading/effects/occlusion.h"
 #include "sheets/sheets_dock.h"
 #include "window/focus_order.h"
 #include "window/lazy_dock.h"
@@ -87,8 +87,9 @@ void MainWindow::connectParts() {
     connect(&documentFiles_, &DocumentFiles::message, &messages_, &MessageLog::add);
     connect(&document_, &Document::told, &messages_, &MessageLog::add);
     connect(&meshes_, &MeshLibrary::remarked, &messages_, &MessageLog::addNote);
-    onChange(document_, DocumentChange::Drawn, &meshes_,
-             [this] { meshes_.wantOpenness(wantsOpenness(document_.scene())); });
+    onChange(document_, DocumentChange::Drawn, &meshes_, [this] {
+        meshes_.wantOpenness(needsOpenness(document_.scene(), document_.catalog()));
+    });
     connect(&textures_, &TextureLibrary::failed, this,
             [this](const QString&, const Error& why) { messages_.add(why); });
     onChange(document_, DocumentChange::Scene, &textures_, &TextureLibrary::forgetFailures);

@@ -67,6 +67,11 @@ void OcclusionEffect::remove(Scene& scene, const EffectName& effect, const Catal
     }
 }
 
+bool needsOpenness(const Scene& scene, const Catalog& catalog) {
+    const EffectSet set = sceneEffects(scene, catalog);
+    return set.wantsOcclusion && hasHiddenLight(set);
+}
+
 std::string openFactor(const SurfaceText& text) {
     return text.set.isOccluded ? " * opened.share" : "";
 }

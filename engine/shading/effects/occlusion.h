@@ -31,6 +31,10 @@ struct OcclusionEffect {
     friend bool operator==(const OcclusionEffect&, const OcclusionEffect&) = default;
 };
 
+/// Tells whether the scene has light that its objects hide from themselves, and wants that: then
+/// the openness of its meshes is needed.
+bool needsOpenness(const Scene& scene, const Catalog& catalog);
+
 /// Returns what ambient light is multiplied by, with its operator; empty where nothing is hidden.
 std::string openFactor(const SurfaceText& text);
 
