@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "shading/effects/effect_key.h"
-#include "shading/effects/light_reach.h"
 #include "shading/program/given_value.h"
 
 namespace patina {
@@ -104,27 +103,6 @@ Keys keysOf(const DocumentState& state, const BlockPath& path, const Catalog& ca
             isSeen(state.scene.ground) ? 1u : 0u, EffectKey::ofDisplay(state.scene, catalog)};
 }
 
-/// How much of the fog is seen decides whether it is in the programs, which depends on every value
-/// of it, on the exposure and on how far away things are.
-bool mayHideFog(const DocumentState& state, const BlockPath& path) {
-    return state.scene.part(kinds::fog) &&
-           (path.isAt(kinds::fog) || path.isAt(settings::scene) || path.isAt(settings::object));
-}
-
-/// Which objects a light with an end reaches decides whether it is in their programs.
-bool mayMoveLight(const DocumentState& state, const BlockPath& path, const Catalog& catalog) {
-    const bool moves = path.isAt(kinds::lights) || path.isAt(settings::object);
-    return moves && std::ranges::any_of(state.scene.lights, [&catalog](const Light& light) {
-               const Block* block = catalog.find(kinds::lights, light.block.id);
-               return block != nullptr && !reachOf(light, *block).isEverywhere();
-           });
-}
-
-/// Tells whether it also depends on where things are.
-bool decidesByPlace(const DocumentState& state, const BlockPath& path, const Catalog& catalog) {
-    return mayHideFog(state, path) || mayMoveLight(state, path, catalog);
-}
-
 /// What a drag of the parameter may come by, as far as it makes other programs.
 std::vector<Value> reachedValues(const Parameter& parameter) {
     const ParameterTypeInfo& info = infoOf(parameter.type);
@@ -143,7 +121,7 @@ std::vector<DocumentState> prewarmed(const DocumentState& state, const BlockPath
         return {};
     }
     std::vector<DocumentState> states;
-    if (decidesByPlace(state, path, catalog)) {
+    if (dependsOnPlaces(state.scene, catalog, path.kind)) {
         states.push_back(state); // with what is out because of its place
     }
     std::vector<Keys> known{keysOf(state, path, catalog)};
@@ -168,7 +146,7 @@ void FrozenEffects::begin(const DocumentState& state, int object, const BlockPat
     };
     const std::vector<Value> edges = edgesOf(state, path, parameter, catalog);
     const Keys effective = keysWith(apart(parameter, edges));
-    const bool decides = decidesByPlace(state, path, catalog) ||
+    const bool decides = dependsOnPlaces(state.scene, catalog, path.kind) ||
                          std::any_of(edges.begin(), edges.end(), [&](const Value& value) {
                              return keysWith(value) != effective;
                          });

@@ -18,6 +18,8 @@
 //   void place(ObjectLayout& | SceneLayout&, const EffectSet&) const: where its data lie.
 //   void writeLight(SurfaceText&) const: what lights a surface.
 //   void write(SurfaceText&) const: what becomes of that light.
+//   static bool dependsOnPlaces(const Scene&, const Catalog&, std::string_view kind): whether the
+//       choice depends on where things are, which values of this kind of block or settings move.
 //   static void remove(Scene&, const EffectName&, const Catalog&): the scene without it, where the
 //       name is its own.
 #pragma once

@@ -22,11 +22,7 @@ void chooseFrom(EffectSet& set, const Subject& subject) {
 
 std::vector<EffectLine> listed(const EffectSet& set, const EffectSubject* subject) {
     EffectListing listing(subject);
-    set.each([&](const auto& effect) {
-        if constexpr (requires { effect.list(listing, set); }) {
-            effect.list(listing, set);
-        }
-    });
+    list(set, listing);
     return listing.take();
 }
 
@@ -72,6 +68,16 @@ bool isLit(const EffectSet& set) {
     return set.model.has_value() || set.ground != GroundMode::Off;
 }
 
+bool dependsOnPlaces(const Scene& scene, const Catalog& catalog, std::string_view kind) {
+    bool depends = false;
+    EffectSet().each([&]<class Effect>(const Effect&) {
+        if constexpr (requires { Effect::dependsOnPlaces(scene, catalog, kind); }) {
+            depends = depends || Effect::dependsOnPlaces(scene, catalog, kind);
+        }
+    });
+    return depends;
+}
+
 std::vector<EffectLine> effectLines(const EffectSet& set) {
     return listed(set, nullptr);
 }
@@ -82,11 +88,7 @@ std::vector<EffectLine> effectLines(const EffectSet& set, const EffectSubject& s
 
 std::vector<EffectLine> leftOut(const EffectSet& set, const EffectSubject& subject) {
     LeftOutListing listing(subject);
-    set.each([&](const auto& effect) {
-        if constexpr (requires { effect.listMissing(listing, set); }) {
-            effect.listMissing(listing, set);
-        }
-    });
+    listMissing(set, listing);
     return listing.take();
 }
 

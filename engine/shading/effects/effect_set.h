@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
-#include <tuple>
-#include <utility>
+#include <string_view>
 #include <vector>
 
 #include "shading/effects/ambient.h"
 #include "shading/effects/blend.h"
+#include "shading/effects/effect_choices.h"
 #include "shading/effects/effect_parts.h"
 #include "shading/effects/emission.h"
 #include "shading/effects/environment_effect.h"
@@ -27,32 +26,6 @@
 #include "shading/effects/transparency_effect.h"
 
 namespace patina {
-
-/// The choices of some effects, each with its own members.
-template <class... Effects>
-struct EffectChoices : Effects... {
-    /// Calls `visit` with each effect in order.
-    template <class Visit>
-    void each(const Visit& visit) const {
-        (visit(static_cast<const Effects&>(*this)), ...);
-    }
-    template <class Visit>
-    void each(const Visit& visit) {
-        (visit(static_cast<Effects&>(*this)), ...);
-    }
-
-    /// Visits all from the last one to the first.
-    template <class Visit>
-    void eachBackwards(const Visit& visit) const {
-        const auto all = std::tie(static_cast<const Effects&>(*this)...);
-        [&]<std::size_t... i>(std::index_sequence<i...>) {
-            (visit(std::get<sizeof...(Effects) - 1 - i>(all)), ...);
-        }
-        (std::index_sequence_for<Effects...>());
-    }
-
-    friend bool operator==(const EffectChoices&, const EffectChoices&) = default;
-};
 
 /// Every effect, in the order in which a program's text is assembled, which is that of its rows. A
 /// new one is a row here.
@@ -87,6 +60,10 @@ EffectSet groundEffects(const Scene& scene, const Catalog& catalog, const Effect
 
 /// Tells whether the program asks what lights the surface: the fallback for a model knows no light.
 bool isLit(const EffectSet& set);
+
+/// Tells whether an effect's choice depends on where things are, which values of this kind of block
+/// or settings move.
+bool dependsOnPlaces(const Scene& scene, const Catalog& catalog, std::string_view kind);
 
 /// Returns what is in the program, in its order: names and details, and reasons with a subject,
 /// which is what the set was chosen for.

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "catalog/settings.h"
 #include "shading/effects/data_layout.h"
 #include "shading/effects/effect_set.h"
 #include "shading/effects/neutral_values.h"
@@ -285,6 +286,13 @@ std::string writeVertexFog(SurfaceText& text) {
     writeFogBlock(text);
     text.out.addFile("passes/vertex_fog.glsl");
     return fmt::format("    placeFog(unpackFog({}));\n", text.scene.part(kinds::fog)->first);
+}
+
+/// How much of the fog is seen depends on every value of it, on the exposure and on how far away
+/// things are.
+bool FogEffect::dependsOnPlaces(const Scene& scene, const Catalog&, std::string_view kind) {
+    return scene.part(kinds::fog) != nullptr &&
+           (kind == kinds::fog || kind == settings::scene || kind == settings::object);
 }
 
 void FogEffect::remove(Scene& scene, const EffectName& effect, const Catalog&) {

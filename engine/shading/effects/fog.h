@@ -62,6 +62,7 @@ struct FogEffect {
     }
     void place(SceneLayout& layout, const EffectSet& set) const;
     void write(SurfaceText& text) const;
+    static bool dependsOnPlaces(const Scene& scene, const Catalog& catalog, std::string_view kind);
     static void remove(Scene& scene, const EffectName& effect, const Catalog& catalog);
 
     friend bool operator==(const FogEffect&, const FogEffect&) = default;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "catalog/settings.h"
 #include "shading/effects/data_layout.h"
 #include "shading/effects/effect_set.h"
 #include "shading/effects/key_light.h"
@@ -371,6 +372,16 @@ void LightsEffect::writeLight(SurfaceText& text) const {
     if (text.set.model) {
         writeLights(text);
     }
+}
+
+/// Which objects a light with an end reaches decides whether it is in their programs.
+bool LightsEffect::dependsOnPlaces(const Scene& scene, const Catalog& catalog,
+                                   std::string_view kind) {
+    const bool moves = kind == kinds::lights || kind == settings::object;
+    return moves && std::ranges::any_of(scene.lights, [&catalog](const Light& light) {
+               const Block* block = catalog.find(kinds::lights, light.block.id);
+               return block != nullptr && !reachOf(light, *block).isEverywhere();
+           });
 }
 
 void LightsEffect::remove(Scene& scene, const EffectName& effect, const Catalog&) {

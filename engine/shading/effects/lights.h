@@ -65,6 +65,7 @@ struct LightsEffect {
     void listMissing(LeftOutListing& listing, const EffectSet& set) const;
     void place(SceneLayout& layout, const EffectSet& set) const;
     void writeLight(SurfaceText& text) const;
+    static bool dependsOnPlaces(const Scene& scene, const Catalog& catalog, std::string_view kind);
     static void remove(Scene& scene, const EffectName& effect, const Catalog& catalog);
 
     friend bool operator==(const LightsEffect& a, const LightsEffect& b) {
