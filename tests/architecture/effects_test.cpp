@@ -12,15 +12,18 @@ namespace {
 
 const std::string folder = "engine/shading/effects";
 
-/// What the list of all effects names, with the one that is in no program of surfaces.
+/// Returns what the lists of all effects name: those of surfaces and those of the display.
 std::set<std::string> listed() {
-    const std::string text = readText(projectRoot() / folder / "effect_set.h");
-    const std::size_t begin = text.find("using AllEffects");
-    const std::string rows = text.substr(begin, text.find(';', begin) - begin);
-    std::set<std::string> names{"DisplayEffect"};
-    static const std::regex row(R"(\b\w+Effect\b)");
-    for (std::sregex_iterator it(rows.begin(), rows.end(), row), end; it != end; ++it) {
-        names.insert(it->str());
+    std::set<std::string> names;
+    for (const auto& [file, list] : {std::pair{"effect_set.h", "using AllEffects"},
+                                     std::pair{"display_set.h", "using AllDisplayEffects"}}) {
+        const std::string text = readText(projectRoot() / folder / file);
+        const std::size_t begin = text.find(list);
+        const std::string rows = text.substr(begin, text.find(';', begin) - begin);
+        static const std::regex row(R"(\b\w+Effect\b)");
+        for (std::sregex_iterator it(rows.begin(), rows.end(), row), end; it != end; ++it) {
+            names.insert(it->str());
+        }
     }
     return names;
 }

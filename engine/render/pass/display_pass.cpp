@@ -9,7 +9,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "render/pass/frame_gpu.h"
-#include "shading/effects/display.h"
+#include "shading/effects/display_set.h"
 #include "shading/effects/effect_key.h"
 #include "shading/program/parameter_packer.h"
 
@@ -39,8 +39,8 @@ Result<bool> DisplayPass::prepare(FramePlan& plan, FrameGpu& gpu) {
 
 Result<DisplayPass::Stage*> DisplayPass::make(const Scene& scene, const Catalog& catalog,
                                               ProgramCache& cache) {
-    const DisplayEffect display(scene, catalog);
-    const std::uint64_t key = display.key();
+    const DisplaySet display = displaySet(scene, catalog);
+    const std::uint64_t key = keyOf(display);
     if (const auto known = stages_.find(key); known != stages_.end()) {
         return &known->second;
     }

@@ -5,7 +5,7 @@
 
 #include "material/block_values.h"
 #include "material/material.h"
-#include "shading/effects/display.h"
+#include "shading/effects/display_set.h"
 #include "shading/effects/effect_set.h"
 #include "shading/effects/surface_program.h"
 
@@ -96,7 +96,7 @@ Scene trialScene(const Block& block, const Catalog& catalog) {
 Checked<ProgramSource> trialProgram(const Block& block, const Catalog& catalog) {
     const Scene scene = trialScene(block, catalog);
     if (block.kind == kinds::tone) {
-        return displayProgram(DisplayEffect(scene, catalog), catalog);
+        return displayProgram(displaySet(scene, catalog), catalog);
     }
     EffectSet set = effectSet(scene.objects.front().material, scene, catalog);
     set.each([use = BlockUse(block, defaultValues(block))](auto& effect) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shading/effects/effect_key.h"
 
-#include "shading/effects/display.h"
+#include "shading/effects/display_set.h"
 
 namespace patina {
 namespace {
@@ -45,7 +45,7 @@ std::uint64_t EffectKey::ofEnvironment(const Scene& scene, const Catalog& catalo
 }
 
 std::uint64_t EffectKey::ofDisplay(const Scene& scene, const Catalog& catalog) {
-    return DisplayEffect(scene, catalog).key();
+    return keyOf(displaySet(scene, catalog));
 }
 
 std::uint64_t EffectKey::ofLight(const Light& light, const Catalog& catalog, bool hasShadows) {

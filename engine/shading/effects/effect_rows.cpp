@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "shading/effects/display.h"
+#include "shading/effects/display_set.h"
 #include "shading/effects/key_light.h"
 
 namespace patina {
@@ -11,7 +11,7 @@ namespace {
 
 std::vector<EffectLine> displayLines(const EffectSubject& subject) {
     EffectListing listing(&subject);
-    DisplayEffect(subject.scene, subject.catalog).list(listing);
+    list(displaySet(subject.scene, subject.catalog), listing);
     return listing.take();
 }
 
@@ -45,16 +45,7 @@ void addRefracting(Scene& alone, const Scene& scene, const Catalog& catalog) {
 /// that refracts light if a dark environment is in for it: which effects one object has depends on
 /// no more.
 Scene aloneIn(const Scene& scene, std::size_t object, const Catalog& catalog) {
-    Scene alone;
-    alone.lights = scene.lights;
-    alone.parts = scene.parts;
-    alone.ambient = scene.ambient;
-    alone.hemisphere = scene.hemisphere;
-    alone.occlusion = scene.occlusion;
-    alone.ground = scene.ground;
-    alone.exposure = scene.exposure;
-    alone.drawings = scene.drawings;
-    alone.accuracy = scene.accuracy;
+    Scene alone = scene;
     alone.objects = {scene.objects[object]};
     if (const std::optional<std::size_t> key = keyLight(scene, catalog)) {
         for (Light& light : alone.lights) {
@@ -100,7 +91,7 @@ std::vector<EffectLine> missingLines(const EffectSubject& subject, const EffectS
     const EffectSubject withoutMaterial{nullptr, subject.scene, subject.catalog, subject.view};
     LeftOutListing rest(withoutMaterial);
     groundOf(subject).GroundEffect::listMissing(rest, set);
-    DisplayEffect(subject.scene, subject.catalog).listMissing(rest);
+    listMissing(displaySet(subject.scene, subject.catalog), rest);
     append(out, rest.take());
     return out;
 }
@@ -111,12 +102,8 @@ void takeOut(Scene& scene, std::string_view name, const Catalog& catalog) {
     const EffectName effect{name.substr(0, slash), slash == std::string_view::npos
                                                        ? std::string_view()
                                                        : name.substr(slash + 1)};
-    EffectSet().each([&]<class Effect>(const Effect&) {
-        if constexpr (requires { Effect::remove(scene, effect, catalog); }) {
-            Effect::remove(scene, effect, catalog);
-        }
-    });
-    DisplayEffect::remove(scene, effect);
+    remove<EffectSet>(scene, effect, catalog);
+    remove<DisplaySet>(scene, effect, catalog);
 }
 
 bool has(const std::vector<EffectLine>& lines, const std::string& effect) {
