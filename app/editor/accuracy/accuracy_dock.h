@@ -7,9 +7,8 @@
 
 namespace patina {
 
-/// Shows what accuracy costs, on four pages, of which one measures at a time: the ways to compute
-/// the active material and to draw the picture, all models beside each other, and how the time
-/// grows.
+/// Shows what accuracy costs on four pages, of which only one measures at a time: This Material and
+/// This Picture chart time against error, All Models compares models, Scaling shows how time grows.
 class AccuracyDock : public QTabWidget {
     Q_OBJECT
 

@@ -25,17 +25,17 @@
 namespace patina {
 namespace {
 
-/// Work between two looks at whether it was cancelled, each of which may show new points.
+/// Is the time between two checks for cancellation, each of which may show new points.
 constexpr std::chrono::milliseconds sweepSlice{100};
 constexpr QSize usualPageSize{720, 320};
-const QList<int> partSizes{2000, 3000}; ///< of chart and table, as shares
+const QList<int> partSizes{2000, 3000}; ///< shares of the width: chart, table
 
 std::unique_ptr<KeptResults> keptCharts(const ChartTarget& target, MessageLog& messages) {
     const bool isOfPicture = target.scope() == Choice::Scope::Picture;
     return std::make_unique<KeptCharts>(isOfPicture ? "picture" : "material", messages);
 }
 
-/// In the worker's thread; `take` is called in the window's.
+/// Runs in the worker's thread; `take` is called in the window's thread.
 MeasureEnd sweepCosts(const CostSweep::Subject& subject, const CostSweep::Options& options,
                       Worker::Control& control, const std::function<void(const CostChart&)>& take) {
     const auto sweep = CostSweep::create(subject, options);
@@ -153,7 +153,7 @@ void AccuracyPage::takeChart(const Camera& camera, const CostChart& chart) {
     take(MeasuredChart{camera, chart}, methodText(chart));
 }
 
-/// In the chart of another material or scene no point is one of it.
+/// A chart of another material or scene has other choices, and its points cannot be applied.
 const CostPoint* AccuracyPage::pointAt(int point) const {
     const std::vector<CostPoint>& points = chart().points;
     const bool isThere = point >= 0 && point < static_cast<int>(points.size()) &&
@@ -215,7 +215,7 @@ QString AccuracyPage::nothingText() const {
     return nothing.isEmpty() && target_->choices().empty() ? target_->noChoicesText() : nothing;
 }
 
-/// What is chosen by an old point is chosen, whatever the numbers are by now.
+/// The levels of a stale point are still valid, only its numbers are old.
 QString AccuracyPage::outOfDateText() const {
     const QString why = tr("Out of date: the material or the scene has changed since.");
     const CostPoint* now = chart().choices == target_->choices()

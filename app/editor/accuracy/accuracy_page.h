@@ -18,9 +18,9 @@ class CostList;
 class CostPlot;
 struct ChartHeading;
 
-/// Shows what accuracy costs: every way to compute a material or to draw the picture, in time and
-/// error, measured on demand; one of them is taken by a click, or by a budget. Charts are kept in
-/// files: who starts Patina again finds that of the document.
+/// Shows time and error of every combination of levels of a material or of the picture, measured on
+/// demand. A click or a budget applies one of them. Charts are kept in files, so that the chart of
+/// a document is found again after a restart.
 class AccuracyPage : public MeasurePage {
     Q_OBJECT
 
@@ -28,17 +28,18 @@ class AccuracyPage : public MeasurePage {
     AccuracyPage(const DockContext& context, std::unique_ptr<ChartTarget> target,
                  std::shared_ptr<MeasureTurn> turn);
 
-    /// Nothing happens while that is going on here or on another page, or where nothing can be
-    /// measured.
+    /// Starts a measurement. Does nothing while this or another page measures, or where nothing can
+    /// be measured.
     void measure(CostSweep::Options options = {});
 
-    /// Returns what is shown; without points where nothing was measured.
+    /// Returns the chart that is shown; it has no points where nothing was measured.
     const CostChart& chart() const { return numbers<MeasuredChart>().chart; }
 
-    /// Gives the target what a point of the chart has, as one undo step.
+    /// Gives the target the levels of a point of the chart, as one undo step. Does nothing for a
+    /// point that is not in the chart, or when the target's choices have changed since.
     void apply(int point);
-    /// Shows the exact way in A and a point of the chart in B, as one undo step, and the difference
-    /// beside them.
+    /// Shows the exact levels in A, those of a point of the chart in B and the difference beside
+    /// them, as one undo step.
     void compare(int point);
 
     QSize sizeHint() const override;
@@ -58,7 +59,8 @@ class AccuracyPage : public MeasurePage {
     void select(int point);
     void showSelected();
     void takeChart(const Camera& camera, const CostChart& chart);
-    /// A point of the chart; null where the target has not the chart's choices.
+    /// Returns a point of the chart; null if it is not there, or if the chart's choices are not the
+    /// target's.
     const CostPoint* pointAt(int point) const;
     std::string subjectName() const;
     ChartHeading heading() const;

@@ -10,12 +10,12 @@
 namespace patina {
 namespace {
 
-constexpr double evenBelow = 8.0; ///< times its start: an axis that ends there is marked evenly
-constexpr int maxEven = 6;        ///< marks at even distances
-constexpr double gap = 8.0;       ///< pixels between two labels
-constexpr double besideAxes = 90.0; ///< pixels of a plot that its axes cannot have, at most
+constexpr double evenBelow = 8.0;   ///< ratio of the axis' ends below which ticks are evenly spaced
+constexpr int maxEven = 6;          ///< is the most ticks at even distances
+constexpr double gap = 8.0;         ///< pixels between two labels
+constexpr double besideAxes = 90.0; ///< pixels by which a plot is longer than its axis, at most
 
-/// A mark may not stand so close above the named one, as a ratio.
+/// Is the ratio to the named tick below which others are left out.
 constexpr double clearOfBegin = 2.5;
 
 QVector<double> decades(const QCPRange& range, const QVector<double>& steps, int stride) {
@@ -33,7 +33,7 @@ QVector<double> decades(const QCPRange& range, const QVector<double>& steps, int
     return ticks;
 }
 
-/// The next of 1, 2, 5, 10, ... from a number on.
+/// Returns the smallest of 1, 2, 5, 10 times a power of ten that is not below a number.
 double roundStep(double number) {
     const double decade = std::pow(10.0, std::floor(std::log10(number)));
     for (const double step : {1.0, 2.0, 5.0}) {
@@ -96,7 +96,7 @@ QVector<double> AxisTicks::withBegin(QVector<double> ticks) const {
     return ticks;
 }
 
-/// By the size of the whole plot: that of the axis is only known after its labels are.
+/// Measures with the size of the whole plot, since that of the axis depends on its labels.
 bool AxisTicks::haveRoom(const QVector<double>& ticks, const QCPRange& range) const {
     const bool isWide = axis_.orientation() == Qt::Horizontal;
     const QSize size = axis_.parentPlot()->viewport().size();

@@ -8,16 +8,18 @@
 
 namespace patina {
 
-/// Marks of a logarithmic axis at round numbers, as many as have room for their labels: at 1, 2, 5,
-/// 10, at 1, 3, 10, or at powers of ten; at even distances where the axis is short of a decade.
+/// Places ticks of a logarithmic axis at round numbers, as many as have room for their labels: at
+/// 1, 2, 5, 10, at 1, 3, 10, or at powers of ten. An axis shorter than a decade has evenly spaced
+/// ticks.
 class AxisTicks : public QCPAxisTicker {
   public:
     using Text = QString (*)(double number);
 
-    /// The axis lives as long as this is in use.
+    /// Keeps a reference to the axis, which has to live as long as this is in use.
     AxisTicks(const QCPAxis& axis, Text text);
 
-    /// A mark with a name of its own, where the axis begins.
+    /// Puts a tick at `at` with the label `name`, where the axis begins; ticks too close to it are
+    /// left out.
     void begin(double at, const QString& name);
 
   protected:
@@ -31,7 +33,7 @@ class AxisTicks : public QCPAxisTicker {
 
     const QCPAxis& axis_;
     Text text_;
-    double begin_ = 0.0; ///< 0: none
+    double begin_ = 0.0; ///< is 0 without a named tick
     QString beginName_;
 };
 

@@ -20,7 +20,7 @@ QString digitsOf(double number) {
     return QString::fromStdString(shortestText(static_cast<float>(number)));
 }
 
-/// The shorter one of "1/255" and "0.4 %".
+/// Returns the shorter of "1/255" and "0.4 %".
 QString textOfShare(double share) {
     const QString percents = QStringLiteral("%1 %").arg(digitsOf(100.0 * share));
     const double parts = std::round(1.0 / share);
@@ -32,7 +32,7 @@ QString textOfShare(double share) {
     return fraction.size() < percents.size() ? fraction : percents;
 }
 
-/// The second digit that counts goes up or down by so many.
+/// Moves a value by `steps` units of its second significant digit; the result stays positive.
 double further(double value, double steps) {
     const double step = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
     return std::max(std::round(value / step) + steps, 1.0) * step;

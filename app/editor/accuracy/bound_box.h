@@ -5,14 +5,15 @@
 
 namespace patina {
 
-/// A field for what a way to compute something may take or err, as parameters' fields are.
+/// Edits an upper bound of time or error with the keys and the wheel of a parameter's field. Keeps
+/// it in 1e-6 .. 1e7 ms, or 1e-7 .. 10 as a share.
 class BoundBox : public NumberBox {
     Q_OBJECT
 
   public:
     enum class Of {
         Milliseconds,
-        Share ///< typed and shown as "1/255", "0.4 %"
+        Share ///< is typed and shown as "1/255" or "0.4 %"
     };
     BoundBox(Of of, double usual, QWidget* parent = nullptr);
 

@@ -15,9 +15,9 @@ namespace patina {
 namespace {
 
 constexpr double usualMilliseconds = 2.0;
-constexpr double usualShare = 1.0 / 255.0; ///< one of the steps that 8 bits tell apart
+constexpr double usualShare = 1.0 / 255.0; ///< one step of 8 bits
 
-/// Sizes of pictures that budgets are given for.
+/// Holds an image size that a budget can be given for, in pixels.
 struct PictureSize {
     const char* name;
     int width;
@@ -27,7 +27,7 @@ constexpr PictureSize sizes[] = {
     {"720p", 1280, 720}, {"1080p", 1920, 1080}, {"1440p", 2560, 1440}, {"2160p", 3840, 2160}};
 constexpr int usualEntry = 1;
 
-/// Writes the time of so many of the measured pictures.
+/// Writes the time of a picture that is `pictures` times as large as the measured one.
 QString pictureTimeText(const ChoiceCost& cost, double pictures) {
     const QString time = digitsText(cost.milliseconds.median * pictures);
     return cost.belowNoise ? BudgetRow::tr("at most %1 ms").arg(time)
@@ -39,11 +39,9 @@ QString pictureTimeText(const ChoiceCost& cost, double pictures) {
 BudgetRow::BudgetRow(QWidget* parent)
     : QWidget(parent), timed_(new QCheckBox(tr("At most"), this)),
       milliseconds_(new BoundBox(BoundBox::Of::Milliseconds, usualMilliseconds, this)),
-      size_(new QComboBox(this)),
-      bounded_(new QCheckBox(tr("Error below"), this)),
+      size_(new QComboBox(this)), bounded_(new QCheckBox(tr("Error below"), this)),
       share_(new BoundBox(BoundBox::Of::Share, usualShare, this)),
-      use_(textButton(tr("Use it"),
-                      tr("Take what the budget buys"), this)),
+      use_(textButton(tr("Use it"), tr("Take what the budget buys"), this)),
       text_(new QLabel(this)) {
     timed_->setToolTip(tr("The most accurate way that is fast enough"));
     milliseconds_->setObjectName("milliseconds");
@@ -52,8 +50,7 @@ BudgetRow::BudgetRow(QWidget* parent)
     for (const PictureSize& size : sizes) {
         size_->addItem(QString::fromLatin1(size.name), size.width * size.height);
         size_->setItemData(size_->count() - 1,
-                           tr("%1 × %2 pixels").arg(size.width).arg(size.height),
-                           Qt::ToolTipRole);
+                           tr("%1 × %2 pixels").arg(size.width).arg(size.height), Qt::ToolTipRole);
     }
     size_->setCurrentIndex(usualEntry);
     size_->setToolTip(tr("The picture's size, filled as the measured one is"));
@@ -116,13 +113,13 @@ void BudgetRow::setChart(const CostChart& chart, bool stale) {
     refresh();
 }
 
-/// How many of the measured pictures are as large as the wanted one.
+/// Returns the wanted number of pixels as a multiple of the measured picture's.
 double BudgetRow::pictures() const {
     const double measured = double(chart_.size.x) * double(chart_.size.y);
     return measured > 0.0 ? size_->currentData().toDouble() / measured : 1.0;
 }
 
-/// In milliseconds of the measured picture.
+/// Returns the budget in milliseconds of the measured picture, not of the wanted size.
 CostBudget BudgetRow::budget() const {
     CostBudget budget;
     if (timed_->isChecked()) {
@@ -146,13 +143,13 @@ void BudgetRow::refresh() {
                            : tr("Measure first: then the budget picks a way."));
 }
 
-/// What is bought, and what is given up for it.
+/// Says what the point takes, and what is given up compared with the exact one.
 QString BudgetRow::answerText(const CostPoint& point, bool fits) const {
     const CostPoint& exact = chart_.points.front();
     const QString time = pictureTimeText(point.cost, pictures());
     const QString exactTime = pictureTimeText(exact.cost, pictures());
-    const QString name = fits ? wayName(point, chart_)
-                              : tr("Nothing fits. Nearest: %1").arg(wayName(point, chart_));
+    const QString name =
+        fits ? wayName(point, chart_) : tr("Nothing fits. Nearest: %1").arg(wayName(point, chart_));
     if (point.isExact()) {
         return tr("%1, %2 a picture. It gives up nothing.").arg(name, time);
     }

@@ -24,15 +24,15 @@ class BudgetRow : public QWidget {
   public:
     explicit BudgetRow(QWidget* parent = nullptr);
 
-    /// Answers by these points; those that are `stale` cannot be used.
+    /// Answers with these points; stale ones are shown but cannot be applied.
     void setChart(const CostChart& chart, bool stale);
 
-    /// The point that fits best; nothing without a budget or a chart.
+    /// Returns the point that fits the budget best; empty without a budget or a chart.
     const std::optional<BudgetAnswer>& answer() const { return answer_; }
 
   Q_SIGNALS:
-    void answered(int point); ///< the artist changed the budget
-    void wished(int point);   ///< the artist wants that point
+    void answered(int point); ///< is emitted when the artist changes the budget
+    void wished(int point);   ///< is emitted when the artist applies the answer
 
   private:
     void layOut();

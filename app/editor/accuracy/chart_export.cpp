@@ -24,11 +24,12 @@ namespace {
 constexpr QSize fileSize{960, 600};
 constexpr double pngScale = 2.0;
 constexpr double headingMargin = 12.0;
-constexpr double markRadius = 8.0;     ///< of a point, with its ring
-constexpr double longestName = 320.0;  ///< pixels; of a longer one what is alike is cut
-constexpr double besideMark = 10.0;    ///< from a point to its name; from farther away a line leads
+constexpr double markRadius = 8.0;    ///< pixels; covers a point and its ring
+constexpr double longestName = 320.0; ///< pixels; a longer name has the names of its choices cut
+constexpr double besideMark =
+    10.0; ///< pixels from a point to its name; a line leads to a name farther away
 
-/// In as many lines as fit.
+/// Breaks a text into lines of at most `width` pixels.
 QString wrapped(const QString& text, const QFontMetrics& metrics, int width) {
     QStringList lines{QString()};
     for (const QString& word : text.split(' ')) {
@@ -65,7 +66,8 @@ void addHeading(QCustomPlot& plot, const ChartHeading& heading, const QPalette& 
     }
 }
 
-/// Names beside points, each where it covers no other one and no point.
+/// Places names beside points so that they cover neither each other nor a point. A name without
+/// room is left out.
 class Names {
   public:
     Names(QCustomPlot& plot, const QPalette& palette)
@@ -94,7 +96,8 @@ class Names {
     }
 
   private:
-    /// Where a name of that size has room, so far from its point.
+    /// Returns a place for a name of that size at a distance (pixels) from its point; empty if each
+    /// is taken.
     std::optional<QRectF> freeAt(const QPointF& place, const QSizeF& size, double distance) const {
         constexpr double diagonal = 0.7;
         const double along = diagonal * distance;
@@ -148,7 +151,7 @@ class Names {
     std::vector<QRectF> taken_;
 };
 
-/// The front's names come first, so that they are near their points.
+/// Names the points on the front first, so that these names are nearest to their points.
 void addNames(QCustomPlot& plot, const PlotMarks& marks, const PlotMarks::Content& content,
               const QPalette& palette) {
     const CostChart& chart = content.chart;
@@ -167,7 +170,7 @@ void addNames(QCustomPlot& plot, const PlotMarks& marks, const PlotMarks::Conten
     }
 }
 
-/// The chart as it is drawn into files.
+/// Lays out a chart and its heading as they are drawn into files.
 class ChartPicture {
   public:
     ChartPicture(const PlotMarks::Content& content, const ChartHeading& heading,
@@ -191,10 +194,9 @@ class ChartPicture {
 
 QString askForChartFile(QWidget* parent, const QString& ending) {
     Session session;
-    QFileDialog dialog(parent,
-                       QCoreApplication::translate("ChartExport", "Export what was measured"),
-                       session.folder("chart"),
-                       QStringLiteral("%1 (*.%2)").arg(ending.toUpper(), ending));
+    QFileDialog dialog(
+        parent, QCoreApplication::translate("ChartExport", "Export what was measured"),
+        session.folder("chart"), QStringLiteral("%1 (*.%2)").arg(ending.toUpper(), ending));
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(ending);
     dialog.selectFile("accuracy." + ending);
@@ -212,9 +214,7 @@ QByteArray chartPng(const PlotMarks::Content& content, const ChartHeading& headi
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
-    picture.plot()
-        .toPixmap(fileSize.width(), fileSize.height(), pngScale)
-        .save(&buffer, "PNG");
+    picture.plot().toPixmap(fileSize.width(), fileSize.height(), pngScale).save(&buffer, "PNG");
     return bytes;
 }
 

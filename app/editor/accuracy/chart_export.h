@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Charts as files, which have to be understood without the window.
+// Writes charts to files, which have to be understood without the window.
 #pragma once
 
 #include <QByteArray>
@@ -11,23 +11,24 @@
 
 namespace patina {
 
-/// Asks for a file with the given ending ("csv") and returns it, or an empty text.
+/// Asks for a file with the given suffix ("csv") and returns its path; empty if cancelled.
 QString askForChartFile(QWidget* parent, const QString& ending);
 
-/// Holds what stands above the chart: what it is of, and below that how it was measured.
+/// Holds the lines above a chart: a title that names the subject, and below it how it was measured.
 struct ChartHeading {
     QString title;
     QStringList lines;
 };
 
-/// The chart with its heading; ways on the front and the one chosen now have their names beside
-/// them.
+/// Return the chart with its heading as a file of 960 x 600 pixels (PNG: twice that). Points on the
+/// front and the current one are labelled.
 QByteArray chartPng(const PlotMarks::Content& content, const ChartHeading& heading,
                     const QPalette& palette);
 QByteArray chartSvg(const PlotMarks::Content& content, const ChartHeading& heading,
                     const QPalette& palette);
 
-/// The driver of OpenGL, for people; empty where there is none.
+/// Returns the version and the driver of OpenGL as text for people; empty if no context can be
+/// made. Call it in the window's thread.
 QString driverLine();
 
 } // namespace patina

@@ -38,7 +38,7 @@ json cameraJson(const Camera& camera) {
             {"far", camera.farPlane}};
 }
 
-/// Numbers are written as floats, and a scene that was read has floats, too.
+/// Reads numbers as floats, since they are written so, and since a scene that is read has floats.
 Camera cameraFrom(const json& from) {
     const auto number = [](const json& value) { return double(value.get<float>()); };
     const json& pivot = from.at("pivot");
@@ -82,7 +82,7 @@ Result<StoredChart> chartFrom(const json& from) {
     }
 }
 
-/// Where nothing has that name yet.
+/// Returns a name beside the file that no file has yet.
 fs::path asidePath(const fs::path& file) {
     fs::path aside = file.string() + ".damaged";
     std::error_code none;
@@ -105,7 +105,7 @@ Error putAside(const fs::path& file, const Error& why) {
 
 } // namespace
 
-/// With the format's version: what a newer Patina wrote stays for that one.
+/// Names the file with the format's version, so that a newer Patina's files are left alone.
 fs::path ChartStore::fileOf(const ChartKey& key) const {
     const json name{formatVersion, key.page, key.file, key.object};
     return folder_ / (hashed(writeJson(name)).substr(0, 32) + ending);

@@ -11,33 +11,34 @@
 
 namespace patina {
 
-/// Says which document a chart is of, on which page.
+/// Identifies a stored chart: by its page, the document's file and the object's index.
 struct ChartKey {
     std::string page;
-    std::string file; ///< empty: the document has none yet
+    std::string file; ///< is empty while the document has no file
     int object = -1;
 
     friend auto operator<=>(const ChartKey&, const ChartKey&) = default;
 };
 
-/// A chart as it is written: its subject is known by its hash alone.
+/// Holds a chart as it is written to a file, with its subject only as a hash.
 struct StoredChart {
     MeasuredChart measured;
     bool complete = false;
-    std::string problem; ///< why it ended before its time; else empty
-    std::string hash;    ///< of its subject; see hashOf()
+    std::string problem; ///< says why the measurement ended early; empty if it did not
+    std::string hash;    ///< identifies the subject; see hashOf()
 };
 
-/// Charts in files of a folder, one for each key, so that who starts Patina again finds them.
+/// Keeps charts in the files of a folder, one for each key, across restarts of Patina.
 class ChartStore {
   public:
     explicit ChartStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-    /// Writes in place of what was written for that key. The oldest of very many files goes.
+    /// Replaces the chart of that key, and removes the oldest files where there are very many.
+    /// Returns an error if the folder or the file cannot be written.
     Result<void> write(const ChartKey& key, const StoredChart& stored) const;
 
-    /// Reads the chart of a key: nothing where none was written. A file that is damaged is put
-    /// aside, and the error names where it is then.
+    /// Reads the chart of a key; empty if none was written. Renames a damaged file, and returns an
+    /// error that says where it is now.
     Result<std::optional<StoredChart>> read(const ChartKey& key) const;
 
     std::filesystem::path fileOf(const ChartKey& key) const;
@@ -48,8 +49,8 @@ class ChartStore {
     std::filesystem::path folder_;
 };
 
-/// Tells subjects apart over many starts of the program: a hash of the scene, the blocks and the
-/// name of the device.
+/// Returns a hash of the scene, the object, the blocks and the device's name, which tells subjects
+/// apart across restarts.
 std::string hashOf(const MeasuredSubject& subject, const std::string& device);
 
 } // namespace patina

@@ -10,33 +10,33 @@
 
 namespace patina {
 
-/// Is what the points of a chart are measured of and given to: a material or the picture.
+/// Is what a chart measures and what its points are applied to: a material or the picture.
 class ChartTarget {
   public:
     virtual ~ChartTarget() = default;
 
     virtual Choice::Scope scope() const = 0;
 
-    /// Returns what of it can be computed more cheaply now.
+    /// Returns what can be computed at another level than the exact one now.
     virtual std::vector<Choice> choices() const = 0;
 
-    /// Returns what it has of these, without what is exact.
+    /// Returns the levels that the target has now, without exact ones.
     virtual ChosenLevels levels(const std::vector<Choice>& choices) const = 0;
 
-    /// Returns what a chart of now is of. It is of all choices, so which of them are taken makes no
-    /// difference to it.
+    /// Returns the subject of a chart that would be measured now. Since a chart covers all choices,
+    /// the subject does not depend on the levels that are chosen.
     virtual MeasuredSubject subject() const = 0;
 
-    /// Gives it these levels, and of the other choices the exact ones, as one undo step.
+    /// Applies these levels, and the exact one to every other choice, as one undo step.
     virtual void apply(const std::vector<Choice>& choices, const ChosenLevels& levels,
                        const QString& label) = 0;
 
-    /// Shows the exact way in A and these levels in B, as one undo step, and the difference beside,
-    /// until comparing ends: nothing is chosen by it.
+    /// Shows the exact levels in A, these levels in B and the difference beside them, as one undo
+    /// step, until the comparison ends. The target keeps its levels.
     virtual void compare(const std::vector<Choice>& choices, const ChosenLevels& levels) = 0;
 
-    virtual QString measureText() const = 0;   ///< what measuring does, for a tool tip
-    virtual QString noChoicesText() const = 0; ///< that there is nothing to choose
+    virtual QString measureText() const = 0;   ///< says what measuring does, for a tool tip
+    virtual QString noChoicesText() const = 0; ///< says that there is nothing to choose
 };
 
 } // namespace patina

@@ -24,8 +24,8 @@ struct MarkColors {
     QColor ring;
 };
 
-/// As in the chart: a disc on the front, a circle elsewhere, in the front's colour for a tie, and
-/// one round the current point.
+/// Draws the same mark as the chart: a disc on the front, a circle elsewhere, in the front's colour
+/// for a tie, and a ring round the current point.
 QPixmap markOf(Standing standing, bool isCurrent, const MarkColors& colors) {
     QPixmap pixmap(2 * markSize, 2 * markSize);
     pixmap.setDevicePixelRatio(2.0);
@@ -44,8 +44,8 @@ QPixmap markOf(Standing standing, bool isCurrent, const MarkColors& colors) {
     return pixmap;
 }
 
-/// Old points are no front to choose from: their discs are as faint as their numbers. On a selected
-/// row the highlight is the ground.
+/// Draws the discs of stale points as faint as their numbers. A selected row has another colour, as
+/// its background is the highlight.
 QIcon iconOf(Standing standing, bool isCurrent, bool stale, const QPalette& palette) {
     const QColor faint = palette.color(QPalette::PlaceholderText);
     const QColor selected = palette.color(QPalette::HighlightedText);
@@ -57,7 +57,7 @@ QIcon iconOf(Standing standing, bool isCurrent, bool stale, const QPalette& pale
     return icon;
 }
 
-/// What nobody can tell from the exact time is said to be about as long.
+/// Writes "≈" before a time that cannot be told from the exact one.
 QString timeText(const CostPoint& point, const CostChart& chart) {
     const QString text = costRatioText(point.cost, chart.boundOf(point));
     const bool ties = !point.isExact() && chart.boundOf(point) == RatioBound::None &&
@@ -126,9 +126,8 @@ CostList::CostList(QWidget* parent) : QTreeWidget(parent) {
     sortByColumn(Time, Qt::AscendingOrder);
     setColumnWidth(Way, wayWidth);
     fitColumns(*this, Time);
-    connect(this, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* row) {
-        Q_EMIT picked(row->data(Way, pointRole).toInt());
-    });
+    connect(this, &QTreeWidget::itemActivated, this,
+            [this](QTreeWidgetItem* row) { Q_EMIT picked(row->data(Way, pointRole).toInt()); });
     connect(this, &QTreeWidget::currentItemChanged, this,
             [this] { Q_EMIT selectionMoved(selected()); });
 }

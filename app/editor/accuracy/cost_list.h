@@ -7,25 +7,25 @@
 
 namespace patina {
 
-/// The points of a chart as a table that can be sorted by every number. A row is asked for with
-/// Enter or a double click.
+/// Shows the points of a chart as a table that can be sorted by every number. Enter or a double
+/// click picks a row.
 class CostList : public QTreeWidget {
     Q_OBJECT
 
   public:
     explicit CostList(QWidget* parent = nullptr);
 
-    /// Shows the points; `current` is what is chosen now, `stale` says that they are of
-    /// something else than is on the screen.
+    /// Shows the points. `current` are the levels chosen now; `stale` says that the points were
+    /// measured before a change.
     void setChart(const CostChart& chart, const ChosenLevels& current, bool stale);
 
-    /// The point of the current row; -1: there is none.
+    /// Returns the point of the current row; -1 if there is none.
     int selected() const;
     void select(int point);
 
   Q_SIGNALS:
     void picked(int point);
-    void selectionMoved(int point); ///< by the artist, not by select()
+    void selectionMoved(int point); ///< is emitted when the artist moves it, not by select()
 
   private:
     QTreeWidgetItem* rowOf(int point) const;

@@ -16,7 +16,7 @@
 namespace patina {
 namespace {
 
-constexpr double reach = 11.0; ///< pixels from a point that still mean it
+constexpr double reach = 11.0; ///< pixels from a point within which the pointer hits it
 constexpr QSize usualPlotSize{380, 240};
 constexpr QSize minSize{240, 130};
 
@@ -59,14 +59,14 @@ void CostPlot::select(int point) {
     draw();
 }
 
-/// Describes a point. When the chart is out of date only its name is worth anything.
+/// Describes a point; of a stale one only the name, since its numbers are old.
 QString CostPlot::textOf(int point) const {
     const auto number = static_cast<std::size_t>(point);
     return stale_ ? wayName(chart_.points[number], chart_) + '\n' + staleText()
                   : pointText(number, chart_);
 }
 
-/// What is chosen now; -1: that was not measured.
+/// Returns the point with the levels chosen now; -1 if it was not measured.
 int CostPlot::currentPoint() const {
     const CostPoint* current = chart_.find(current_);
     return current != nullptr ? static_cast<int>(current - chart_.points.data()) : -1;
@@ -82,7 +82,7 @@ QPoint CostPlot::placeOf(int point) const {
     return plot_->mapTo(this, place.toPoint());
 }
 
-/// The nearest point within reach; -1: there is none.
+/// Returns the nearest point within reach; -1 if there is none.
 int CostPlot::pointAt(QPoint place) const {
     int best = -1;
     double nearest = reach;
@@ -147,7 +147,7 @@ void CostPlot::keyPressEvent(QKeyEvent* event) {
     }
 }
 
-/// To the next point in time; where none is selected, to the fastest.
+/// Selects the next point in order of time; the fastest one if none is selected.
 void CostPlot::moveSelection(int steps) {
     std::vector<int> order(chart_.points.size());
     for (std::size_t i = 0; i < order.size(); ++i) {

@@ -10,9 +10,9 @@ class QCustomPlot;
 
 namespace patina {
 
-/// The points of a chart: time per pixel against error, both on log axes, with the front as a line
-/// and what is chosen now in a ring. A click or Enter asks for a point, left and right go
-/// from one to the next.
+/// Draws the points of a chart, time per pixel against error on log axes, with the front as a line
+/// and a ring round the current point. A click or Enter picks a point; left and right select the
+/// next one in time.
 class CostPlot : public PlotWidget {
     Q_OBJECT
 
@@ -26,10 +26,10 @@ class CostPlot : public PlotWidget {
     int selected() const { return selected_; }
     void select(int point);
 
-    /// Returns where a point is drawn, in this widget.
+    /// Returns where a point is drawn, in pixels of this widget.
     QPoint placeOf(int point) const;
 
-    /// Returns the chart as files.
+    /// Return the chart as the bytes of a file.
     QByteArray png(const ChartHeading& heading = {}) const;
     QByteArray svg(const ChartHeading& heading = {}) const;
 
@@ -38,7 +38,7 @@ class CostPlot : public PlotWidget {
 
   Q_SIGNALS:
     void picked(int point);
-    void selectionMoved(int point); ///< by the artist, not by select()
+    void selectionMoved(int point); ///< is emitted when the artist moves it, not by select()
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

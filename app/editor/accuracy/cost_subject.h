@@ -10,8 +10,8 @@ class EnvironmentLibrary;
 class MeshLibrary;
 class TextureLibrary;
 
-/// The active side's scene with its current object, of which there must be one, for a measurement
-/// in another thread: what meshes and images there are now.
+/// Returns the active side's scene and its current object, of which there must be one, with the
+/// meshes and images that are loaded now, so that another thread can measure it.
 CostSweep::Subject costSubject(const Document& document, MeshLibrary& meshes,
                                TextureLibrary& textures, EnvironmentLibrary& environments);
 

@@ -14,7 +14,7 @@ QString tr(const char* text) {
     return QCoreApplication::translate("CostText", text);
 }
 
-/// A level that a point takes, with its choice; null where the chart does not know it.
+/// Holds a level that a point takes, with its choice; both point into the chart.
 struct TakenLevel {
     const Choice* choice = nullptr;
     const ChoiceLevel* level = nullptr;
@@ -68,7 +68,7 @@ QString workText(const SweepStep& step, const CostChart& chart) {
     }
 }
 
-/// Writes the cost's ratio, or a time that goes with it, with its interval where that is sure.
+/// Writes a ratio, or a time that is as sure as the ratio, with its interval if that is known.
 QString asSure(const MedianInterval& interval, const ChoiceCost& cost) {
     return cost.isSure() ? ratioText(interval)
                          : QStringLiteral("%1 ± ?").arg(digitsText(interval.median));
@@ -76,7 +76,7 @@ QString asSure(const MedianInterval& interval, const ChoiceCost& cost) {
 
 } // namespace
 
-/// "Half" says nothing without what it is half of.
+/// Names each level with its choice: "Half" alone does not say what is halved.
 std::vector<WayPart> wayParts(const CostPoint& point, const CostChart& chart) {
     std::vector<WayPart> parts;
     for (const TakenLevel& taken : takenLevels(point, chart)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What people read of a chart of costs.
+// Writes charts of costs as text for people.
 #pragma once
 
 #include <QString>
@@ -11,57 +11,58 @@
 
 namespace patina {
 
-/// The levels that are not exact.
+/// Returns the labels of a point's levels and their choices, without exact levels.
 std::vector<WayPart> wayParts(const CostPoint& point, const CostChart& chart);
 
-/// "Render scale: Half + Fog: Per vertex"; "Exact" where every choice is.
+/// Returns "Render scale: Half + Fog: Per vertex"; "Exact" if every choice is exact.
 QString wayName(const CostPoint& point, const CostChart& chart);
 
-/// The same in full: which choice has which level, and what that means, line by line.
+/// Returns the labels of a point's choices and levels with what each level does, one a line.
 QString wayDescription(const CostPoint& point, const CostChart& chart);
 
-/// "1.23 ± 0.02" of a ratio; "1.23 ± ?" where a busy machine left an
-/// interval that says nothing.
+/// Returns "1.23 ± 0.02"; "1.23 ± ?" if the interval is too wide to say anything, as on a busy
+/// machine.
 QString ratioText(const MedianInterval& ratio);
 
-/// The ratio of a cost in the same way; "< 0.02" and "> 3.5" of bounds, "–" where nothing is known
-/// of it.
+/// Returns the ratio of a cost as ratioText() does; "< 0.02" and "> 3.5" for bounds, "–" if it is
+/// unknown.
 QString costRatioText(const ChoiceCost& cost, RatioBound bound);
 
-/// Returns how sure that is.
+/// Returns a sentence on how sure the ratio is.
 QString ratioNote(const ChoiceCost& cost, RatioBound bound);
 
-/// Nanoseconds per pixel, as sure as the ratio is; "< 12.3" of a bound. Without how sure they are
-/// where that stands beside it.
+/// Returns nanoseconds per pixel; "< 12.3" for a bound. Appends the interval if `withInterval`,
+/// which tables with a column of ratios do not need.
 QString perPixelText(const ChoiceCost& cost, bool withInterval);
 
-/// The number of instructions ("–": not known), their kinds line by line, and a number to sort by.
+/// Return the number of instructions as text ("–" if unknown), the number of each kind, one a line,
+/// and the total as a number to sort by (-1 if unknown).
 QString countText(const std::optional<InstructionCount>& count);
 QString kindsText(const std::optional<InstructionCount>& count);
 double countOf(const std::optional<InstructionCount>& count);
 
-/// Returns which other points cannot be told from this one, neither in time nor in error, and
-/// whether only the noise keeps it from the front; empty: neither.
+/// Names the points that cannot be told from this one in time and in error, and says whether only
+/// the noise keeps it off the front; empty if neither is so.
 QString tieText(const CostPoint& point, const CostChart& chart, Standing standing);
 
-/// Returns what the errors are against of points that are compared with the chart's converged
-/// render.
+/// Says what the errors are measured against for points that are compared with the chart's
+/// converged render. The chart must have one.
 QString convergedNote(const CostChart& chart);
 
-/// The name and the numbers of the chart's point of that number, line by line.
+/// Returns the name and the numbers of the chart's point of that index, one a line.
 QString pointText(std::size_t number, const CostChart& chart);
 
-/// Returns what a measurement is doing, and how much of it is done.
+/// Says what a measurement is doing, and how much of it is done.
 QString stepText(const SweepStep& step, const CostChart& chart);
 
-/// Returns what is said beside points that were measured before something changed.
+/// Says that a point's numbers were measured before a change.
 QString staleText();
 
-/// Returns how it was measured: pixels, timer, what errors are against.
+/// Says how the chart was measured: pixels, timer, reference of the errors.
 QString methodText(const CostChart& chart);
 
-/// Returns what else is to be known of it: what was left out, errors that are against something
-/// else, levels without a point.
+/// Says what else matters: what was left out, which errors have another reference, which levels
+/// have no point of their own.
 QString notesText(const CostChart& chart);
 
 } // namespace patina

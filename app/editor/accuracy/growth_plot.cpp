@@ -16,16 +16,16 @@ namespace patina {
 namespace {
 
 constexpr double pointSize = 7.0;
-constexpr double margin = 1.3; ///< of the axes, times what they hold
-constexpr int lawSteps = 48;   ///< of the line, which is bent on log axes
+constexpr double margin = 1.3; ///< ratio by which an axis goes beyond its numbers
+constexpr int lawSteps = 48;   ///< segments of the law's line, which is curved on log axes
 constexpr QSize minGrowthSize{140, 110};
 
-/// Tells whether the bars are intervals of 95 %.
+/// Returns whether the bars are intervals of 95 %.
 bool isSure(const ScalingCurve& curve) {
     return std::ranges::all_of(curve.samples, &GrowthSample::isSure);
 }
 
-/// As lawText() asks for it.
+/// Writes a number in the artist's locale, in the form that lawText() asks for.
 std::string localNumber(double number, char format, int digits) {
     const QString text =
         format == 'g' ? roundText(number) : numberLocale().toString(number, format, digits);

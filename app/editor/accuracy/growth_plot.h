@@ -13,20 +13,20 @@ class QLabel;
 
 namespace patina {
 
-/// Time against how many there are of something, both on log axes: what was measured, how sure it
-/// is, and the law as a line; below it the law in words.
+/// Draws time against a number of pixels, lights or objects on log axes: the samples with their
+/// intervals, and the fitted law as a line and, below the plot, in words.
 class GrowthPlot : public PlotWidget {
     Q_OBJECT
 
   public:
     explicit GrowthPlot(ScalingCurve::Axis axis, QWidget* parent = nullptr);
 
-    /// Nothing: that is not measured yet.
+    /// Shows a curve; the plot is empty without one.
     void setCurve(const std::optional<ScalingCurve>& curve, bool stale);
 
     QString law() const;
 
-    /// "pixels", "lights", "objects".
+    /// Returns what an axis counts: "pixels", "lights" or "objects".
     static QString nameOf(ScalingCurve::Axis axis);
 
   private:

@@ -19,7 +19,7 @@ const PageResult& KeptCharts::keep(PageResult result) {
     return kept;
 }
 
-/// What was measured of this subject, else what was measured last of the document's object.
+/// Finds what was measured of this subject, else what was measured last of the document's object.
 const PageResult* KeptCharts::find(const MeasuredSubject& subject, const std::string& file) {
     const PageResult* kept = KeptResults::find(subject, file);
     const bool isFresh = kept != nullptr && kept->subject == subject;
@@ -33,8 +33,8 @@ const PageResult* KeptCharts::find(const MeasuredSubject& subject, const std::st
     return kept;
 }
 
-/// What an earlier session measured. What is of another subject is shown as out of date, but only
-/// of a document that has a file: others have nothing to do with each other.
+/// Finds what an earlier session measured. A result of another subject is shown as out of date, but
+/// only for a document that has a file: other documents have nothing in common.
 const PageResult* KeptCharts::findEarlier(const MeasuredSubject& subject, const std::string& file) {
     const ChartKey key = keyOf(file, subject.object);
     read(key);
@@ -51,7 +51,7 @@ const PageResult* KeptCharts::findEarlier(const MeasuredSubject& subject, const 
     return &KeptResults::keep(std::move(result));
 }
 
-/// Once: what is measured later is written over it.
+/// Reads a key only once, since what is measured later is written over it.
 void KeptCharts::read(const ChartKey& key) {
     if (!stored_.insert(key).second) {
         return;

@@ -12,22 +12,22 @@ namespace patina {
 
 class MessageLog;
 
-/// Charts that were measured in this session, or in an earlier one, from which files are there: who
-/// starts Patina again finds that of the document.
+/// Keeps charts of this session in memory and in files, and reads those of earlier sessions, so
+/// that the chart of a document is found again after a restart.
 class KeptCharts : public KeptResults {
   public:
-    /// `page` tells the files of one page from those of another; `messages` hears of those that
-    /// cannot be read or written.
+    /// `page` is part of the key of each file. `messages` gets an error for each file that cannot
+    /// be read or written.
     KeptCharts(std::string page, MessageLog& messages);
 
     const PageResult& keep(PageResult result) override;
     const PageResult* find(const MeasuredSubject& subject, const std::string& file) override;
 
   private:
-    /// Holds what was read, while it is of another subject.
+    /// Holds a chart of a file whose subject is not the current one.
     struct Earlier {
-        PageResult result; ///< of a subject of which no more than the object is known
-        std::string hash;  ///< of the subject; see hashOf()
+        PageResult result; ///< has a subject of which only the object is known
+        std::string hash;  ///< identifies the subject; see hashOf()
     };
 
     ChartKey keyOf(const std::string& file, int object) const { return {page_, file, object}; }
@@ -39,8 +39,8 @@ class KeptCharts : public KeptResults {
     std::string page_;
     MessageLog& messages_;
     ChartStore store_;
-    std::set<ChartKey> stored_;         ///< what was read of the store or written to it
-    std::optional<std::string> device_; ///< its name, once it was asked for
+    std::set<ChartKey> stored_; ///< holds keys that were read from the store or written to it
+    std::optional<std::string> device_; ///< is empty until it was asked for
     std::map<ChartKey, Earlier> earlier_;
 };
 

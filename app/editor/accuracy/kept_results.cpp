@@ -7,7 +7,7 @@
 namespace patina {
 namespace {
 
-/// Numbers are few, but the scene that they are of may be large.
+/// Is small since each result holds a scene, which may be large.
 constexpr std::size_t maxResults = 8;
 
 } // namespace

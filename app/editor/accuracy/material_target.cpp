@@ -13,7 +13,7 @@
 namespace patina {
 namespace {
 
-/// The exact level is written only over another: a material that names none is exact.
+/// Writes the exact level only over another one, since a material without an entry is exact.
 Material withLevels(Material material, const std::vector<Choice>& choices,
                     const ChosenLevels& levels) {
     for (const Choice& choice : choices) {
@@ -27,7 +27,8 @@ Material withLevels(Material material, const std::vector<Choice>& choices,
     return material;
 }
 
-/// Materials are measured with the picture's usual accuracy and as many directions as errors need.
+/// Gives the picture its usual accuracy and the environment its default directions, so that
+/// materials are measured alike.
 void forgetPicture(Scene& scene, const Catalog& catalog) {
     scene.accuracy = PictureAccuracy();
     const Block* block = blockOf(scene.parts, kinds::environment, catalog);

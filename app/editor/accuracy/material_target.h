@@ -12,7 +12,7 @@ class Document;
 /// Measures the active material of the current object.
 class MaterialTarget : public ChartTarget {
   public:
-    /// `views` show what is compared.
+    /// The difference of compare() is shown in `views`.
     MaterialTarget(Document& document, Comparison& comparison, CompareArea& views)
         : document_(document), comparison_(comparison), views_(views) {}
 

@@ -11,22 +11,23 @@ namespace patina {
 
 class LongLine;
 
-/// The row above what is measured: start, stop, progress, a sentence, export.
+/// Is the row above what a page measured: start, stop, progress, a sentence, export.
 class MeasureBar : public QWidget {
     Q_OBJECT
 
   public:
-    /// `what` says what starting measures; `endings` are those of the files it can be exported to.
+    /// `what` says what starting measures; `endings` are the suffixes of the files for export.
     MeasureBar(const QString& what, const QStringList& endings, QWidget* parent = nullptr);
 
-    /// Puts a button before that of the export.
+    /// Puts a button before the export.
     void addButton(QToolButton* button);
-    /// Long sentences take a second line, for which there is room from now on.
+    /// Lets the sentence wrap, and keeps room for two lines from now on.
     void giveTwoLines();
 
     void setProgress(double share); ///< 0 .. 1
     void setRunning(bool running);
-    /// `whyNot`: what has to end before it can be started; empty: nothing.
+    /// Lets the artist start a measurement. `whyNot` says what has to end first; empty if nothing
+    /// has to.
     void setStartable(bool startable, const QString& whyNot);
     void setExportable(bool exportable);
     void setText(const QString& text);
@@ -38,7 +39,7 @@ class MeasureBar : public QWidget {
     void exportWished(QString ending);
 
   private:
-    QString what_; ///< starting measures
+    QString what_; ///< says what starting measures
     QHBoxLayout* row_;
     QToolButton* start_;
     QToolButton* stop_;

@@ -75,7 +75,7 @@ std::string MeasurePage::file() const {
     return documentFiles_.file().path.string();
 }
 
-/// Nobody sees it in a dock that is not open.
+/// Does nothing in a dock that is closed; showEvent() catches up.
 void MeasurePage::follow() {
     if (isVisible()) {
         refresh();

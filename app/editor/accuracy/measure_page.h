@@ -23,52 +23,52 @@ namespace patina {
 class MeasureBar;
 class MeasureTurn;
 
-/// A page that measures the scene when it is asked to, beside what the artist does, keeps that for
-/// the session and says when it is out of date. What is measured and shown is a derived class's.
+/// Measures the scene in the background on demand, keeps the numbers for the session and says when
+/// they are out of date. A derived class decides what is measured and shown.
 class MeasurePage : public QWidget {
     Q_OBJECT
 
   public:
     bool isMeasuring() const { return !worker_.isIdle(); }
-    /// Returns what is shown; null where nothing was measured.
+    /// Returns the result that is shown; null if nothing was measured.
     const PageResult* shown() const { return shown_; }
-    /// What is shown is of another scene than is on the screen; where it is seen from does not
-    /// matter.
+    /// Returns whether what is shown was measured on another scene than the current one; the camera
+    /// does not count.
     bool isStale() const { return stale_; }
-    /// Returns what the page says about its numbers.
+    /// Returns the sentence that the page shows about its numbers.
     QString state() const;
-    /// Writes what was measured, in the form of the file's ending.
+    /// Writes what is shown, in the format of the file's suffix; adds a message if that fails.
     void exportTo(const QString& file);
 
   protected:
-    /// `what` and `endings`: see MeasureBar.
+    /// See MeasureBar for `what` and `endings`.
     MeasurePage(const DockContext& context, std::shared_ptr<MeasureTurn> turn, const QString& what,
                 const QStringList& endings,
                 std::unique_ptr<KeptResults> results = std::make_unique<KeptResults>());
 
     virtual void startMeasuring() = 0;
-    /// Returns what numbers of now are of.
+    /// Returns the subject of numbers that would be measured now.
     virtual MeasuredSubject subject() const = 0;
     virtual void showNumbers(bool stale) = 0;
     virtual QByteArray bytesFor(const QString& ending) const = 0;
-    /// That there is nothing to measure; empty where there is.
+    /// Says why there is nothing to measure; empty if there is something.
     virtual QString nothingText() const;
-    virtual QString outOfDateText() const; ///< said of numbers that are stale
-    virtual QString measuredText() const;  ///< how the numbers were measured
+    virtual QString outOfDateText() const; ///< is shown for numbers that are stale
+    virtual QString measuredText() const;  ///< says how the numbers were measured
 
-    /// False while that or another page's measurement is going on, or where there is nothing to
-    /// measure.
+    /// Returns false while this or another page measures, or if there is nothing to measure.
     bool canStart() const;
-    /// Begins with what costSubject() is now, where it can. In the worker's thread a context is
-    /// current. `measure` does not use the page there, whose own part may be gone by the end of it:
-    /// what it shows (Worker::Control::show) may.
+    /// Starts a measurement if canStart(). `measure` runs in the worker's thread with a current
+    /// context. It must not use the page, whose derived part may be destroyed by then; what it
+    /// passes to Worker::Control::show() may.
     void start(std::function<MeasureEnd(Worker::Control&)> measure);
     CostSweep::Subject costSubject();
 
-    /// There are more numbers of what is being measured.
+    /// Takes the numbers so far of the running measurement and shows them. Does nothing if none
+    /// runs.
     void take(std::any numbers, const QString& method);
 
-    /// Returns what is shown; the empty value where there is nothing.
+    /// Returns the numbers that are shown; a default value if there are none.
     template <class Numbers>
     const Numbers& numbers() const {
         static const Numbers none{};
@@ -76,11 +76,11 @@ class MeasurePage : public QWidget {
         return held != nullptr ? *held : none;
     }
 
-    /// Finds what is to be shown, and shows it.
+    /// Finds the result for the current subject and shows it.
     void refresh();
 
     MeasureBar& bar() { return *bar_; }
-    QVBoxLayout& rows() { return *rows_; } ///< the bar is the first
+    QVBoxLayout& rows() { return *rows_; } ///< has the bar as its first row
     Document& document() const { return document_; }
 
     void showEvent(QShowEvent* event) override;
@@ -103,11 +103,11 @@ class MeasurePage : public QWidget {
     MessageLog& messages_;
     std::shared_ptr<MeasureTurn> turn_;
     std::unique_ptr<KeptResults> results_;
-    std::optional<PageResult> running_; ///< what is being measured
-    QString doing_;                     ///< of that
+    std::optional<PageResult> running_; ///< is what is being measured; empty if nothing is
+    QString doing_;                     ///< says what the running measurement does
     const PageResult* shown_ = nullptr;
     bool stale_ = false;
-    QTimer settle_; ///< changes of the document are gathered
+    QTimer settle_; ///< gathers changes of the document
     MeasureBar* bar_;
     QVBoxLayout* rows_;
     Worker worker_;

@@ -8,17 +8,18 @@ class QWidget;
 
 namespace patina {
 
-/// Whose turn it is to measure: one page at a time, since two would spoil each other's times.
+/// Lets one page measure at a time, since two measurements would spoil each other's times.
 class MeasureTurn : public QObject {
     Q_OBJECT
 
   public:
-    /// False while it is another page's; that page's window title is its name.
+    /// Gives the turn to a page; false while another page has it. whyNot() names the page by its
+    /// window title.
     bool take(const QWidget& page);
-    /// Nothing happens where it is not this page's.
+    /// Ends a page's turn; does nothing if the page does not have it.
     void giveBack(const QWidget& page);
 
-    /// Why a page has to wait; empty: it has not.
+    /// Says why a page has to wait; empty if it need not.
     QString whyNot(const QWidget& page) const;
 
   Q_SIGNALS:

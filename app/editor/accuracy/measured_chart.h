@@ -6,7 +6,7 @@
 
 namespace patina {
 
-/// A chart, and from where it was measured.
+/// Holds a chart and the camera that it was measured from.
 struct MeasuredChart {
     Camera camera;
     CostChart chart;

@@ -5,20 +5,19 @@
 
 namespace patina {
 
-/// Holds what numbers were measured of, wherever it was seen from.
+/// Holds all that numbers depend on, except the camera.
 struct MeasuredSubject {
-    Scene scene; ///< without what makes no difference to the numbers
+    Scene scene; ///< leaves out what does not change the numbers
     int object = -1;
-    ReadBlocks blocks; ///< that the numbers depend on
+    ReadBlocks blocks; ///< holds the blocks that the numbers depend on
 
     friend bool operator==(const MeasuredSubject&, const MeasuredSubject&) = default;
 };
 
-/// Tells which blocks the numbers depend on.
+/// Selects the blocks that the numbers depend on: those in the scene, or the whole catalogue.
 enum class SubjectBlocks { OfScene, All };
 
-/// The numbers are the same whatever a scene is called and wherever its camera stands, and however
-/// often its blocks were read.
+/// Returns the subject without the scene's name and camera, which do not change the numbers.
 MeasuredSubject subjectOf(Scene scene, int object, const Catalog& catalog,
                           SubjectBlocks which = SubjectBlocks::OfScene);
 

@@ -18,7 +18,7 @@ constexpr int modelRole = Qt::UserRole;
 enum Column { Model, Ratio, Time, Total, Sums, Roots, Images, Branches, Memory, Loss, Columns };
 constexpr int modelWidth = 170;
 
-/// Rounded first: nobody loses minus nothing.
+/// Rounds before writing, so that a loss near zero is not shown as "-0.0".
 QString lossText(const std::optional<double>& loss) {
     return loss ? ModelList::tr("%1 %").arg(
                       numberLocale().toString(std::round(1000.0 * *loss) / 10.0 + 0.0, 'f', 1))
@@ -100,8 +100,8 @@ ModelList::ModelList(QWidget* parent) : QTreeWidget(parent) {
 
 void ModelList::setCosts(const std::vector<ModelCost>& costs, bool stale) {
     const QSignalBlocker blocker(this);
-    const QVariant kept = currentItem() != nullptr ? currentItem()->data(Model, modelRole)
-                                                   : QVariant();
+    const QVariant kept =
+        currentItem() != nullptr ? currentItem()->data(Model, modelRole) : QVariant();
     const int scrolled = verticalScrollBar()->value();
     setSortingEnabled(false);
     clear();

@@ -9,15 +9,15 @@
 
 namespace patina {
 
-/// Models with what they cost, sortable by every number. A model is asked for with Enter or a
-/// double click.
+/// Lists models with what they cost, sortable by every number. Enter or a double click picks a
+/// model.
 class ModelList : public QTreeWidget {
     Q_OBJECT
 
   public:
     explicit ModelList(QWidget* parent = nullptr);
 
-    /// `stale`: they were measured on another scene.
+    /// Shows the costs; `stale` says that they were measured on another scene.
     void setCosts(const std::vector<ModelCost>& costs, bool stale);
 
   Q_SIGNALS:

@@ -32,7 +32,7 @@ QString methodOf(const ModelRanking& ranking) {
 
 using TakeCosts = std::function<void(const std::vector<ModelCost>&, const QString& method)>;
 
-/// In the worker's thread; `take` is called in the window's.
+/// Runs in the worker's thread; `take` is called in the window's thread.
 MeasureEnd rankModels(const CostSweep::Subject& subject, const CostSweep::Options& options,
                       Worker::Control& control, const TakeCosts& take) {
     const auto ranking = ModelRanking::create(subject, options);
@@ -90,7 +90,7 @@ void ModelsPage::measure(CostSweep::Options options) {
     });
 }
 
-/// Every model comes with its defaults: the object's own material does not matter.
+/// Leaves out the object's own material, since every model is measured with its defaults.
 MeasuredSubject ModelsPage::subject() const {
     const int object = document().selection().object();
     Scene scene = document().ownScene(document().selection().side());

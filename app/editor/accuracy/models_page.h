@@ -10,15 +10,16 @@ namespace patina {
 
 class ModelList;
 
-/// All models with their defaults on the current object of this scene: what each costs, how many
-/// instructions it takes and how much light it loses. Enter gives the object a model.
+/// Shows what each model costs with its defaults on the current object, how many instructions it
+/// takes and how much light it loses. Enter gives the object a model.
 class ModelsPage : public MeasurePage {
     Q_OBJECT
 
   public:
     ModelsPage(const DockContext& context, std::shared_ptr<MeasureTurn> turn);
 
-    /// Nothing happens while that is going on here or on another page.
+    /// Starts a measurement. Does nothing while this or another page measures, or without an
+    /// object.
     void measure(CostSweep::Options options);
 
     const std::vector<ModelCost>& costs() const { return numbers<std::vector<ModelCost>>(); }

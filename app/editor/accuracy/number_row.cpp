@@ -12,8 +12,8 @@ namespace {
 
 constexpr int sortRole = Qt::UserRole + 1;
 
-/// What a column's texts need; only the sorted one has room for its arrow: with such room in each
-/// column a table would not fit a dock.
+/// Returns the width that a column's texts need, in pixels. Only the sorted column gets room for
+/// the arrow: with such room in each column a table would not fit a dock.
 int widthOf(const QTreeWidget& list, int column) {
     const int margin = list.style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, &list) + 1;
     const int between = list.style()->pixelMetric(QStyle::PM_HeaderMargin, nullptr, &list);
@@ -54,8 +54,7 @@ void fitColumns(QTreeWidget& list, int first) {
 
 void widenColumns(QTreeWidget& list, int first) {
     for (int column = first; column < list.columnCount(); ++column) {
-        list.setColumnWidth(column,
-                            std::max(list.columnWidth(column), widthOf(list, column)));
+        list.setColumnWidth(column, std::max(list.columnWidth(column), widthOf(list, column)));
     }
 }
 

@@ -5,8 +5,8 @@
 
 namespace patina {
 
-/// A row that is sorted by the numbers of its columns, not by how they are written. A column
-/// without a number is sorted by its text.
+/// Is a row that is sorted by its columns' numbers, not by how they are written. A column without a
+/// number is sorted by its text.
 class NumberRow : public QTreeWidgetItem {
   public:
     void setNumber(int column, const QString& text, double number);
@@ -14,11 +14,11 @@ class NumberRow : public QTreeWidgetItem {
     bool operator<(const QTreeWidgetItem& other) const override;
 };
 
-/// Makes the columns from `first` on as wide as what they hold, which is at least their names, and
-/// widens them where another one is sorted by. Call it once for a table.
+/// Makes the columns from `first` on as wide as their contents and names, and widens a column when
+/// it is sorted by. Must be called once for each table.
 void fitColumns(QTreeWidget& list, int first);
 
-/// Widens the columns from `first` on to what they hold now; narrower ones stay as they are.
+/// Widens the columns from `first` on to their contents; makes none narrower.
 void widenColumns(QTreeWidget& list, int first);
 
 } // namespace patina

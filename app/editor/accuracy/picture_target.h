@@ -12,7 +12,7 @@ class Document;
 /// Measures the picture of the scene, whatever its materials.
 class PictureTarget : public ChartTarget {
   public:
-    /// `views` show what is compared.
+    /// The difference of compare() is shown in `views`.
     PictureTarget(Document& document, Comparison& comparison, CompareArea& views)
         : document_(document), comparison_(comparison), views_(views) {}
 
@@ -27,7 +27,7 @@ class PictureTarget : public ChartTarget {
     QString noChoicesText() const override;
 
   private:
-    /// The scene as it is shown, with these levels.
+    /// Returns the active side's scene with these levels, and the exact one for every other choice.
     Scene withLevels(const std::vector<Choice>& choices, const ChosenLevels& levels) const;
 
     Document& document_;

@@ -7,10 +7,10 @@ class QCustomPlot;
 
 namespace patina {
 
-/// The colour at `share` of the way from `a` to `b`.
+/// Returns a colour between `a` (`share` 0) and `b` (1).
 QColor mixed(const QColor& a, const QColor& b, double share);
 
-/// Ground, axes and grid of a plot in the palette's colours; fainter where it is stale.
+/// Gives background, axes and grid of a plot the palette's colours, fainter if it is stale.
 void colourPlot(QCustomPlot& plot, const QPalette& palette, bool stale);
 
 } // namespace patina

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// QCustomPlot, whose header needs the lower-case words that the editor is compiled without.
+// Includes QCustomPlot, whose header needs Qt's lower-case keywords. The editor is compiled without
+// them.
 #pragma once
 
 #define signals Q_SIGNALS

@@ -15,16 +15,17 @@
 namespace patina {
 namespace {
 
-/// Times below this have no place on a log axis; no pixel is shaded so fast.
+/// Is the shortest time on the log axis, nanoseconds per pixel; no pixel is shaded so fast.
 constexpr double minTime = 1e-3;
 
-/// Errors below this are the rounding of floats.
+/// Is the smallest error on the log axis; less is the rounding of floats.
 constexpr double minError = 1e-6;
 
 constexpr double timeMargin = 1.12;
 constexpr double errorMargin = 2.5;
-constexpr double minErrorRange = 1e3; ///< of the axis, also where nothing errs
-constexpr double longestBar = 2.0; ///< times a point's time; a longer one ends with the chart
+constexpr double minErrorRange = 1e3; ///< ratio of the ends of the error axis, at least
+constexpr double longestBar =
+    2.0; ///< ratio to a point's time; a longer interval does not widen the chart
 constexpr double pointSize = 7.0;
 constexpr double ringSize = 13.0;
 
@@ -44,7 +45,8 @@ double shownTime(const CostPoint& point) {
     return std::max(point.cost.nanosecondsPerPixel, minTime);
 }
 
-/// Nanoseconds per pixel, as sure as the ratio to the exact time is; of a bound all that is less.
+/// Returns nanoseconds per pixel with the interval of the ratio to the exact time; for a bound the
+/// interval begins below the chart.
 MedianInterval timeInterval(const CostPoint& point) {
     const MedianInterval& ratio = point.cost.ratio;
     const double time = shownTime(point);
@@ -56,7 +58,7 @@ MedianInterval timeInterval(const CostPoint& point) {
             std::max(ratio.upper * perRatio, time)};
 }
 
-/// A bound's mark: an arrow to where the time is.
+/// Returns the mark of a bound, an arrow towards shorter times.
 QPainterPath arrowToLess() {
     QPainterPath arrow;
     arrow.moveTo(-4.0, 0.0);
@@ -66,7 +68,8 @@ QPainterPath arrowToLess() {
     return arrow;
 }
 
-/// The exact frame's own error is the rounding of floats: what errs no more is as exact.
+/// Returns the error that counts as exact: that of the exact frame, which is the rounding of
+/// floats.
 double floorOf(const CostChart& chart) {
     const double exact = chart.points.empty() ? 0.0 : errorOf(chart.points.front());
     return std::max(minError, exact);
@@ -87,8 +90,7 @@ PlotMarks::PlotMarks(QCustomPlot& plot)
       intervals_(new QCPErrorBars(plot.xAxis, plot.yAxis)),
       line_(makeGraph(plot, QCPGraph::lsLine)), beaten_(makeDots(plot)), ties_(makeDots(plot)),
       front_(makeDots(plot)), current_(makeGraph(plot, QCPGraph::lsNone)),
-      selected_(makeGraph(plot, QCPGraph::lsNone)),
-      errors_(new AxisTicks(*plot.yAxis, shareText)) {
+      selected_(makeGraph(plot, QCPGraph::lsNone)), errors_(new AxisTicks(*plot.yAxis, shareText)) {
     intervals_->setErrorType(QCPErrorBars::etKeyError);
     intervals_->setDataPlottable(all_);
     intervals_->setWhiskerWidth(5.0);
@@ -98,8 +100,7 @@ PlotMarks::PlotMarks(QCustomPlot& plot)
         axis->setScaleType(QCPAxis::stLogarithmic);
         axis->setSubTicks(false);
     }
-    plot.xAxis->setTicker(
-        QSharedPointer<QCPAxisTicker>(new AxisTicks(*plot.xAxis, roundText)));
+    plot.xAxis->setTicker(QSharedPointer<QCPAxisTicker>(new AxisTicks(*plot.xAxis, roundText)));
     plot.yAxis->setTicker(errors_);
     plot.xAxis->setLabel(QCoreApplication::translate("PlotMarks", "ns per pixel"));
     plot.yAxis->setLabel(QCoreApplication::translate("PlotMarks", "error"));
@@ -142,7 +143,7 @@ void PlotMarks::drawPoints(const Content& content) {
     drawIntervals(content.chart);
 }
 
-/// Points that tie in error are on the front as well: the line goes past them.
+/// Skips points that tie in error: they are on the front as well, and would put steps in the line.
 void PlotMarks::drawLine(const CostChart& chart, const std::vector<std::size_t>& front) {
     double bestYet = HUGE_VAL;
     for (const std::size_t i : front) {
@@ -154,12 +155,11 @@ void PlotMarks::drawLine(const CostChart& chart, const std::vector<std::size_t>&
     }
 }
 
-/// They belong to points in the order in which the graph keeps those. None goes past the chart:
-/// SVG files are not clipped.
+/// Adds points in the order of their times, in which the graph keeps them, since intervals are
+/// matched by index. Clips the intervals to the chart, since SVG files are not clipped.
 void PlotMarks::drawIntervals(const CostChart& chart) {
     std::vector<CostPoint> points = chart.points;
-    std::ranges::stable_sort(
-        points, {}, [](const CostPoint& point) { return shownTime(point); });
+    std::ranges::stable_sort(points, {}, [](const CostPoint& point) { return shownTime(point); });
     const QCPRange chartTimes = plot_.xAxis->range();
     QVector<double> below;
     QVector<double> above;
@@ -203,10 +203,10 @@ void PlotMarks::colour(const QPalette& palette, bool stale) {
     beaten_.colour(faint, base);
     ties_.colour(accent, base);
     front_.colour(accent, accent);
-    current_->setScatterStyle({QCPScatterStyle::ssCircle, QPen(text, 1.5), QBrush(Qt::NoBrush),
-                               ringSize});
-    selected_->setScatterStyle({QCPScatterStyle::ssSquare, QPen(accent, 1.5),
-                                QBrush(Qt::NoBrush), ringSize + 4.0});
+    current_->setScatterStyle(
+        {QCPScatterStyle::ssCircle, QPen(text, 1.5), QBrush(Qt::NoBrush), ringSize});
+    selected_->setScatterStyle(
+        {QCPScatterStyle::ssSquare, QPen(accent, 1.5), QBrush(Qt::NoBrush), ringSize + 4.0});
 }
 
 QPointF PlotMarks::placeOf(const CostPoint& point, const CostChart& chart) const {

@@ -17,30 +17,30 @@ namespace patina {
 
 class AxisTicks;
 
-/// Draws a chart of costs in a plot: points, their intervals, the front, rings, axes.
+/// Draws a chart of costs in a plot: points, their intervals, the front, rings and axes.
 class PlotMarks {
   public:
-    /// The plot owns what is made in it.
+    /// Adds its graphs to the plot, which owns them.
     explicit PlotMarks(QCustomPlot& plot);
 
-    /// Holds what is to be drawn, and in which colours.
+    /// Holds what is to be drawn; points are given by index, -1 for none.
     struct Content {
         const CostChart& chart;
-        int current = -1;  ///< in a ring of the text's colour
-        int selected = -1; ///< in a ring of the highlight
+        int current = -1;  ///< gets a ring of the text's colour
+        int selected = -1; ///< gets a ring of the highlight's colour
         bool stale = false;
     };
     void draw(const Content& content, const QPalette& palette);
 
-    /// Points of one standing.
+    /// Holds the graphs of the points of one standing.
     struct Dots {
-        QCPGraph* known;  ///< discs
-        QCPGraph* bounds; ///< arrows, where times are bounds
+        QCPGraph* known;  ///< has discs
+        QCPGraph* bounds; ///< has arrows, for times that are bounds
 
         void colour(const QColor& edge, const QColor& inside) const;
     };
 
-    /// Returns where a point is drawn, in the plot.
+    /// Returns where a point is drawn, in pixels of the plot.
     QPointF placeOf(const CostPoint& point, const CostChart& chart) const;
 
   private:
@@ -53,7 +53,7 @@ class PlotMarks {
     QCustomPlot& plot_;
     QCPGraph* all_; ///< carries the intervals, draws nothing itself
     QCPErrorBars* intervals_;
-    QCPGraph* line_; ///< of the front
+    QCPGraph* line_; ///< draws the front
     Dots beaten_;
     Dots ties_;
     Dots front_;

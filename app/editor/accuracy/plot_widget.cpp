@@ -5,7 +5,8 @@
 
 namespace patina {
 
-/// The page hears of another look before its plots have the new palette.
+/// Draws in the plot's own event, since its page gets the event before the plot has the new
+/// palette.
 void PlotWidget::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {

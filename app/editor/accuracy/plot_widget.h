@@ -5,8 +5,8 @@
 
 namespace patina {
 
-/// Is a widget with a plot of its own colours and fonts, which is drawn again when the look
-/// changes.
+/// Is a widget whose plot has its own colours and fonts, and is drawn again when the palette or the
+/// font changes.
 class PlotWidget : public QWidget {
     Q_OBJECT
 

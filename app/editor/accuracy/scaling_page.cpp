@@ -35,7 +35,7 @@ QString methodOf(const ScalingSweep& sweep, int edge) {
 
 using TakeCurves = std::function<void(const std::vector<ScalingCurve>&, const QString& method)>;
 
-/// In the worker's thread; `take` is called in the window's.
+/// Runs in the worker's thread; `take` is called in the window's thread.
 MeasureEnd sweepScaling(const CostSweep::Subject& subject, const ScalingSweep::Options& options,
                         Worker::Control& control, const TakeCurves& take) {
     const auto sweep = ScalingSweep::create(subject, options);

@@ -11,7 +11,7 @@ namespace patina {
 
 class GrowthPlot;
 
-/// Shows how the time of a frame grows with its pixels, its lights and its objects, for the current
+/// Shows how the time of a frame grows with its pixels, lights and objects, measured on the current
 /// object with its material.
 class ScalingPage : public MeasurePage {
     Q_OBJECT
@@ -19,7 +19,8 @@ class ScalingPage : public MeasurePage {
   public:
     ScalingPage(const DockContext& context, std::shared_ptr<MeasureTurn> turn);
 
-    /// Nothing happens while that is going on here or on another page.
+    /// Starts a measurement. Does nothing while this or another page measures, or without an
+    /// object.
     void measure(ScalingSweep::Options options);
 
     const std::vector<ScalingCurve>& curves() const { return numbers<std::vector<ScalingCurve>>(); }

@@ -9,7 +9,7 @@
 namespace patina {
 namespace {
 
-/// With choices of at most so many letters, of which none is no choice at all.
+/// Writes the parts with at most `maxLetters` letters of each choice; 0 leaves choices out.
 QString withShortChoices(const std::vector<WayPart>& parts, qsizetype maxLetters) {
     QStringList names;
     for (const WayPart& part : parts) {
@@ -41,7 +41,7 @@ const QStyle& styleOf(const QStyleOptionViewItem& option) {
     return option.widget != nullptr ? *option.widget->style() : *QApplication::style();
 }
 
-/// For the text of an item, between the margins that styles leave it.
+/// Returns the width for an item's text in pixels, without the margins of the style.
 int roomOf(const QStyleOptionViewItem& option) {
     const QStyle& style = styleOf(option);
     const int margin = style.pixelMetric(QStyle::PM_FocusFrameHMargin, &option, option.widget) + 1;

@@ -8,28 +8,28 @@
 
 namespace patina {
 
-/// A level that a way to compute something takes, by name, and of which choice.
+/// Holds the label of a chosen level and the label of its choice.
 struct WayPart {
     QString choice;
     QString level;
 };
 
-/// "Render scale: Half + Fog: Per vertex".
+/// Returns "Render scale: Half + Fog: Per vertex".
 QString wayText(const std::vector<WayPart>& parts);
 
-/// The same where `fits` says for which texts there is room: names of choices, which many ways have
-/// in common, are cut before those of levels, which tell ways apart.
+/// Returns wayText() shortened until `fits` accepts it. Cuts names of choices, which many rows have
+/// in common, before those of levels, and leaves choices out if nothing else fits.
 QString fittingWay(const std::vector<WayPart>& parts,
                    const std::function<bool(const QString&)>& fits);
 
-/// Writes a row's way as wide as its column is.
+/// Writes the levels of a row so that they fit the width of its column.
 class WayDelegate : public QStyledItemDelegate {
     Q_OBJECT
 
   public:
     using QStyledItemDelegate::QStyledItemDelegate;
 
-    /// What is kept in this role: choices and levels in turn, as a list of texts.
+    /// Holds choices and levels by turns as a list of texts; see partsData().
     static constexpr int partsRole = Qt::UserRole + 2;
     static QStringList partsData(const std::vector<WayPart>& parts);
 
