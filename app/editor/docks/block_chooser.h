@@ -6,8 +6,8 @@
 
 namespace patina {
 
-/// A list of all blocks of one kind, with "Off" on top where there may be none. It shows what the
-/// document has and asks for another one; it changes nothing itself.
+/// Lists all blocks of one kind, with "Off" on top where there may be none. It shows what it is
+/// told and emits the artist's choice; it does not change the document.
 class BlockChooser : public ChoiceBox {
     Q_OBJECT
 
@@ -16,11 +16,12 @@ class BlockChooser : public ChoiceBox {
 
     BlockChooser(Document& document, std::string_view kind, Off off, QWidget* parent = nullptr);
 
-    /// Has words of its own for what there is without a block.
+    /// Lists `off` in place of "Off"; an empty text leaves that entry out.
     BlockChooser(Document& document, std::string_view kind, const QString& off,
                  QWidget* parent = nullptr);
 
-    /// The id of the block in use; empty for none.
+    /// Shows the block in use by its id; empty for none. A block that is not installed is added to
+    /// the list.
     void show(const QString& id);
 
   Q_SIGNALS:
@@ -29,17 +30,17 @@ class BlockChooser : public ChoiceBox {
   protected:
     Document& document() { return document_; }
 
-    /// Lists all blocks, and shows the one in use.
+    /// Lists all blocks, and shows the one in use. Runs again when the catalogue changes.
     virtual void fill();
 
   private:
     Document& document_;
     std::string kind_;
-    QString off_; ///< empty: there is no such choice
+    QString off_; ///< is the text of the entry without a block; empty if there is no such entry
     QString shown_;
 };
 
-/// Returns what hovering over a block says: its summary and what it is good for.
+/// Returns the tool tip of a block as rich text: label, summary, uses and source.
 QString blockToolTip(const Block& block);
 
 } // namespace patina

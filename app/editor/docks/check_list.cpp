@@ -64,7 +64,7 @@ void CheckList::setRows(const std::vector<Row>& rows, int current, std::vector<i
         setCurrentRow(current);
         return;
     }
-    // A click may be under way: what is so already stays as it is.
+    // A click may be under way, so rows in the right state are not touched.
     if (selected.empty() && current >= 0) {
         selected.push_back(current);
     }
@@ -79,7 +79,8 @@ void CheckList::setRows(const std::vector<Row>& rows, int current, std::vector<i
     }
 }
 
-/// What the window has under the same keys waits while the list has the focus.
+/// Takes Ctrl+D while the list has the focus, so that the window's action with that key does not
+/// run.
 bool CheckList::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride && isDuplicate(*static_cast<QKeyEvent*>(event))) {
         event->accept();
@@ -100,7 +101,7 @@ void CheckList::keyPressEvent(QKeyEvent* event) {
     QListWidget::keyPressEvent(event);
 }
 
-/// Always the same, so that what stands below does not move under the pointer.
+/// Is the same for any number of rows, so that what is below does not move under the pointer.
 QSize CheckList::sizeHint() const {
     return {160, rowsInSight * (fontMetrics().lineSpacing() + 4) + 2 * frameWidth()};
 }

@@ -7,8 +7,8 @@
 
 namespace patina {
 
-/// A short list of named things that can be switched on and off, renamed in place and removed.
-/// It shows what it is given and tells what the user did; it changes nothing itself.
+/// Is a short list of named things that can be switched on and off, renamed in place and removed.
+/// It shows the rows it is given and emits what the artist does; it changes nothing else.
 class CheckList : public QListWidget {
     Q_OBJECT
 
@@ -17,18 +17,19 @@ class CheckList : public QListWidget {
 
     struct Row {
         QString name;
-        QString detail; ///< shown after the name, faintly; not part of it
+        QString detail; ///< is shown as the tool tip
         bool on = true;
 
         friend bool operator==(const Row&, const Row&) = default;
     };
 
-    /// Shows rows, of which these are selected; where none is it is the current one.
+    /// Shows rows and selects those in `selected`; where that is empty it selects the current one
+    /// (-1: none).
     void setRows(const std::vector<Row>& rows, int current, std::vector<int> selected = {});
 
   Q_SIGNALS:
     void chosen(int row);
-    /// Several may be selected: these, the last of which is the current one.
+    /// Is emitted with all selected rows, the current one last.
     void selected(const std::vector<int>& rows);
     void switched(int row, bool on);
     void renamed(int row, QString name);

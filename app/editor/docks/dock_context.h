@@ -19,7 +19,7 @@ class TextureLibrary;
 class ThumbnailMaker;
 class TriedMaterial;
 
-/// Holds what docks are made from. Everything in it outlives them.
+/// Holds what docks are made from. Everything in it outlives the docks.
 struct DockContext {
     Document& document;
     Comparison& comparison;

@@ -19,7 +19,7 @@ bool hasImage(const Material& material, const std::string& id) {
     return material.textures.contains(id);
 }
 
-/// The material that has an image of this id; null where none has.
+/// Returns a material that has an image of this id; null if none has.
 const Material* materialWith(const std::string& id, const Material* first, const Scene& scene) {
     if (first != nullptr && hasImage(*first, id)) {
         return first;
@@ -29,7 +29,7 @@ const Material* materialWith(const std::string& id, const Material* first, const
     return found == scene.objects.end() ? nullptr : &found->material;
 }
 
-/// By the parameter that it drives.
+/// Names the image by the parameter that it drives; by its id if that parameter is unknown.
 QString labelOfInput(const std::string& id, const Material* material, const Catalog& catalog) {
     const Parameter* parameter =
         material == nullptr

@@ -10,9 +10,9 @@
 
 namespace patina {
 
-/// Returns what an artist calls an effect (EffectLine::effect): a block's label, what an image of a
-/// material changes, or a word such as "Ambient". `first` is the material whose images are meant
-/// where it has such; else those of the scene's objects. Null: none.
+/// Returns the artist's name for an effect (EffectLine::effect): a block's label, what an image of
+/// a material changes, or a word such as "Ambient". Images are looked up in `first`, which may be
+/// null, then in the materials of the scene's objects.
 QString effectLabel(const std::string& effect, const Material* first, const Scene& scene,
                     const Catalog& catalog);
 

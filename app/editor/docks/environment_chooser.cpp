@@ -21,12 +21,12 @@ namespace {
 const QString pictureGroup = QStringLiteral("environment/");
 constexpr QSize shownPixels{64, 32};
 
-/// Ids of blocks have no slash, absolute paths begin with one.
+/// Returns whether an item is a file: ids of blocks have no slash, absolute paths begin with one.
 bool isFile(const QString& data) {
     return data.startsWith('/');
 }
 
-/// The panoramas that are dragged.
+/// Returns those of the dragged files that are panoramas.
 QStringList panoramasIn(const QMimeData& data) {
     QStringList files = draggedFiles(data);
     files.removeIf([](const QString& file) {
@@ -36,7 +36,7 @@ QStringList panoramasIn(const QMimeData& data) {
     return files;
 }
 
-/// Room for a picture that is not there yet.
+/// Returns an empty icon that keeps room for the image.
 QIcon noPicture() {
     QPixmap empty(ThumbnailMaker::environmentPixels);
     empty.fill(Qt::transparent);
@@ -60,7 +60,8 @@ EnvironmentChooser::EnvironmentChooser(Document& document, Session& session,
     addFiles();
 }
 
-/// The base class has filled it before there was a list of files.
+/// Adds the files after the blocks. The constructor adds them itself, since that of the base class
+/// calls its own fill().
 void EnvironmentChooser::fill() {
     wished_.clear();
     BlockChooser::fill();
@@ -155,7 +156,7 @@ void EnvironmentChooser::dragEnterEvent(QDragEnterEvent* event) {
     }
 }
 
-/// All of them join the list, and the first one lights the scene.
+/// Adds all dropped files to the list, and lights the scene with the first one.
 void EnvironmentChooser::dropEvent(QDropEvent* event) {
     const QStringList files = panoramasIn(*event->mimeData());
     if (files.isEmpty()) {

@@ -10,8 +10,8 @@ namespace patina {
 class Session;
 class ThumbnailMaker;
 
-/// A list of all environments with a small picture of each: the blocks, and below them the pictures
-/// of files that scenes were lit with before. A panorama that is dropped on it joins the list.
+/// Lists all environments with a small image of each: first the blocks, then the files that scenes
+/// were lit with before. A panorama that is dropped here joins the list.
 class EnvironmentChooser : public BlockChooser {
     Q_OBJECT
 
@@ -19,10 +19,10 @@ class EnvironmentChooser : public BlockChooser {
     EnvironmentChooser(Document& document, Session& session, ThumbnailMaker& thumbnails,
                        QWidget* parent = nullptr);
 
-    /// Shows what the document has: a block, or a picture of the list.
+    /// Selects the document's environment: its picture if that is in the list, else its block.
     void showCurrent();
 
-    /// A scene was lit with this picture.
+    /// Puts a file that lights the scene on top of the files in the list.
     void add(const QString& file);
 
     void showPopup() override;
@@ -43,7 +43,8 @@ class EnvironmentChooser : public BlockChooser {
 
     Session& session_;
     ThumbnailMaker& thumbnails_;
-    QHash<QString, QIcon> pictures_; ///< by what an item has as its data
+    QHash<QString, QIcon>
+        pictures_; ///< holds small images by the data of their items: a block's id, or a path
     QSet<QString> wished_;
 };
 

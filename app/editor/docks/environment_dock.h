@@ -25,8 +25,8 @@ class EnvironmentDock : public QWidget {
 
     Document& document_;
     EnvironmentChooser* chooser_;
-    QLabel* owner_;     ///< says whose environment it is, where it is not the scene's
-    QToolButton* take_; ///< lamps out
+    QLabel* owner_;     ///< says that the environment is a view's own; hidden if it is the scene's
+    QToolButton* take_; ///< makes lights of the environment's lamps
 };
 
 } // namespace patina

@@ -7,8 +7,7 @@ class CompareArea;
 class Document;
 class MessageLog;
 
-/// Makes lights of the scene of the lamps that the views' environment has; a message says it where
-/// there are none.
+/// Makes lights of the lamps in the active view's environment; adds a message if there are none.
 void takeLampsOut(Document& document, CompareArea& views, MessageLog& messages);
 
 } // namespace patina

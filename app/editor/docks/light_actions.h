@@ -12,8 +12,8 @@ namespace patina {
 
 class FileActions;
 
-/// Has an action for all that can be done to the current light. Their keys work where the focus is
-/// in a widget that the actions were added to.
+/// Owns the actions on the current light: copy, cut, paste, duplicate, solo, mute, remove. Their
+/// keys work where the focus is in a widget that the actions were added to.
 class LightActions : public QObject {
     Q_OBJECT
 

@@ -113,7 +113,7 @@ void LightsDock::update() {
     updateShadow();
 }
 
-/// Lights of a kind that casts no shadows have no choice of them.
+/// Disables the choice of shadows for kinds of light that cast none, unless one is set.
 void LightsDock::updateShadow() {
     const auto index = static_cast<std::size_t>(document_.selection().light());
     const auto& lights = document_.scene().lights;

@@ -14,8 +14,8 @@ namespace patina {
 class BlockChooser;
 class CheckList;
 
-/// The scene's lights: add any kind, switch, rename, remove, mark as key, and edit the chosen
-/// one.
+/// Lists the scene's lights, adds any kind, switches, renames and removes them, marks the key light
+/// and edits the current one.
 class LightsDock : public QWidget {
     Q_OBJECT
 

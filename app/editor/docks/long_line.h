@@ -5,8 +5,8 @@
 
 namespace patina {
 
-/// A line of text that never widens what it stands in: what has no room is left out behind dots and
-/// told by the tooltip. One that wraps its words leaves nothing out.
+/// Is a line of text that never widens its parent: text without room is elided and shown by the
+/// tool tip. With word wrap nothing is elided.
 class LongLine : public QLabel {
     Q_OBJECT
 
@@ -15,7 +15,7 @@ class LongLine : public QLabel {
 
     void tell(const QString& text);
 
-    /// Returns what is drawn of the text now.
+    /// Returns the text as it is drawn now, perhaps elided.
     QString shown() const;
 
   protected:

@@ -13,8 +13,8 @@ namespace patina {
 class FileActions;
 class TriedMaterial;
 
-/// Has an action for what can be done to the active material as a whole, but for what files are
-/// asked for.
+/// Owns the actions on the active material as a whole: copy, paste, randomise, show the original
+/// and its model's defaults.
 class MaterialActions : public QObject {
     Q_OBJECT
 
@@ -22,8 +22,8 @@ class MaterialActions : public QObject {
     MaterialActions(Document& document, FileActions& files, TriedMaterial& tried, QObject* parent);
 
     const std::vector<QAction*>& all() const { return actions_; }
-    /// Shows the material as it was opened or applied, for as long as it is checked and nothing is
-    /// edited; no edit, and in no file.
+    /// Returns the action that shows the material as it was opened or applied, while it is checked
+    /// and until something is edited. It is no edit, and is not saved.
     QAction* original() const { return original_; }
 
   private:

@@ -7,13 +7,12 @@
 
 namespace patina {
 
-/// How a measurement ended: true where it came to its end, false where it was stopped, or what
-/// went wrong.
+/// Is the end of a measurement: true if it finished, false if it was cancelled, else its errors.
 using MeasureEnd = Checked<bool>;
 
 MeasureEnd endOf(bool finished, const Errors& problems);
 
-/// Returns why it ended before its time; else empty.
+/// Says why a measurement failed; empty if it finished or was cancelled.
 QString problemText(const MeasureEnd& end);
 
 } // namespace patina

@@ -9,7 +9,7 @@ class QPlainTextEdit;
 
 namespace patina {
 
-/// Everything that went wrong, as file:line:column: what, to be read, selected and copied.
+/// Shows every message as "file:line:column: text", which can be selected and copied.
 class MessagesDock : public QWidget {
     Q_OBJECT
 

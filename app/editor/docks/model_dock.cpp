@@ -80,7 +80,7 @@ void ModelDock::showCurrent() {
     }
 }
 
-/// Its programs are made before it is chosen.
+/// Lets the model's programs be compiled before it is chosen.
 void ModelDock::approach(const QListWidgetItem* item) {
     if (item) {
         approached_ = grid_->keyOf(item);

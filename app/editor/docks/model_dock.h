@@ -12,7 +12,7 @@ namespace patina {
 
 class PictureGrid;
 
-/// All lighting models with a picture each; clicking one gives it to the active material.
+/// Shows all lighting models with an image each; a click gives one to the active material.
 class ModelDock : public QWidget {
     Q_OBJECT
 

@@ -10,7 +10,7 @@ class QToolButton;
 
 namespace patina {
 
-/// A line in a panel that says what is going on there, with a button or two to act on it. Hidden
+/// Is a line in a panel that says what is going on there, with up to two buttons. It is hidden
 /// while there is nothing to say.
 class NoticeBar : public QFrame {
     Q_OBJECT

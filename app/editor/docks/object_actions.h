@@ -12,8 +12,8 @@ namespace patina {
 
 class FileActions;
 
-/// Has an action for all that can be done to the objects that are selected. Their keys work where
-/// the focus is in a widget that the actions were added to.
+/// Owns the actions on the selected objects. Their keys work where the focus is in a widget that
+/// the actions were added to.
 class ObjectActions : public QObject {
     Q_OBJECT
 
@@ -29,7 +29,8 @@ class ObjectActions : public QObject {
 
     Document& document_;
     std::vector<QAction*> actions_;
-    std::vector<std::function<bool()>> possible_; ///< whether each may be asked for now
+    std::vector<std::function<bool()>>
+        possible_; ///< tells for each action whether it is enabled now
 };
 
 } // namespace patina

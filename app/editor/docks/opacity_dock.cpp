@@ -15,8 +15,8 @@ namespace patina {
 
 namespace {
 
-/// Tells whether another dock or panel has the blocks of this kind; all others of a material stand
-/// here.
+/// Returns whether another dock or panel edits the blocks of this kind; this dock edits all others
+/// of a material.
 bool hasPlaceElsewhere(std::string_view kind) {
     return kind == kinds::fresnel || kind == kinds::specular || kind == kinds::refraction;
 }

@@ -9,8 +9,8 @@ namespace patina {
 
 class BlockChooser;
 
-/// The active material's opacity, which every model has, how it refracts what passes, and how the
-/// scene puts together what is transparent.
+/// Edits the active material's opacity and refraction, its parts that no other dock edits, and the
+/// order in which the scene's transparent objects are blended.
 class OpacityDock : public QWidget {
     Q_OBJECT
 

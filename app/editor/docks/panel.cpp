@@ -15,9 +15,9 @@ namespace patina {
 namespace {
 
 constexpr int margin = 6;
-constexpr int widest = 340; ///< pixels that a content may claim
+constexpr int widest = 340; ///< pixels that content may claim at most
 
-/// A scroll area that is as wide as its content needs, within reason.
+/// Is as wide as its content needs, up to `widest`.
 class ScrolledContent : public QScrollArea {
   public:
     QSize minimumSizeHint() const override {

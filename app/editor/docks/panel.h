@@ -11,23 +11,23 @@ class QWidget;
 
 namespace patina {
 
-/// Lays out a dock's widget: fixed rows on top, and below them what may grow and scroll.
+/// Lays out a dock's widget: fixed rows on top, and `scrolled` below, which grows and scrolls.
 void fillPanel(QWidget* panel, const std::vector<QWidget*>& rows, QWidget* scrolled);
 
-/// A widget in a scroll area without a frame that scrolls up and down. It cannot be made narrower
-/// than its content; one that is very wide scrolls to the sides, too.
+/// Returns a scroll area without a frame around `content`, which scrolls up and down. It is at
+/// least as wide as its content, up to 340 pixels; wider content scrolls sideways, too.
 QWidget* scrolledUpDown(QWidget* content);
 
-/// Returns a label before a widget, as its buddy.
+/// Returns a row of a label and a widget, which is the label's buddy.
 QWidget* labelled(const QString& text, QWidget* widget);
 
-/// Returns widgets in one row, the first stretched.
+/// Returns a row of widgets, of which the first takes the room that is left.
 QWidget* rowOf(const std::vector<QWidget*>& widgets);
 
 /// Returns a word-wrapped, faint line of help.
 QLabel* hintLabel(QWidget* parent);
 
-/// Returns a flat button with a text.
+/// Returns a flat button with a text. The tool tip is its accessible name, too.
 QToolButton* textButton(const QString& text, const QString& toolTip, QWidget* parent);
 
 } // namespace patina

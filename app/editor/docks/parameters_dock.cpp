@@ -18,7 +18,7 @@
 namespace patina {
 namespace {
 
-/// A button that is pressed for longer is held.
+/// Is how long a press lasts at least to count as held.
 constexpr int holdMs = 350;
 
 } // namespace
@@ -106,7 +106,7 @@ void ParametersDock::connectOriginal() {
     follow();
 }
 
-/// Not while the button is held: nothing may move under the hand.
+/// Does nothing while the button is held, since nothing may move under the pointer.
 void ParametersDock::showNotice() {
     if (original_->isDown()) {
         return;

@@ -16,8 +16,8 @@ namespace patina {
 
 class NoticeBar;
 
-/// The values of the active material's model, what fills its open slot, and its accuracy choices;
-/// which of them are shown, and what can be done to the material as a whole.
+/// Edits the values of the active material's model, the block in its specular slot and its accuracy
+/// choices; filters the rows, and offers the actions on the material.
 class ParametersDock : public QWidget {
     Q_OBJECT
 
@@ -25,7 +25,8 @@ class ParametersDock : public QWidget {
     explicit ParametersDock(const DockContext& context);
 
     void setFilter(RowFilter filter);
-    /// Pressed for a moment it toggles, held it shows the original for as long.
+    /// Returns the button that shows the original: a short press toggles it, a long one shows it
+    /// until the button is released.
     QToolButton* originalButton() const { return original_; }
 
   private:
@@ -41,7 +42,7 @@ class ParametersDock : public QWidget {
     std::vector<ParameterForm*> forms_;
     QGroupBox* accuracy_;
     QElapsedTimer held_;
-    bool wasOriginal_ = false; ///< when the button was pressed
+    bool wasOriginal_ = false; ///< tells whether the original was shown when the button was pressed
 };
 
 } // namespace patina

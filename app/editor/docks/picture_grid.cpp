@@ -57,7 +57,7 @@ void PictureGrid::paintEvent(QPaintEvent* event) {
     wishPictures();
 }
 
-/// Asks for the pictures that are in sight: nobody waits for others, or pays their memory.
+/// Asks only for images in view: others would cost time and memory for nobody.
 void PictureGrid::wishPictures() {
     for (int row = 0; row < count(); ++row) {
         const QListWidgetItem* shown = item(row);
@@ -70,7 +70,7 @@ void PictureGrid::wishPictures() {
     }
 }
 
-/// The keys need a place to start from; nothing is chosen by that.
+/// Makes the first item current so that the keys have a place to start; does not choose it.
 void PictureGrid::focusInEvent(QFocusEvent* event) {
     if (QListWidgetItem* first = firstShown(); first && !currentItem()) {
         setCurrentItem(first, QItemSelectionModel::NoUpdate);
@@ -127,7 +127,7 @@ QListWidgetItem* PictureGrid::firstShown() const {
     return nullptr;
 }
 
-/// Only a click on an item chooses one: the space between them and drags leave the choice alone.
+/// Selects only on a click on an item: clicks between items and drags keep the selection.
 QItemSelectionModel::SelectionFlags PictureGrid::selectionCommand(const QModelIndex& index,
                                                                   const QEvent* event) const {
     const bool isDrag = event && event->type() == QEvent::MouseMove;
@@ -135,7 +135,7 @@ QItemSelectionModel::SelectionFlags PictureGrid::selectionCommand(const QModelIn
                                       : QItemSelectionModel::NoUpdate;
 }
 
-/// The items move to other rows: the chosen one stays in sight.
+/// Keeps the current item in view when the items move to other rows.
 void PictureGrid::resizeEvent(QResizeEvent* event) {
     QListWidget::resizeEvent(event);
     fitColumns();
@@ -152,7 +152,7 @@ void PictureGrid::changeEvent(QEvent* event) {
     }
 }
 
-/// As many columns as have room, spread over the whole width so that none of it is left over.
+/// Fits as many columns as have room, and spreads them over the whole width.
 void PictureGrid::fitColumns() {
     // The view keeps room for a scroll bar that is not there yet.
     const int bar = verticalScrollBar()->isVisible() ? 0 : verticalScrollBar()->sizeHint().width();

@@ -8,8 +8,8 @@
 
 namespace patina {
 
-/// A grid of named pictures that fits its columns to its width. An item has a key, and is chosen by
-/// a click or Enter.
+/// Shows named images in a grid that fits its columns to its width. An item has a key, and is
+/// chosen with a click or Enter.
 class PictureGrid : public QListWidget {
     Q_OBJECT
 
@@ -22,25 +22,25 @@ class PictureGrid : public QListWidget {
         QString toolTip; ///< rich text
     };
 
-    /// Replaces all items; pictures that are known by key stay, and so does what is in sight.
+    /// Replaces all items; keeps the images of known keys, the current item and the scroll
+    /// position.
     void setEntries(const std::vector<Entry>& entries);
 
-    /// A null picture takes the one that is there away.
+    /// Sets the image of a key; a null image removes it.
     void setPicture(const QString& key, const QImage& picture);
 
-    /// What the pictures are of has changed; they stay until there are new ones.
+    /// Asks for all images again, as their subjects have changed; the old ones stay until then.
     void wishAnew();
 
     QString keyOf(const QListWidgetItem* item) const;
     QListWidgetItem* find(const QString& key) const;
-    /// The first item that is not hidden; null where all are.
+    /// Returns the first item that is not hidden; null if all are.
     QListWidgetItem* firstShown() const;
 
   Q_SIGNALS:
-    /// By a click or Enter, also where it is the current one already; never one that is hidden.
+    /// Is emitted on a click or Enter, even on the current item; never for a hidden one.
     void chosen(QListWidgetItem* item);
-    /// An item without a picture of its own came into sight; once per item after
-    /// setEntries() and wishAnew().
+    /// Is emitted when an item comes into view, once per item after setEntries() and wishAnew().
     void pictureWished(const QString& key);
 
   protected:

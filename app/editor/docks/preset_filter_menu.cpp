@@ -22,7 +22,7 @@ QString labelOf(const PresetFolder& folder) {
                                                         : text(folder.path.filename());
 }
 
-/// The label of a model, as its presets have it.
+/// Returns the label of a model as its presets have it; the id if there are none.
 QString modelLabel(const PresetLibrary& presets, const QString& model) {
     const std::string id = model.toStdString();
     const auto found = std::ranges::find_if(presets.entries(), [&id](const PresetPtr& entry) {
@@ -31,7 +31,7 @@ QString modelLabel(const PresetLibrary& presets, const QString& model) {
     return found == presets.entries().end() ? model : (*found)->modelLabel;
 }
 
-/// An ampersand in a menu's text marks a letter.
+/// Doubles ampersands, since a single one marks a letter in a menu.
 QString asMenuText(QString text) {
     return text.replace('&', QStringLiteral("&&"));
 }
@@ -96,7 +96,7 @@ void PresetFilterMenu::addSwitch(const QString& text, bool PresetFilter::*field)
     });
 }
 
-/// Chosen again it is taken back.
+/// Adds a choice that is removed when it is chosen again.
 void PresetFilterMenu::addChoice(QMenu& menu, const QString& text, QString PresetFilter::*field,
                                  const QString& value) {
     QAction* action = menu.addAction(asMenuText(text));
@@ -131,7 +131,8 @@ void PresetFilterMenu::fillTags(QMenu& menu) {
     }
 }
 
-/// With what lies in the folders that are the user's; shipped ones are one per model.
+/// Lists the folders, and below the user's own ones their subfolders; shipped folders have one per
+/// model and are not split.
 void PresetFilterMenu::fillFolders(QMenu& menu) {
     const QString added = tr("Remove from the library");
     QMenu* removed = new QMenu(added, &menu);

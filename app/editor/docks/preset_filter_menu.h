@@ -9,8 +9,8 @@ namespace patina {
 
 class PresetLibrary;
 
-/// Chooses which presets are shown, apart from the search: by model, tag, folder, favourites and
-/// recent ones; and adds and removes folders. It is filled when it opens.
+/// Filters presets by model, tag, folder, favourites and recent ones, apart from the search; also
+/// adds and removes folders. It is filled each time it opens.
 class PresetFilterMenu : public QMenu {
     Q_OBJECT
 
@@ -18,10 +18,10 @@ class PresetFilterMenu : public QMenu {
     PresetFilterMenu(PresetLibrary& presets, QWidget* parent = nullptr);
 
     const PresetFilter& filter() const { return filter_; }
-    /// What it leaves, in a few words: "Metal · Favourites".
+    /// Describes the filter in a few words: "Metal · Favourites"; "All presets" without one.
     QString summary() const;
     void clearFilter();
-    /// Adds a folder to the library.
+    /// Asks for a folder and adds it to the library.
     void askForFolder();
 
   Q_SIGNALS:

@@ -13,8 +13,8 @@
 
 namespace patina {
 
-/// The presets that a view shows, with the pictures that are there so far. It holds as many of
-/// these as are told, the latest ones.
+/// Is the model of the presets that a view shows, with their images. It keeps a limited number of
+/// images, those used last.
 class PresetList : public QAbstractListModel {
     Q_OBJECT
 
@@ -26,17 +26,18 @@ class PresetList : public QAbstractListModel {
     const PresetPtr& entry(const QModelIndex& index) const;
     QModelIndex indexOf(const QString& file) const;
     bool isFavourite(const QModelIndex& index) const;
-    /// A second line below the names: the model and the tags.
+    /// Adds a second line below the names: the model and the tags.
     void setDetailed(bool detailed);
 
-    /// A picture of this very entry: what its file held before is another look.
+    /// Returns whether there is an up-to-date image of this very entry. An entry that was read
+    /// again from its file counts as another one.
     bool hasPicture(const QModelIndex& index) const;
     void setPicture(const PresetPtr& entry, const QIcon& picture);
     void forgetPictures();
-    /// They are shown until there are new ones.
+    /// Marks all images as outdated; they are shown until there are new ones.
     void outdatePictures();
     void setMaxPictures(int count) { pictures_.setMaxCost(count); }
-    /// What is shown in place of a picture.
+    /// Sets what is shown for presets without an image.
     void setEmptyPicture(const QIcon& picture) { empty_ = picture; }
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -54,13 +55,13 @@ class PresetList : public QAbstractListModel {
 
     const PresetMarks& marks_;
     std::vector<PresetPtr> rows_;
-    QHash<QString, int> places_;        ///< rows by file
-    QCache<QString, Picture> pictures_; ///< by file
+    QHash<QString, int> places_;        ///< holds rows by file
+    QCache<QString, Picture> pictures_; ///< holds images by file
     QIcon empty_;
     bool detailed_ = false;
 };
 
-/// The tags with a comma between them.
+/// Returns the tags separated by commas.
 QString joinedTags(const Material& material);
 
 } // namespace patina

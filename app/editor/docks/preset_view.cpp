@@ -22,7 +22,7 @@ namespace {
 
 constexpr int itemMargin = 14;
 constexpr int maxAsked = 3;
-constexpr int minKept = 200; ///< pictures
+constexpr int minKept = 200; ///< images
 constexpr int tipMs = 60000;
 const QString askedPrefix = QStringLiteral("preset/");
 const QString tipName = QStringLiteral("preset-tip");
@@ -61,7 +61,7 @@ class PresetDelegate : public QStyledItemDelegate {
     }
 
   private:
-    /// Dark around light, so that it is seen on any picture.
+    /// Draws a light star with a dark edge, so that it is visible on any image.
     void paintStar(QPainter& painter, const QStyleOptionViewItem& option) const {
         const int size = option.fontMetrics.height();
         const QRect& all = option.rect;
@@ -238,7 +238,7 @@ void PresetView::wishAnew() {
     viewport()->update();
 }
 
-/// The keys need a place to start from; nothing is selected by that.
+/// Makes the first row current so that the keys have a place to start; does not select it.
 void PresetView::focusInEvent(QFocusEvent* event) {
     if (!currentIndex().isValid() && list_.rowCount() > 0) {
         selectionModel()->setCurrentIndex(list_.index(0), QItemSelectionModel::NoUpdate);
@@ -248,7 +248,7 @@ void PresetView::focusInEvent(QFocusEvent* event) {
 
 namespace {
 
-/// The enabled action that a key is for; null: none.
+/// Returns the enabled action for a key; null if there is none.
 QAction* actionOf(const QWidget& widget, const QKeyEvent& event) {
     const QKeySequence pressed(event.keyCombination());
     const QList<QAction*> actions = widget.actions();
@@ -260,7 +260,8 @@ QAction* actionOf(const QWidget& widget, const QKeyEvent& event) {
 
 } // namespace
 
-/// What the window has under the same keys, such as undo, waits.
+/// Takes keys of its own actions, so that the window's actions with these keys, such as undo, do
+/// not run.
 bool PresetView::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride &&
         actionOf(*this, *static_cast<QKeyEvent*>(event))) {
@@ -301,7 +302,7 @@ bool PresetView::viewportEvent(QEvent* event) {
     return QListView::viewportEvent(event);
 }
 
-/// At once with what there is; the large picture follows.
+/// Shows the tool tip at once with the small image; take() replaces that with the large one.
 void PresetView::showTip(const QModelIndex& index, const QPoint& place) {
     if (!index.isValid()) {
         QToolTip::hideText();
@@ -321,7 +322,7 @@ void PresetView::showTip(const QModelIndex& index, const QPoint& place) {
     thumbnails_.ask(tipName, tipOf_->material);
 }
 
-/// The items move to other rows: the current one stays in sight.
+/// Keeps the current item in view when the items move to other rows.
 void PresetView::resizeEvent(QResizeEvent* event) {
     QListView::resizeEvent(event);
     fit();
@@ -338,7 +339,7 @@ void PresetView::changeEvent(QEvent* event) {
     }
 }
 
-/// As many columns as have room, spread over the whole width so that none of it is left over.
+/// Fits as many columns as have room, and spreads them over the whole width.
 void PresetView::fit() {
     setIconSize({pictureSize_, pictureSize_});
     list_.setEmptyPicture(emptyPicture());

@@ -11,29 +11,28 @@ namespace patina {
 
 class ThumbnailMaker;
 
-/// Presets as a grid of pictures or as a list, of which several may be selected. A click or a key
-/// that moves to one tries it, a double click or Enter applies it. Only pictures that are in sight
-/// are asked for, a few at a time, so that what is scrolled away is not waited for. The keys of its
-/// actions are its own while it has the focus.
+/// Shows presets as a grid or a list, of which several may be selected. A click or a key that moves
+/// to one tries it, a double click or Enter applies it. It asks only for images in view, a few at a
+/// time, so that those scrolled away are not waited for. The keys of its actions are its own while
+/// it has the focus.
 class PresetView : public QListView {
     Q_OBJECT
 
   public:
     PresetView(PresetList& list, ThumbnailMaker& thumbnails, QWidget* parent = nullptr);
 
-    /// Replaces what is shown; what is selected stays so where it is still shown, and so does the
-    /// place that is scrolled to.
+    /// Replaces the rows; keeps the selection where it is still shown, and the scroll position.
     void setRows(std::vector<PresetPtr> rows);
     void setAsList(bool asList);
     bool isAsList() const { return asList_; }
     void setPictureSize(int pixels);
     int pictureSize() const { return pictureSize_; }
 
-    /// What pictures are of has changed; they stay until there are new ones.
+    /// Asks for all images again, as their look has changed; the old ones stay until then.
     void wishAnew();
 
-    PresetPtr current() const; ///< null: none
-    /// In the order in which they are shown.
+    PresetPtr current() const; ///< is null if there is none
+    /// Returns the selected presets in the order of the rows.
     std::vector<PresetPtr> selected() const;
     const std::vector<PresetPtr>& shown() const { return list_.rows(); }
 
@@ -67,14 +66,14 @@ class PresetView : public QListView {
     int pictureSize_ = 72;
     bool asList_ = false;
     int columns_ = 1;
-    QMap<QString, PresetPtr> asked_; ///< pictures that are on their way, by the name asked under
-    QSet<QString> without_;          ///< files of which there is no picture
+    QMap<QString, PresetPtr> asked_; ///< holds presets whose image was asked for, by request name
+    QSet<QString> without_;          ///< holds files of which no image can be made
     int lastAsked_ = 0;
-    PresetPtr tipOf_; ///< whose large picture is on its way
+    PresetPtr tipOf_; ///< is the preset whose tool tip waits for a large image; null if none does
     QPoint tipPlace_;
 };
 
-/// What is to be said of a preset, as rich text.
+/// Returns the tool tip of a preset as rich text.
 QString toolTipOf(const PresetEntry& entry);
 
 } // namespace patina

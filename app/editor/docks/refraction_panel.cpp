@@ -32,7 +32,7 @@ RefractionPanel::RefractionPanel(Document& document, TextureLibrary& textures, Q
     update();
 }
 
-/// What is chosen and has no effect says why.
+/// Shows why a refraction that is chosen has no effect, where that is so.
 void RefractionPanel::update() {
     const Material* material = document_.material(document_.selection().side());
     const BlockValues* part = material ? material->part(kinds::refraction) : nullptr;

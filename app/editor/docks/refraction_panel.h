@@ -11,8 +11,7 @@ class BlockChooser;
 class Document;
 class TextureLibrary;
 
-/// Turns the refraction of what passes through the active material on and off, chooses its kind and
-/// edits its values.
+/// Turns the active material's refraction on and off, chooses its kind and edits its values.
 class RefractionPanel : public QGroupBox {
     Q_OBJECT
 

@@ -6,7 +6,8 @@
 
 namespace patina {
 
-/// A picture with soft corners at its own resolution, which is not tinted when it is chosen.
+/// Returns an icon with rounded corners at the image's own resolution, which Qt does not tint when
+/// its item is selected.
 QIcon rounded(const QImage& picture);
 
 } // namespace patina

@@ -99,7 +99,7 @@ void SceneDock::addAutoExposure(ParameterForm& form, CompareArea& views) {
     });
 }
 
-/// How brightness that a screen cannot show is brought into its range.
+/// Returns the widgets of the tone curve, which maps brightness into the range of a screen.
 QWidget* SceneDock::display(const DockContext& context) {
     auto* box = new QWidget;
     auto* layout = new QVBoxLayout(box);

@@ -14,7 +14,8 @@ class BlockChooser;
 class CheckList;
 class ParameterForm;
 
-/// The scene's objects with their transforms, and what belongs to the scene as a whole.
+/// Lists the scene's objects, and edits their transforms and the settings of the scene, the display
+/// and the camera.
 class SceneDock : public QWidget {
     Q_OBJECT
 

@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// A field to search in. Undo is the document's while nothing stands in it.
+/// Is a field to search in. While it is empty, undo keys go to the document.
 class SearchBox : public QLineEdit {
     Q_OBJECT
 

@@ -8,8 +8,8 @@ namespace patina {
 class Document;
 class MeshLibrary;
 
-/// Starts a timer, unless it runs, whenever what the views show may have changed: a panel that
-/// looks through the whole scene does so once for many edits.
+/// Starts a timer, unless it runs, whenever what the views show may have changed, so that a panel
+/// that looks through the whole scene does so once for many edits.
 void startWhenChanged(QTimer& settle, const Document& document, const MeshLibrary& meshes);
 
 } // namespace patina

@@ -12,13 +12,13 @@ class Document;
 class DocumentForm;
 class TextureLibrary;
 
-/// Chooses what fills a slot of the active material's model, and edits its values. Hidden where the
-/// model has no such slot; what was chosen is then kept in the material.
+/// Chooses the block in a slot of the active material's model and edits its values. It is hidden if
+/// the model has no such slot; the material then keeps what was chosen.
 class SlotPanel : public QGroupBox {
     Q_OBJECT
 
   public:
-    /// `kind` outlives the panel, as those of the table do.
+    /// Keeps a view of `kind`, which has to outlive the panel, as the constants in `kinds` do.
     SlotPanel(Document& document, TextureLibrary& textures, std::string_view kind,
               const QString& title, QWidget* parent = nullptr);
 

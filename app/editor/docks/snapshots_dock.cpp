@@ -15,9 +15,9 @@
 namespace patina {
 namespace {
 
-constexpr int snapshotEdge = 96; ///< pixels of a picture
+constexpr int snapshotEdge = 96; ///< pixels, width and height of an image
 
-/// The middle of what a view shows.
+/// Returns the square in the middle of a view, scaled down, as PNG.
 std::string smallPicture(Viewport& view) {
     const QImage whole = view.grabFramebuffer();
     const int edge = std::min(whole.width(), whole.height());

@@ -10,14 +10,14 @@ class QPushButton;
 
 namespace patina {
 
-/// Keeps looks under names: takes them from the active side, gives them back, compares with them.
+/// Keeps looks under names: takes them from the active side, restores them, and compares with them.
 class SnapshotsDock : public QWidget {
     Q_OBJECT
 
   public:
     explicit SnapshotsDock(const DockContext& context);
 
-    /// Keeps what the active side shows, with its picture.
+    /// Keeps what the active side shows, with a small image.
     void take();
 
   private:

@@ -12,10 +12,10 @@
 namespace patina {
 namespace {
 
-/// About how many cases a check evaluates.
+/// Is about the number of cases that a check evaluates.
 constexpr std::size_t checkedCases = 300000;
 
-/// Cases between two looks at whether it was cancelled.
+/// Is the number of cases between two checks for cancellation.
 constexpr std::size_t checkSlice = std::size_t(1) << 12;
 
 QString shown(std::size_t cases) {
@@ -49,7 +49,8 @@ StabilityOutcome outcomeOf(const StabilitySweep& sweep) {
     return outcome;
 }
 
-/// The material's model with what fills its slots, and its Fresnel term where that is blended.
+/// Returns the cases to sweep: the material's model with the blocks in its slots, and its Fresnel
+/// term where that is blended.
 Result<std::vector<EvalCase>> variantsOf(const Catalog& catalog, const Material& material) {
     Result<EvalCase> own = sweepVariant(catalog, material);
     if (!own) {

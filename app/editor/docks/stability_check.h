@@ -8,8 +8,9 @@
 
 namespace patina {
 
-/// Evaluates a material wherever formulas break, on the graphics device and in double precision:
-/// work of a Worker, which tells the share that is done and how many cases that are.
+/// Evaluates a material in the edge cases of its formulas, on the GPU and in double precision. It
+/// runs as work of a Worker, and reports the share done and the number of cases. Cancelling keeps
+/// what was found.
 StabilityOutcome checkStability(const Catalog& catalog, const Material& material,
                                 Worker::Control& control);
 

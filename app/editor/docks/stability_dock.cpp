@@ -156,7 +156,7 @@ void StabilityDock::fill(const StabilityOutcome& outcome) {
     }
 }
 
-/// The result is of another material than the one that is shown.
+/// Returns whether the result is of another material, or of other blocks, than the current ones.
 bool StabilityDock::isStale() const {
     const Material* material = document_.material(document_.selection().side());
     return material == nullptr || !(*material == checked_) ||

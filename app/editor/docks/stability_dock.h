@@ -15,14 +15,14 @@ class QTreeWidget;
 
 namespace patina {
 
-/// Checks the material that is being edited wherever formulas break, and lists what does.
+/// Checks the active material in the edge cases of its formulas, and lists what breaks.
 class StabilityDock : public QWidget {
     Q_OBJECT
 
   public:
     explicit StabilityDock(const DockContext& context);
 
-    /// Checks the active side's material; nothing happens while a check is running.
+    /// Checks the active side's material; does nothing while a check is running.
     void start();
     bool isRunning() const { return !check_.isIdle(); }
 
@@ -36,9 +36,9 @@ class StabilityDock : public QWidget {
     void copyLine() const;
 
     Document& document_;
-    KnownBlocks blocks_; ///< of what was checked
+    KnownBlocks blocks_; ///< holds the blocks of the checked material
     Material checked_;
-    QString verdict_; ///< of the last check; empty: there was none
+    QString verdict_; ///< is that of the last check; empty if there was none
     QToolButton* start_;
     QToolButton* cancel_;
     QToolButton* copy_;

@@ -8,25 +8,25 @@
 
 namespace patina {
 
-/// One kind of failure in one place of evaluation, by its worst case.
+/// Holds one kind of failure at one place of the evaluation, with its worst case.
 struct StabilityFailure {
-    QString what;     ///< "not a number on the graphics device"
-    QString where;    ///< the directions in words
-    QString amount;   ///< "gives (nan, 0, 0)"
-    QString evalLine; ///< the case as JSON that `patina eval` reads
+    QString what;     ///< names the defect: "not a number on the graphics device"
+    QString where;    ///< says the directions in words
+    QString amount;   ///< says by how much: "gives (nan, 0, 0)"
+    QString evalLine; ///< is the case as JSON that `patina eval` reads
     std::size_t count = 0;
 
     friend bool operator==(const StabilityFailure&, const StabilityFailure&) = default;
 };
 
-/// Holds what a check has found, as texts: it outlives the blocks it is about.
+/// Holds what a check found, as texts, since it outlives the blocks that it is about.
 struct StabilityOutcome {
-    bool complete = false; ///< false: it was cancelled, or could not begin
+    bool complete = false; ///< is false if it was cancelled or could not begin
     std::size_t cases = 0;
     std::vector<StabilityFailure> failures;
-    QString limit;        ///< " on the graphics device only", or empty: what the verdict has to add
-    QStringList problems; ///< why something could not be evaluated at all
-    QStringList remarks;  ///< what was not looked at
+    QString limit;        ///< is what the verdict adds: " on the graphics device only", or empty
+    QStringList problems; ///< say why something could not be evaluated at all
+    QStringList remarks;  ///< say what was not checked
 
     bool sound() const { return failures.empty() && problems.empty(); }
 

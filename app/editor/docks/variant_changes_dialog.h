@@ -12,7 +12,7 @@ namespace patina {
 
 class ThumbnailMaker;
 
-/// Shows variants that changed with a preset above them, each before and after.
+/// Shows the variants that changed with a preset that they derive from, each before and after.
 class VariantChangesDialog : public QDialog {
     Q_OBJECT
 
@@ -23,7 +23,7 @@ class VariantChangesDialog : public QDialog {
   private:
     QLabel* pictureOf(const PresetPtr& entry, const QString& said, ThumbnailMaker& thumbnails);
 
-    QHash<QString, QLabel*> pictures_; ///< that are on their way, by the name asked under
+    QHash<QString, QLabel*> pictures_; ///< holds labels that wait for their image, by request name
 };
 
 } // namespace patina
