@@ -3,13 +3,14 @@
 
 namespace patina {
 
-/// Has buffers of 128 KiB and more mapped each by itself, so that freeing one gives its pages back
-/// at once. By default the first large buffer that is freed teaches the C library to keep such
-/// buffers in the heap, where what lies behind holds them. Call it before any thread starts.
+/// Makes the C library map each buffer of 128 KiB and more by itself, so that freeing one returns
+/// its pages at once. By default the first large buffer that is freed raises that limit, and later
+/// ones stay in the heap, held by what is behind them. Must be called before any thread starts.
 void keepBuffersApart();
 
-/// Gives memory that the heap holds but nobody uses back to the system. Compiling shaders and
-/// reading files leave tens of megabytes of it. Takes some milliseconds: for moments of rest.
+/// Returns memory that the heap holds but nobody uses to the system. Compiling shaders and reading
+/// files leave tens of megabytes of it. Takes some milliseconds, so call it when nothing else is
+/// due.
 void returnFreeMemory();
 
 } // namespace patina

@@ -9,7 +9,7 @@
 namespace patina {
 namespace {
 
-constexpr int quickMs = 300; ///< what ends sooner is not shown
+constexpr int quickMs = 300; ///< milliseconds; work that ends sooner is not shown
 constexpr int lookMs = 100;
 
 } // namespace

@@ -12,26 +12,26 @@
 
 namespace patina {
 
-/// How far work is that goes on beside the window.
+/// Says how far work in the background is.
 struct TaskState {
-    double share = -1.0; ///< 0 .. 1; below 0 while it is not known
-    QString doing{};     ///< what of it is done now; may be empty
+    double share = -1.0; ///< 0 .. 1; below 0 while it is unknown
+    QString doing{};     ///< says what is being done now; may be empty
 };
 
-/// Work that takes long, as whoever does it tells of it.
+/// Describes work that takes long, for those who show it.
 struct LongTask {
     QString name;
-    std::function<TaskState()> state{}; ///< empty: nothing is known
-    std::function<void()> cancel{};     ///< empty: it cannot be stopped
+    std::function<TaskState()> state{}; ///< is empty if nothing is known
+    std::function<void()> cancel{};     ///< is empty if it cannot be cancelled
 };
 
-/// All that takes long in the program, in one place: whoever works beside the window reports to it.
-/// What ends soon is not shown. Used in the window's thread.
+/// Collects all work in the background in one place, for those who show it. Work that ends soon is
+/// not shown. Must be used in the window's thread.
 class LongTasks : public QObject {
     Q_OBJECT
 
   public:
-    /// The program's.
+    /// Returns the one of the program, which the application object owns.
     static LongTasks& all();
 
     explicit LongTasks(QObject* parent = nullptr);
@@ -46,14 +46,15 @@ class LongTasks : public QObject {
         TaskState state;
         bool canCancel = false;
     };
-    /// All that goes on, the oldest first; and what has gone on for a while.
+    /// Return all work that goes on, oldest first, and of that what has gone on for 300 ms and
+    /// more.
     std::vector<Row> running() const;
     std::vector<Row> shown() const;
 
     void cancel(quint64 number);
 
   Q_SIGNALS:
-    /// Now and then, while something is shown.
+    /// Is emitted every 100 ms while something is shown.
     void changed();
 
   private:

@@ -8,9 +8,8 @@
 
 namespace patina {
 
-/// Calls a function when the event loop has its next turn. What views ask for while they draw is
-/// told of in this way: who hears of it may paint a widget at once, which makes another context
-/// current than that of the view.
+/// Calls a function in the next turn of the event loop. Views need this for signals while they
+/// draw: a slot may paint a widget at once, which makes another context current than the view's.
 template <class News>
 void tellAfterwards(QObject& teller, News news) {
     QMetaObject::invokeMethod(&teller, std::move(news), Qt::QueuedConnection);

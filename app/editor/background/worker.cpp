@@ -93,7 +93,7 @@ std::shared_ptr<Progress> Worker::add(const QString& key, const QString& what, J
     return {task, &task->progress};
 }
 
-/// Shows that there is something to do, or that there is nothing more.
+/// Tells LongTasks that there is something to do, or that there is nothing more.
 void Worker::report() {
     if (options_.name.isEmpty() || open_.empty() == (reported_ == 0)) {
         return;
@@ -137,7 +137,7 @@ void Worker::resume() {
     startThread();
 }
 
-/// Where there is something to do and nobody who does it.
+/// Starts a thread if requests wait and no thread takes them.
 void Worker::startThread() {
     const std::lock_guard lock(mutex_);
     if (!isPaused_ && !waiting_.empty() && !std::exchange(hasThread_, true)) {
@@ -168,7 +168,7 @@ void Worker::finish() {
     changed_.wait(lock, [this] { return waiting_.empty() && !running_; });
 }
 
-/// In the worker's thread, as are those below.
+/// Runs in the worker's thread, as do the functions below.
 void Worker::run() {
     while (const std::shared_ptr<Task> task = next()) {
         Control control(*this, task);
@@ -182,8 +182,8 @@ void Worker::run() {
     closeContext();
 }
 
-/// Null when it is time to rest. Whoever asks after that starts the thread again, which the pool
-/// does when this one is through.
+/// Returns the next request; null when the thread has to end. A request that comes after that
+/// starts the thread again, which the pool does once this one has ended.
 std::shared_ptr<Worker::Task> Worker::next() {
     std::unique_lock lock(mutex_);
     running_.reset();
@@ -198,7 +198,7 @@ std::shared_ptr<Worker::Task> Worker::next() {
     return running_;
 }
 
-/// What is forgotten by then is not open any more.
+/// Calls `delivery` in the asking thread, unless the request was forgotten by then.
 void Worker::handOver(const std::shared_ptr<Task>& task, Delivery delivery, bool isLast) {
     const auto deliver = [this, task, delivery = std::move(delivery), isLast] {
         const auto found = std::ranges::find(open_, task);
@@ -225,7 +225,7 @@ void Worker::closeContext() {
     }
 }
 
-/// Returns the exception that was caught as an error.
+/// Returns the exception that is being handled as an error.
 Error Worker::currentError() {
     try {
         throw;

@@ -25,58 +25,59 @@
 
 namespace patina {
 
-/// Does what it is asked for in a thread of its own, one request after the other, and hands each
-/// result over in the thread that asked. Its public functions are that thread's.
-///
-/// Its destructor waits for the thread, so it is the last member of whoever owns what the work
-/// uses; results that are not handed over by then are dropped.
+/// Runs requests in a thread of its own, one after the other, and delivers each result in the
+/// thread that asked. Its public functions belong to that thread.
+/// || Its destructor waits for the thread, so it has to be the last member of a class that owns
+/// what the work uses. Results that are not delivered by then are dropped.
 class Worker : public QObject {
     Q_OBJECT
 
     struct Task;
 
   public:
-    /// What becomes of requests that wait when the worker is destroyed.
+    /// Says what happens to waiting requests when the worker is destroyed.
     enum class AtEnd {
-        Drop,  ///< they are not begun, and the one that runs is cancelled
-        Finish ///< they are done
+        Drop,  ///< they are not begun, and the running one is cancelled
+        Finish ///< they are done first
     };
 
     struct Options {
-        /// Names the work where all that takes long is shown (LongTasks); empty: it is not shown.
+        /// Names the work in LongTasks; it is not listed there if this is empty.
         QString name{};
-        bool canCancel = false; ///< it may be stopped there
+        bool canCancel = false; ///< lets it be cancelled there
 
         QThread::Priority priority = QThread::InheritPriority;
 
-        /// How long the thread waits for a further request before it rests: the context goes then.
+        /// Is how long the thread waits for a further request before it ends and closes its
+        /// context.
         std::chrono::milliseconds patience{0};
 
-        /// Is called in the worker's thread when it rests, for what work left there for the next.
+        /// Is called in the worker's thread before that ends, to free what work left for the next
+        /// one.
         std::function<void()> atRest{};
 
-        bool isPaused = false; ///< nothing is begun before resume()
+        bool isPaused = false; ///< lets nothing begin before resume()
         AtEnd atEnd = AtEnd::Drop;
     };
 
-    /// Is what work knows of who waits for it. Used in the worker's thread.
+    /// Lets work report to the thread that asked. Must be used in the worker's thread.
     class Control {
       public:
         Progress& progress() const;
         bool isCancelled() const { return progress().cancelled; }
 
-        /// A newer request with the same key waits.
+        /// Returns whether a newer request with the same key waits.
         bool isSuperseded() const;
 
-        /// Has progressed() emitted where some time has passed since the last time, or where what
-        /// is being done is another thing than then.
+        /// Emits progressed() if 50 ms have passed since the last time, or if `isAnother` says that
+        /// something else is done now.
         void tell(double share, const QString& doing = {}, bool isAnother = false);
 
-        /// Has a function called in the thread that asked, unless the request is forgotten.
+        /// Calls a function in the thread that asked, unless the request is forgotten by then.
         void show(std::function<void()> news) const;
 
-        /// Makes a context without a window current, if there is none yet. It stays for the next
-        /// requests, until the thread rests.
+        /// Makes a context without a window current, if there is none yet. It stays for further
+        /// requests until the thread ends. Returns an error if no context can be made.
         Result<void> openContext() const;
         void closeContext() const { worker_.closeContext(); }
 
@@ -93,10 +94,11 @@ class Worker : public QObject {
     explicit Worker(Options options);
     ~Worker() override;
 
-    /// Asks for work(control), whose value done(result) is given: a Result, or a Checked where the
-    /// work itself returns one. An exception is an error in it. A request takes the place of the
-    /// one with the same key that was not begun, which is dropped; without a key it takes none.
-    /// `what` is shown beside the worker's name: a file, say.
+    /// Asks for work(control), whose outcome is passed to done(): a Result, or a Checked if work
+    /// returns one itself. An exception becomes an error in it. A request replaces a waiting one
+    /// with the same key, whose done() is never called; without a key it replaces none. `what` is
+    /// shown beside the worker's name, such as a file. Returns the request's progress, which can
+    /// cancel it.
     template <class Work, class Done>
     std::shared_ptr<Progress> ask(Work work, Done done, const QString& key = {},
                                   const QString& what = {}) {
@@ -108,23 +110,23 @@ class Worker : public QObject {
             });
     }
 
-    /// Begins what was asked for so far, where it was made paused.
+    /// Begins what was asked for, if the worker was made paused.
     void resume();
 
-    /// Tells all work that is asked for to stop. What it has by then is handed over.
+    /// Tells all requests to stop. What they have by then is delivered.
     void cancel();
 
-    /// Cancels, and hands nothing over of what was asked for so far.
+    /// Cancels all requests and delivers none of them.
     void forget();
 
-    /// Waits until everything is done that is asked for. Results are handed over later.
+    /// Waits until all requests are done. Their results are delivered later.
     void finish();
 
-    /// Everything that was asked for was handed over.
+    /// Returns whether every request was delivered.
     bool isIdle() const { return open_.empty(); }
 
   Q_SIGNALS:
-    void progressed(double share, const QString& doing); ///< share: 0 .. 1
+    void progressed(double share, const QString& doing); ///< `share` is 0 .. 1
 
   private:
     using Context = Result<std::unique_ptr<gl::HeadlessContext>>;
@@ -172,19 +174,19 @@ class Worker : public QObject {
     void closeContext();
 
     const Options options_;
-    bool isPaused_;                           ///< of the thread that asks, as is the next
-    std::vector<std::shared_ptr<Task>> open_; ///< were asked for and are not handed over
-    quint64 reported_ = 0;                    ///< where it is shown; 0: nowhere
-    int ended_ = 0;                           ///< requests since there was something to do
-    TaskState told_{};                        ///< of the one that runs
-    std::optional<Context> context_;          ///< of the worker's thread; empty: not tried
-    std::mutex mutex_;                        ///< guards what follows but the pool
+    bool isPaused_; ///< belongs to the thread that asks, as do the four members below
+    std::vector<std::shared_ptr<Task>> open_; ///< were asked for and are not delivered yet
+    quint64 reported_ = 0;           ///< is the number in LongTasks; 0 if it is not listed there
+    int ended_ = 0;                  ///< counts requests that ended since there was something to do
+    TaskState told_{};               ///< is what the running request told last
+    std::optional<Context> context_; ///< belongs to the worker's thread; empty before the first try
+    std::mutex mutex_;               ///< guards the members below, except the pool
     std::condition_variable changed_;
     std::deque<std::shared_ptr<Task>> waiting_;
     std::shared_ptr<Task> running_;
-    bool hasThread_ = false; ///< that looks at waiting_ again before it rests
+    bool hasThread_ = false; ///< tells whether a thread will look at waiting_ again before it ends
     bool isEnding_ = false;
-    QThreadPool pool_; ///< of one thread
+    QThreadPool pool_; ///< has one thread
 };
 
 } // namespace patina

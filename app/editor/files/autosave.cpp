@@ -41,14 +41,14 @@ std::filesystem::path stemOf(const std::filesystem::path& scene) {
     return scene.string().substr(0, scene.string().size() - std::size_t(copySuffix.size()));
 }
 
-/// A program that still runs holds its lock.
+/// Returns whether no program holds the lock, as one that still runs does.
 bool isAbandoned(const std::filesystem::path& stem) {
     QLockFile lock(lockOf(stem));
     lock.setStaleLockTime(0);
     return lock.tryLock(0);
 }
 
-/// A path and, on a line before it, what the file is.
+/// Maps the first line of an origin file to the kind of file; the second line is its path.
 const std::map<QString, DocumentFile> kinds{
     {"none", {DocumentFile::Kind::None, {}, false}},
     {"preset", {DocumentFile::Kind::Preset, {}, false}},
@@ -80,13 +80,13 @@ DocumentFile readOrigin(const std::filesystem::path& path) {
     return origin;
 }
 
-/// Writes a small file whose content seldom changes.
+/// Writes a small file unless it has that content already.
 Result<void> writeOnce(const std::filesystem::path& path, const std::string& text) {
     const Result<std::string> before = readFile(path, maxOriginBytes);
     return before && *before == text ? Result<void>() : writeFileAtomically(path, text);
 }
 
-/// When the work was kept last: with the copy or with an edit after it.
+/// Returns when the work was last written: with the copy, or with an edit in its journal.
 QDateTime lastWritten(const QFileInfo& scene) {
     const QFileInfo journal(
         QString::fromStdString(EditJournal::beside(scene.filePath().toStdString()).string()));
@@ -106,7 +106,7 @@ Autosave::Autosave(Document& document, DocumentFiles& files, std::filesystem::pa
     connect(&longest_, &QTimer::timeout, this, &Autosave::save);
     onChange(document, DocumentChange::Drawn | DocumentChange::Bookmarks, this,
              &Autosave::schedule);
-    // The first edit is announced before it makes the document a modified one.
+    // The first edit is announced before the document counts as modified.
     connect(&document, &Document::modifiedChanged, this, &Autosave::schedule);
 }
 
@@ -161,7 +161,7 @@ void Autosave::stop() {
     worker_.finish();
 }
 
-/// What was undone as far as the file is no unsaved work any more.
+/// Starts the timers; removes the copy if an undo went back to the saved state.
 void Autosave::schedule() {
     if (!document_.isModified()) {
         giveUpOwn();
@@ -194,7 +194,7 @@ void Autosave::save() {
         write, [this](const Result<void>& written) { noteEnd(written); }, QStringLiteral("copy"));
 }
 
-/// Says once that work cannot be kept, until it can be again.
+/// Emits failed() once, and again only after a copy could be written.
 void Autosave::noteEnd(const Result<void>& written) {
     if (!written && !hasFailed_) {
         Q_EMIT failed(written.error());
@@ -202,7 +202,8 @@ void Autosave::noteEnd(const Result<void>& written) {
     hasFailed_ = !written;
 }
 
-/// A name of its own for this program's copy, locked while the program runs.
+/// Chooses a unique name for this program's copy and locks it while the program runs. Returns false
+/// if the folder cannot be written to.
 bool Autosave::takeStem() {
     if (lock_) {
         return true;

@@ -17,15 +17,15 @@ class QLockFile;
 
 namespace patina {
 
-/// Work that a program which is gone had not saved.
+/// Describes unsaved work of a program that ended without saving it.
 struct Recovery {
     std::filesystem::path scene;
-    DocumentFile original; ///< the file it was opened from or saved to last, if any
+    DocumentFile original; ///< is what it was opened from or last saved to
     QDateTime saved;
 };
 
-/// Keeps unsaved work on disk, a fifth of a second behind, so that a kill loses no more than the
-/// edit under the hand. A lock beside each copy tells whether its program still runs.
+/// Keeps a copy of unsaved work on disk, at most 200 ms behind, so that a crash loses no more than
+/// the last edit. A lock file beside each copy tells whether its program still runs.
 class Autosave : public QObject {
     Q_OBJECT
 
@@ -34,27 +34,27 @@ class Autosave : public QObject {
              QObject* parent = nullptr);
     ~Autosave() override;
 
-    /// Returns where the copies are.
+    /// Returns the folder of the copies.
     const std::filesystem::path& folder() const { return folder_; }
 
-    /// Sets how long after the last change, and how long after the first one at most.
+    /// Sets how long to wait after the last change, and how long at most after the first one.
     void setIntervals(int quietMs, int longestMs);
 
-    /// Puts the last edits into a copy that is to be recovered. Where that fails, which is said,
-    /// the copy stays as it was some edits before.
+    /// Applies the journal to a copy that is to be recovered. If that fails, failed() is emitted
+    /// and the copy stays some edits behind.
     void complete(const Recovery& recovery);
 
-    /// Makes what was recovered this program's copy.
+    /// Makes a recovered copy this program's own copy.
     void adopt(const Recovery& recovery);
 
-    /// Removes the copy: the work is saved.
+    /// Removes the copy, since the work is saved.
     void discard();
 
-    /// Removes the copy, but not of work that was recovered: that is offered until it is saved or
-    /// given up where it is offered.
+    /// Removes the copy. The copy of recovered work is kept, as it is offered again until it is
+    /// saved or discarded there.
     void giveUp();
 
-    /// Returns what can be recovered, newest first.
+    /// Returns the copies whose programs do not run any more, newest first.
     static std::vector<Recovery> found(const std::filesystem::path& folder);
     static void remove(const Recovery& recovery);
 
@@ -74,9 +74,9 @@ class Autosave : public QObject {
     std::filesystem::path folder_;
     std::filesystem::path stem_;
     std::unique_ptr<QLockFile> lock_;
-    std::unique_ptr<EditJournal> journal_; ///< used in the worker alone
+    std::unique_ptr<EditJournal> journal_; ///< is used in the worker only
     bool isAdopted_ = false;
-    bool hasFailed_ = false; ///< and said so
+    bool hasFailed_ = false; ///< is set once failed() was emitted, until a copy is written again
     QTimer quiet_;
     QTimer longest_;
     Worker worker_{{.name = tr("Keeping unsaved work safe"), .atEnd = Worker::AtEnd::Finish}};

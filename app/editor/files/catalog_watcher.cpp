@@ -10,14 +10,14 @@
 namespace patina {
 namespace {
 
-/// Long enough for an editor to write, rename and set attributes; far below the second in which
-/// the change has to be seen.
+/// Is long enough for an editor to write, rename and set attributes, and far below a second, within
+/// which a change has to be visible.
 constexpr qint64 settleMs = 120;
 
-/// What never settles is read all the same, so long after the first change.
+/// Is how long after the first change files are read that keep changing.
 constexpr qint64 patienceMs = 400;
 
-/// Tells whether the block's descriptor, or a folder that it lies in, is the file of a mistake.
+/// Returns whether an error names the block's descriptor or a folder that holds it.
 bool hasMistake(const Catalog& catalog, const Block& block) {
     return std::any_of(catalog.errors.begin(), catalog.errors.end(), [&](const Error& error) {
         const std::string file = block.descriptorFile.string();
@@ -26,7 +26,7 @@ bool hasMistake(const Catalog& catalog, const Block& block) {
     });
 }
 
-/// The folder that a missing one would come back into.
+/// Returns the nearest folder above that exists, where a missing one would appear.
 QString nearestFolderAbove(const std::filesystem::path& folder) {
     std::filesystem::path above = std::filesystem::absolute(folder);
     do {
@@ -55,7 +55,7 @@ void CatalogWatcher::start() {
     }
 }
 
-/// After the last change of several, but not for ever.
+/// Waits for the last of several changes, up to `patienceMs` after the first one.
 void CatalogWatcher::settle() {
     if (!settle_.isActive()) {
         sinceFirst_.start();
@@ -72,8 +72,8 @@ PathStates CatalogWatcher::statesNow() const {
     return states;
 }
 
-/// A folder is watched by what it is, not by its name: one that was moved away and made again has
-/// to be found anew. True when something is not as it was when it was read.
+/// Watches all files and folders anew: a folder is watched by its inode, and one that was replaced
+/// has another. Returns whether something changed since it was read.
 bool CatalogWatcher::watchAll() {
     watcher_ = std::make_unique<QFileSystemWatcher>();
     connect(watcher_.get(), &QFileSystemWatcher::fileChanged, this, &CatalogWatcher::settle);
@@ -91,7 +91,7 @@ bool CatalogWatcher::watchAll() {
     return watched_ != known_ || statesNow() != watched_; // which came while nobody looked
 }
 
-/// What the system tells of may be a file that nobody reads.
+/// Reads nothing if no part of a block changed, since other files are reported, too.
 void CatalogWatcher::read() {
     if (!watchAll()) {
         return;

@@ -13,21 +13,22 @@
 
 namespace patina {
 
-/// Reads the catalogue again when a file in one of its folders changes, also when an editor saves
-/// by renaming, and when a folder goes, comes back or is replaced by another. A block whose
-/// descriptor does not read any more stays as it was.
+/// Reads the catalogue again when a file in one of its folders changes, even if an editor saves by
+/// renaming, and when a folder is removed, restored or replaced. A block whose descriptor can no
+/// longer be read stays as it was.
 class CatalogWatcher : public QObject {
     Q_OBJECT
 
   public:
-    /// `catalog` is what the folders hold now.
+    /// `catalog` holds what is in its folders now.
     explicit CatalogWatcher(std::shared_ptr<const Catalog> catalog, QObject* parent = nullptr);
 
-    /// Starts watching; makes the user's folder if it is not there, so that it can be watched.
+    /// Starts watching; creates the user's folder if it does not exist, so that it can be watched.
     void start();
 
   Q_SIGNALS:
-    /// Comes for every change of a file, also when the blocks read the same: their GLSL may differ.
+    /// Is emitted for every change of a file, even if the blocks read the same, as their GLSL may
+    /// differ.
     void changed(std::shared_ptr<const patina::Catalog> catalog);
 
   private:
@@ -37,15 +38,15 @@ class CatalogWatcher : public QObject {
     PathStates statesNow() const;
 
     std::shared_ptr<const Catalog> catalog_;
-    PathStates known_;   ///< as they were when they were read
-    PathStates watched_; ///< as they were when watching them began
+    PathStates known_;   ///< holds the states at the last reading
+    PathStates watched_; ///< holds the states when watching began
     std::unique_ptr<QFileSystemWatcher> watcher_;
-    QElapsedTimer sinceFirst_; ///< change that was not read yet
+    QElapsedTimer sinceFirst_; ///< runs since the first change that was not read yet
     QTimer settle_;
 };
 
-/// `read`, with the blocks of `before` put back whose descriptors, or the folders that these are
-/// in, have mistakes now.
+/// Returns `read` with blocks of `before` that cannot be read any more, because their descriptors
+/// or the folders of these have errors now.
 Catalog withLastGoodBlocks(Catalog read, const Catalog& before);
 
 } // namespace patina

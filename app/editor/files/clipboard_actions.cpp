@@ -142,14 +142,14 @@ const Light* ClipboardActions::currentLight() const {
     return index < 0 ? nullptr : &document_.scene().lights[static_cast<std::size_t>(index)];
 }
 
-/// Relative paths of a text from elsewhere begin where the document's file is.
+/// Resolves relative paths of copied text against the folder of the document's file.
 LocatedJson ClipboardActions::placed(const CopiedJson& copied) const {
     LocatedJson json = copied.json;
     json.file = files_.file().path.string();
     return json;
 }
 
-/// What is wrong is in the clipboard, not in the document's file.
+/// Tells errors as errors of the clipboard, not of the document's file.
 void ClipboardActions::tell(Errors messages) {
     for (Error& message : messages) {
         message.file = message.file == files_.file().path.string() ? std::string() : message.file;

@@ -10,8 +10,8 @@ namespace patina {
 
 class MeshLibrary;
 
-/// Copies materials, objects and lights as JSON, a preset's or a scene's, and pastes what such a
-/// text holds. Each paste is one undo step.
+/// Copies materials, objects and lights as JSON, in the format of presets and scenes, and pastes
+/// such text. Each paste is one undo step.
 class ClipboardActions : public QObject {
     Q_OBJECT
 
@@ -20,16 +20,16 @@ class ClipboardActions : public QObject {
                      QObject* parent);
 
     void copyMaterial() const;
-    /// The objects that an edit changes.
+    /// Copies the objects that an edit would change.
     void copyObjects() const;
     void cutObjects();
-    /// The current light.
+    /// Copies the current light.
     void copyLight() const;
     void cutLight();
     void duplicateLight();
 
-    /// A material goes onto the active side and the selected objects; objects are added beside
-    /// what is there, lights to the others.
+    /// Pastes a material onto the active side and the selected objects; adds objects beside those
+    /// of the scene, and lights to its lights. Errors are told by the document.
     void paste();
 
   private:

@@ -10,14 +10,15 @@ class QPlainTextEdit;
 
 namespace patina {
 
-/// Shows what a material says of itself: name, description, author, licence and tags.
+/// Edits a material's name, description, author, licence and tags.
 class DetailsDialog : public QDialog {
     Q_OBJECT
 
   public:
     explicit DetailsDialog(const Material& material, QWidget* parent = nullptr);
 
-    /// The material with what was typed; spaces around texts and empty tags are left out.
+    /// Returns the material with what was typed, without spaces around texts and without empty
+    /// tags.
     Material edited() const;
 
   private:

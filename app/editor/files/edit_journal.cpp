@@ -18,10 +18,12 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::uintmax_t longestJournal = 1u << 20; ///< bytes, then the copy is written anew
-constexpr std::uintmax_t maxFileBytes = 256u << 20; ///< no copy and no journal is longer
+constexpr std::uintmax_t longestJournal =
+    1u << 20; ///< bytes; the copy is written again when it is longer
+constexpr std::uintmax_t maxFileBytes = 256u << 20; ///< bytes; no copy and no journal is longer
 
-/// What a journal begins with, so that it is never read with a copy that is not its own.
+/// Returns the first line of a journal, a hash of its copy, so that it is never read with another
+/// one.
 std::string firstLine(std::string_view copyText) {
     const QByteArray hash = QCryptographicHash::hash(
         QByteArray::fromRawData(copyText.data(), qsizetype(copyText.size())),
@@ -35,7 +37,7 @@ Error notWritten(const std::filesystem::path& path, const QFile& file) {
             "a folder with room that can be written to"};
 }
 
-/// The journal's next line; nothing at its end, and where the last line was cut off.
+/// Takes the journal's next line; empty at its end, or if the last line is incomplete.
 std::optional<std::string_view> takeLine(std::string_view& rest) {
     const std::size_t end = rest.find('\n');
     if (end == std::string_view::npos) {
@@ -46,7 +48,7 @@ std::optional<std::string_view> takeLine(std::string_view& rest) {
     return line;
 }
 
-/// Applies a line; whether it could be.
+/// Applies a line; returns whether that was possible.
 bool apply(std::string_view line, Json& scene) {
     const Json patch = Json::parse(line, nullptr, false);
     try {

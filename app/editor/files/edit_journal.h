@@ -13,23 +13,22 @@
 namespace patina {
 
 /// Keeps a scene on disk while it is edited: a copy of it and, in a journal beside the copy, what
-/// changed since, a JSON patch (RFC 6902) to a line. An edit then costs a line to write, and a kill
-/// in the midst of one loses that line alone.
+/// changed since, one JSON patch (RFC 6902) per line. An edit costs only a line, and a crash while
+/// writing loses only that line.
 class EditJournal {
   public:
     explicit EditJournal(std::filesystem::path copy) : copy_(std::move(copy)) {}
 
-    /// Adds what changed since the last call. The first call, and one after a failure or when the
-    /// journal has grown long, writes the copy anew. Errors name the file that could not be
+    /// Adds what changed since the last call. The first call, one after a failure and one after the
+    /// journal has grown beyond 1 MiB write the whole copy. Errors name the file that could not be
     /// written.
     Result<void> write(const Scene& scene);
 
-    /// Brings the copy up to what its journal says and removes the journal. A line that is not
-    /// whole, or does not fit what stands before it, ends the reading; a journal of another copy is
-    /// not read at all.
+    /// Applies the journal to the copy and removes the journal. Reading ends at an incomplete line
+    /// or one that does not fit; a journal of another copy is ignored.
     static Result<void> join(const std::filesystem::path& copy);
 
-    /// Returns where the journal of a copy is.
+    /// Returns the path of the journal of a copy.
     static std::filesystem::path beside(const std::filesystem::path& copy);
 
   private:
@@ -37,8 +36,8 @@ class EditJournal {
     Result<void> append(const nlohmann::json& patch);
 
     std::filesystem::path copy_;
-    nlohmann::json written_;   ///< what the copy and its journal say together; null: nothing yet
-    std::uintmax_t bytes_ = 0; ///< length of the journal
+    nlohmann::json written_; ///< is the content of the copy with its journal; null before the first
+    std::uintmax_t bytes_ = 0; ///< bytes in the journal
 };
 
 } // namespace patina

@@ -33,14 +33,15 @@ QString sceneFilter() {
     return QObject::tr("Patina scenes (*.patina-scene.json)");
 }
 
-/// When a file was written; nothing where there is none.
+/// Returns when a file was written; empty if it does not exist.
 std::optional<std::filesystem::file_time_type> timeOf(const std::filesystem::path& file) {
     std::error_code missing;
     const auto time = std::filesystem::last_write_time(file, missing);
     return missing ? std::nullopt : std::optional(time);
 }
 
-/// The folder of the user's own presets; where it cannot be made a dialog starts elsewhere.
+/// Returns the folder of the user's presets after creating it; a dialog starts elsewhere if that
+/// fails.
 QString madePresetFolder() {
     const std::filesystem::path folder = PresetLibrary::userFolder();
     std::error_code ignored;
@@ -48,7 +49,7 @@ QString madePresetFolder() {
     return QString::fromStdString(folder.string());
 }
 
-/// As much of a name as fits into 255 bytes with an ending.
+/// Cuts a name to 160 bytes of UTF-8, so that it fits into 255 with an ending.
 QString fitting(QString name) {
     while (name.toUtf8().size() > maxNameBytes) {
         name.chop(name.back().isLowSurrogate() ? 2 : 1);
@@ -169,7 +170,8 @@ void FileActions::exportPreset() {
     }
 }
 
-/// Under another name it is another preset: the material is called what its file is called.
+/// Writes a preset. Under another file name the material gets that name, since it is another
+/// preset.
 bool FileActions::writePreset(const QString& file) {
     const Side side = document_.selection().side();
     const Material* material = document_.material(side);
@@ -196,7 +198,7 @@ void FileActions::importMesh() {
     }
 }
 
-/// False when the user wants to go back.
+/// Returns false if the user cancels.
 bool FileActions::askHowToImport(const QString& file) {
     if (QGuiApplication::queryKeyboardModifiers().testFlag(Qt::ShiftModifier)) {
         return true;
@@ -236,15 +238,15 @@ void FileActions::duplicateObjects() {
                tr("Duplicate %n object(s)", nullptr, static_cast<int>(copies.size())));
 }
 
-/// What was on its way for the former document.
+/// Forgets the meshes that were being loaded for the former document.
 void FileActions::forgetMeshes() {
     wanted_.clear();
     meshes_.forgetFailures();
     meshes_.cancelAllBut(document_.scene());
 }
 
-/// The object is added when its mesh is there; a mesh that cannot be read changes nothing. It
-/// becomes an object as those did that were imported last.
+/// Adds the object once its mesh is loaded, with the choices of the last import. A mesh that cannot
+/// be read changes nothing.
 void FileActions::load(const QString& mesh) {
     const MeshImport import = session_.meshImport();
     Object object;
@@ -280,7 +282,7 @@ void FileActions::meshLoaded(const QString& mesh) {
     }
 }
 
-/// True while the document shows one of the scenes that ship, as a new one does, whatever its
+/// Returns whether the document shows one of the scenes that ship, as a new one does, whatever its
 /// material and camera.
 bool FileActions::showsOnlyTheStart() const {
     const Scene& shown = document_.scene();
@@ -299,7 +301,7 @@ bool FileActions::showsOnlyTheStart() const {
     });
 }
 
-/// Puts an object in place of the only one, with its material.
+/// Replaces the only object, but keeps its material.
 void FileActions::replaceObject(Object object) {
     object.material = document_.scene().objects.front().material;
     patina::setObject(document_, 0, object);
@@ -328,7 +330,7 @@ void FileActions::editDetails() {
     }
 }
 
-/// Somebody else may have written the file since it was opened or saved here.
+/// Asks if another program has written the file since it was opened or saved here.
 bool FileActions::mayReplaceChanged(const std::filesystem::path& file) {
     const auto written = timeOf(file);
     return !written || written == written_ ||
@@ -340,7 +342,7 @@ bool FileActions::mayReplaceChanged(const std::filesystem::path& file) {
                                 QMessageBox::No) == QMessageBox::Yes;
 }
 
-/// The dialog asked about the name that was typed, not about the one with its ending.
+/// Asks again if a suffix was added, since the file dialog asked about the name without it.
 bool FileActions::mayReplace(const QString& asked, const QString& file) {
     return file == asked || !QFileInfo::exists(file) ||
            QMessageBox::warning(
@@ -503,7 +505,7 @@ void FileActions::tellOutside(const QString& file) {
     }
 }
 
-/// What comes with Patina is saved as a copy: a preset among the user's own.
+/// Suggests a copy of files that come with Patina; a preset goes among the user's own.
 QString FileActions::suggestedFile() const {
     const std::filesystem::path& path = files_.file().path;
     const std::filesystem::path folder = path.parent_path();
@@ -517,7 +519,7 @@ QString FileActions::suggestedFile() const {
            '/' + suggestedName();
 }
 
-/// It names what is saved, too, and is written as names are.
+/// Returns "Copy of" with the name in its own case, as it becomes the name of the copy.
 QString FileActions::nameOfCopy() const {
     const Material* material = document_.material(Side::A);
     const bool isPreset = files_.file().kind == DocumentFile::Kind::Preset;

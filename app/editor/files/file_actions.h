@@ -16,20 +16,20 @@ class QWidget;
 
 namespace patina {
 
-/// Does what the File menu, a drop and the command line do with files: asks where to, asks before
-/// unsaved work would be lost, remembers folders and recent files.
+/// Does what the File menu, drops and the command line do with files: asks for files, asks before
+/// unsaved work would be lost, and remembers folders and recent files.
 class FileActions : public QObject {
     Q_OBJECT
 
   public:
-    /// Tells what a file is, by its name, and where that says no more than JSON, by its "format".
+    /// Is what a file holds, told by its name or, for other JSON files, by its "format".
     enum class Kind { Preset, Scene, Panorama, Mesh, Sheet };
 
     FileActions(Document& document, DocumentFiles& files, MeshLibrary& meshes, Session& session,
                 QWidget* window);
 
     void newDocument();
-    /// True when the document was saved.
+    /// Returns whether the document was saved.
     bool save();
     bool saveAs();
     void askAndOpen();
@@ -39,52 +39,55 @@ class FileActions : public QObject {
     /// Asks for the name, description, author, licence and tags of the current material.
     void editDetails();
 
-    /// Opens what was named on the command line or in a menu: a scene or a preset becomes the
-    /// document, a mesh an object in it: beside the others, or in place of a new document's.
+    /// Opens files from the command line or a menu. A scene or preset becomes the document, a
+    /// second preset goes onto the other side, and a mesh becomes an object: beside the others, or
+    /// in place of the one in a new document.
     void open(const QStringList& files, Side side);
 
-    /// Does what a drop asks for: a preset goes onto the side it was dropped on, undoably, and so
-    /// does that of a sheet.
+    /// Opens dropped files. A preset goes onto `side`, undoably, and a sheet is made of that side.
     void drop(const QStringList& files, Side side);
 
-    /// Puts a preset on a side; asks about what it names outside its folder.
+    /// Applies a preset to a side; asks about files that it names outside its folder.
     void applyPreset(const QString& file, Side side);
 
-    /// Asks about what the document names outside its folder and was not read.
+    /// Asks about the files outside its folder that the document names and that were not read.
     void allowOutside();
 
-    /// Adds an object with a material like the current one's, in an empty scene like a new
-    /// document's, and makes it current.
+    /// Adds an object and makes it current. It gets the material of side A, or in an empty scene
+    /// that of a new document.
     void addObject(Object object);
 
-    /// The same, beside what is there and in view, as one undo step. Its mesh must be there.
+    /// Adds an object beside the others as one undo step, and emits meshPlaced(). Its mesh must be
+    /// loaded.
     void addBeside(const Object& object);
 
-    /// Adds copies of the objects that an edit changes, beside all others, and selects them.
+    /// Adds copies of the objects that an edit would change, beside all others, and selects them.
     void duplicateObjects();
 
     ClipboardActions& clipboard() const { return *clipboard_; }
 
-    /// False when the user wants to go back. Saves when the user wants that.
+    /// Asks about unsaved changes, and saves them if the user wants that. Returns false if the user
+    /// cancels.
     bool mayLoseDocument();
 
     void tell(const Error& message) { Q_EMIT files_.message(message); }
 
     static Kind kindOf(const QString& file);
 
-    /// A name that any file system takes.
+    /// Returns a name that any file system accepts: lower case, without spaces and slashes.
     static QString asFileName(const QString& name);
 
   Q_SIGNALS:
-    /// The document is on disk, all of it.
+    /// Is emitted when the whole document is on disk.
     void saved();
-    /// A preset was put on a side.
+    /// Is emitted when a preset was applied to a side.
     void presetApplied(const QString& file);
-    /// There is another document; what was not saved of the former one was given up on purpose.
+    /// Is emitted when the document was replaced. Unsaved work of the former one was given up on
+    /// purpose.
     void documentReplaced();
-    /// A mesh that was opened, imported or dropped is now the current object.
+    /// Is emitted when a mesh that was opened, imported or dropped is the current object.
     void meshPlaced();
-    /// A contact sheet's file was opened or dropped.
+    /// Is emitted when the file of a contact sheet was opened or dropped.
     void sheetWished(const QString& file);
 
   private:
@@ -114,8 +117,9 @@ class FileActions : public QObject {
     ClipboardActions* clipboard_;
     OutsideConsent consent_;
     QWidget* window_;
-    std::optional<std::filesystem::file_time_type> written_; ///< the document's file, by us
-    std::map<QString, Object> wanted_; ///< objects that wait for their mesh, by its file
+    std::optional<std::filesystem::file_time_type>
+        written_; ///< is when the document's file was last read or written here
+    std::map<QString, Object> wanted_; ///< holds objects that wait for their mesh, by its file
 };
 
 } // namespace patina

@@ -11,7 +11,7 @@ class QDoubleSpinBox;
 
 namespace patina {
 
-/// Asks how a mesh file becomes an object.
+/// Asks how a mesh file becomes an object: fit, scale, up axis, normals.
 class ImportDialog : public QDialog {
     Q_OBJECT
 

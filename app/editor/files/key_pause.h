@@ -7,13 +7,13 @@ class QDialog;
 
 namespace patina {
 
-/// Keeps keys from a dialog until it has been seen for half a second: what is typed while a
-/// question opens was meant for what lay there before.
+/// Keeps keys from a dialog until it has been visible for half a second, since what is typed while
+/// a dialog opens was meant for another window.
 class KeyPause : public QObject {
   public:
     static constexpr int pauseMs = 500;
 
-    /// Belongs to the dialog, which has its buttons already and is not shown yet.
+    /// Becomes a child of the dialog, which has its buttons already and is not shown yet.
     explicit KeyPause(QDialog& dialog);
 
     bool eventFilter(QObject* watched, QEvent* event) override;

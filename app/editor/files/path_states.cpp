@@ -28,7 +28,7 @@ std::optional<PathState> stateOf(const fs::path& path) {
     return state;
 }
 
-/// Backup copies and logs beside them change nothing.
+/// Leaves out backup copies and logs.
 bool isPartOfBlocks(const fs::path& path) {
     constexpr auto endings = std::to_array<std::string_view>({".json", ".glsl", ".vert", ".frag"});
     return std::find(endings.begin(), endings.end(), path.extension().string()) != endings.end();

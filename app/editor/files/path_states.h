@@ -8,15 +8,15 @@
 
 namespace patina {
 
-/// A file or folder at one moment. It is another one, or another content, when this differs; of a
-/// folder only which one it is and who may read it, since what is in it has states of its own.
+/// Describes a file or folder at one moment, so that a change of its identity or content makes it
+/// differ. Of a folder it holds only identity and rights, since its files have their own states.
 struct PathState {
     std::string path;
     std::uint64_t device = 0;
-    std::uint64_t number = 0; ///< of its inode
+    std::uint64_t number = 0; ///< is that of its inode
     std::uint32_t mode = 0;
     std::int64_t bytes = 0;
-    std::int64_t seconds = 0; ///< of its last change
+    std::int64_t seconds = 0; ///< is the time of its last change (ctime); 0 for a folder
     std::int64_t nanoseconds = 0;
 
     friend bool operator==(const PathState&, const PathState&) = default;
@@ -24,8 +24,8 @@ struct PathState {
 
 using PathStates = std::vector<PathState>;
 
-/// Appends a folder, all folders below it, and their files that blocks are made of; nothing when it
-/// is not there.
+/// Appends the states of a folder, all folders below it and their files that are part of blocks,
+/// sorted by path. Appends nothing if the folder does not exist.
 void addPathStates(const std::filesystem::path& folder, PathStates& states);
 
 } // namespace patina

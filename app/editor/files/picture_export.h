@@ -16,7 +16,7 @@ class QWidget;
 
 namespace patina {
 
-/// A picture of a comparison as it is shown, divided by 255, with what marks it.
+/// Holds one picture of a comparison with its label; values are those on the screen, 0 .. 1.
 struct NamedPicture {
     QString letter;
     QString name;
@@ -24,34 +24,33 @@ struct NamedPicture {
     Image picture;
 };
 
-/// Asks where to and writes what a view shows to a picture file, in the background: 8-bit formats
-/// as it is on the screen, the others as linear floats, and a comparison as a page that wipes
-/// between its pictures, too. Where drawing takes long it shows that, and
-/// can be cancelled.
+/// Asks for a file and writes what a view shows to it in the background: 8-bit formats as on the
+/// screen, others as linear floats, and a comparison also as a page that wipes between its
+/// pictures. Slow drawing is listed in LongTasks and can be cancelled.
 class PictureExport : public QObject {
     Q_OBJECT
 
   public:
-    /// Who draws the picture: as it is shown, divided by 255, or as linear floats. It is handed
-    /// over when it is done, unless it was cancelled.
+    /// Draws the picture, either as on the screen in 0 .. 1 or as linear floats, and passes it to
+    /// `taken`, unless it is cancelled.
     struct Source {
         std::function<void(bool display, std::function<void(Image)> taken)> capture;
         std::function<void()> cancel;
-        /// The same with a picture for each side of a comparison; absent: nothing is compared.
+        /// Draws one picture for each side of a comparison; empty if nothing is compared.
         std::function<void(std::function<void(std::vector<NamedPicture>)> taken)> captureEach{};
     };
 
     PictureExport(Session& session, QWidget* window);
 
-    /// Asks for a file under a title that says what is written; `name` is the one that is offered,
-    /// without its ending.
+    /// Asks for a file, with a title that says what is written and `name`, without a suffix, as its
+    /// suggested name.
     void ask(const QString& title, const QString& name, const Source& source);
     void save(const QString& file, const Source& source);
 
-    /// True where the format of a file keeps linear light.
+    /// Returns whether the format of a file holds linear light.
     static bool isLinear(const QString& file);
 
-    /// True for a page that holds several pictures.
+    /// Returns whether a file is a page of several pictures.
     static bool isPage(const QString& file);
 
   Q_SIGNALS:
@@ -67,9 +66,9 @@ class PictureExport : public QObject {
 
     Session& session_;
     QWidget* window_;
-    std::unique_ptr<AssetClient> client_;             ///< made when first needed
+    std::unique_ptr<AssetClient> client_; ///< is made when first needed
     Worker worker_{{.name = tr("Writing a picture"),
-                    .atEnd = Worker::AtEnd::Finish}}; ///< what was asked for is written
+                    .atEnd = Worker::AtEnd::Finish}}; ///< finishes what was asked for
 };
 
 } // namespace patina

@@ -12,14 +12,14 @@
 namespace patina {
 namespace {
 
-/// Space left between two objects, as a share of the new one's width.
+/// Is the space between two objects, as a share of the new one's width.
 constexpr double gap = 0.1;
 
-/// Boxes of meshes have the precision of a float: a place is told in steps of this share, at most,
-/// of the new object's size, as a power of ten.
+/// Is the coarsest step that places are rounded to, as a share of the new object's size. Boxes of
+/// meshes are no more precise, as they are floats.
 constexpr double finest = 1e-5;
 
-/// A box in world space, in metres.
+/// Is a box in world space, in metres.
 struct Box {
     glm::dvec3 lower{std::numeric_limits<double>::max()};
     glm::dvec3 upper{std::numeric_limits<double>::lowest()};

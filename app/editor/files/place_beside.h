@@ -9,11 +9,11 @@ namespace patina {
 
 class MeshLibrary;
 
-/// The object moved to the right of all that is visible in a scene, standing as deep as it does.
-/// Nothing moves where the scene, or the object's own mesh, is empty.
+/// Returns the object moved to the right of everything visible in a scene, on the same ground and
+/// in the middle of its depth. Does not move it if the scene or its mesh is empty.
 Object placedBeside(const Scene& scene, const Object& object, MeshLibrary& meshes);
 
-/// Several objects, which stay as they stand to each other.
+/// Moves several objects as one, so that they keep their places relative to each other.
 std::vector<Object> placedBeside(const Scene& scene, std::vector<Object> objects,
                                  MeshLibrary& meshes);
 

@@ -16,7 +16,7 @@ std::string asPng(const QImage& picture) {
     return picture.save(&buffer, "PNG") ? bytes.toStdString() : std::string();
 }
 
-/// A preset's file without the suffix.
+/// Returns the name of a preset's file without its two suffixes.
 std::string fileStem(const std::filesystem::path& file) {
     return file.stem().stem().string();
 }
@@ -45,7 +45,7 @@ void PresetBundles::cancelExport() {
     presets_.clear();
 }
 
-/// A preset of which there can be no picture goes without one.
+/// Writes the bundle after the last picture. A preset that cannot be drawn has none.
 void PresetBundles::take(const QString& name, const QImage& picture) {
     const auto place = asked_.find(name);
     if (place == asked_.end()) {

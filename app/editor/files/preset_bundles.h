@@ -12,17 +12,17 @@ namespace patina {
 
 class ThumbnailMaker;
 
-/// Exports presets into bundles with a picture of each, and imports bundles, beside the window.
+/// Exports presets into bundles with a picture of each, and imports bundles, in the background.
 class PresetBundles : public QObject {
     Q_OBJECT
 
   public:
     explicit PresetBundles(ThumbnailMaker& thumbnails, QObject* parent = nullptr);
 
-    /// One at a time: what is on its way is given up.
+    /// Exports presets into a zip file; cancels an export whose pictures are still being drawn.
     void exportTo(const QString& file, const std::vector<PresetPtr>& entries);
     void cancelExport();
-    /// Into a new folder below this one.
+    /// Imports a bundle into a new folder below `folder`.
     void importFrom(const QString& file, const std::filesystem::path& folder);
 
   Q_SIGNALS:
@@ -36,9 +36,9 @@ class PresetBundles : public QObject {
     void write();
 
     ThumbnailMaker& thumbnails_;
-    QString file_; ///< of the export that is on its way
+    QString file_; ///< is that of the running export
     std::vector<BundledPreset> presets_;
-    QHash<QString, std::size_t> asked_; ///< places of pictures that are not there yet
+    QHash<QString, std::size_t> asked_; ///< holds indices into presets_ by request name
     int lastAsked_ = 0;
     Worker worker_;
 };

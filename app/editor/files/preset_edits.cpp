@@ -15,13 +15,13 @@
 
 namespace patina {
 
-/// A file before and after an edit; nothing: it is not there.
+/// Holds a file before and after an edit; a state is empty where the file does not exist.
 struct PresetFileChange {
-    PresetPtr entry; ///< what it is told of
+    PresetPtr entry; ///< is the preset that is reported
     std::filesystem::path file;
     std::optional<std::string> before;
     std::optional<std::string> after;
-    QString trashed{}; ///< where it lies in the trash
+    QString trashed{}; ///< is its path in the trash
 };
 
 namespace {
@@ -44,7 +44,7 @@ bool toTrash(const QString& path, QString& trashed) {
     return QFile::moveToTrash(path, &trashed);
 }
 
-/// Brings a file or folder back from the trash, where its place is free.
+/// Moves a file or folder back from the trash, if its old path is free.
 bool fromTrash(QString& trashed, const QString& path) {
     if (trashed.isEmpty() || !QFile::rename(trashed, path)) {
         return false;
@@ -55,7 +55,8 @@ bool fromTrash(QString& trashed, const QString& path) {
     return true;
 }
 
-/// Brings a file from one state to the other. What somebody else made of it is not written over.
+/// Brings a file from one state to the other, unless somebody else has changed it. Returns the
+/// problem, or an empty text.
 std::string bring(PresetFileChange& change, const std::optional<std::string>& from,
                   const std::optional<std::string>& to) {
     if (contentOf(change.file) != from) {
@@ -73,7 +74,7 @@ std::string bring(PresetFileChange& change, const std::optional<std::string>& fr
     return written ? std::string() : asProblem(written.error());
 }
 
-/// The text of a preset file with an edit of its object.
+/// Returns the text of a preset file after an edit of its JSON object.
 Result<std::string> edited(const fs::path& file,
                            const std::function<void(nlohmann::json& preset)>& edit) {
     Result<LocatedJson> document = readJson(file);
@@ -87,7 +88,7 @@ Result<std::string> edited(const fs::path& file,
     return writeJson(document->value);
 }
 
-/// A name beside the file, or in the user's folder, that no file has.
+/// Returns a path beside the file, or in the user's folder for a shipped one, that no file has.
 fs::path placeForCopy(const PresetEntry& entry, const std::string& ending,
                       const std::vector<PresetFileChange>& others) {
     const fs::path folder = entry.shipped ? PresetLibrary::userFolder() : entry.file.parent_path();
@@ -106,7 +107,7 @@ fs::path placeForCopy(const PresetEntry& entry, const std::string& ending,
     }
 }
 
-/// Marks presets as favourites, or no more.
+/// Marks presets as favourites, or unmarks them.
 class FavouritesCommand : public QUndoCommand {
   public:
     FavouritesCommand(PresetMarks& marks, QStringList files, bool on)
@@ -123,7 +124,7 @@ class FavouritesCommand : public QUndoCommand {
 
 } // namespace
 
-/// Changes files, and back. What could not be done is not undone.
+/// Changes files and undoes that. A file that could not be changed is left out of undo.
 class PresetFilesCommand : public QUndoCommand {
   public:
     PresetFilesCommand(PresetEdits& edits, const QString& what, std::vector<PresetOutcome> refused,
@@ -157,11 +158,11 @@ class PresetFilesCommand : public QUndoCommand {
     }
 
     PresetEdits& edits_;
-    std::vector<PresetOutcome> refused_; ///< from the start
+    std::vector<PresetOutcome> refused_; ///< holds outcomes that are reported with the first run
     std::vector<PresetFileChange> changes_;
 };
 
-/// Takes the folder of an import into the trash, and back.
+/// Moves the folder of an import to the trash and back.
 class ImportCommand : public QUndoCommand {
   public:
     ImportCommand(PresetEdits& edits, const QString& folder)
@@ -191,7 +192,7 @@ class ImportCommand : public QUndoCommand {
     PresetEdits& edits_;
     QString folder_;
     QString trashed_;
-    bool isNew_ = true; ///< the import itself was made before
+    bool isNew_ = true; ///< skips the first redo, as the import is already done
 };
 
 PresetEdits::PresetEdits(PresetLibrary& presets, QObject* parent)
@@ -204,7 +205,7 @@ void PresetEdits::push(const QString& what, std::vector<PresetOutcome> refused,
 
 namespace {
 
-/// Sorts presets into those whose files are edited, and those that are refused.
+/// Collects the files to edit, and the presets that are refused.
 struct Prepared {
     std::vector<PresetOutcome> refused;
     std::vector<PresetFileChange> changes;

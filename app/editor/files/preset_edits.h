@@ -15,18 +15,17 @@ class PresetLibrary;
 class PresetFilesCommand;
 struct PresetFileChange;
 
-/// What became of one preset in an edit.
+/// Says what became of one preset in an edit.
 struct PresetOutcome {
     PresetPtr entry;
-    std::string problem; ///< empty: it was done
+    std::string problem; ///< is empty if it was done
 
     bool isDone() const { return problem.empty(); }
 };
 
-/// Edits preset files: names, tags, copies, favourites, and puts them into the trash. Each edit is
-/// one undo step, however many presets it is for, and tells what became of each. Files that come
-/// with Patina stay as they are. A preset that is renamed keeps its file, so that variants and
-/// scenes find it.
+/// Edits preset files: names, tags, copies, favourites, and moves them to the trash. Each edit is
+/// one undo step for any number of presets, and reports on each. Files that come with Patina are
+/// never changed. A renamed preset keeps its file, so that variants and scenes still find it.
 class PresetEdits : public QObject {
     Q_OBJECT
 
@@ -35,24 +34,24 @@ class PresetEdits : public QObject {
 
     void rename(const PresetPtr& entry, const QString& name);
     void duplicate(const std::vector<PresetPtr>& entries);
-    /// Makes a variant of each, which looks like it at first.
+    /// Makes a variant of each, which looks the same at first.
     void makeVariants(const std::vector<PresetPtr>& entries);
-    /// Makes variants presets of their own, which look as they do and follow no parent any more.
+    /// Makes variants independent presets, which look the same and have no parent any more.
     void detach(const std::vector<PresetPtr>& entries);
     void moveToTrash(const std::vector<PresetPtr>& entries);
-    /// Adds tags to each and takes others away.
+    /// Adds tags to each preset and removes others.
     void changeTags(const std::vector<PresetPtr>& entries, const QStringList& added,
                     const QStringList& removed);
     void setFavourites(const std::vector<PresetPtr>& entries, bool on);
-    /// Has an import that made this folder taken back like an edit.
+    /// Makes the import that created this folder undoable.
     void noteImport(const QString& folder);
 
     QUndoStack& undoStack() { return undoStack_; }
 
   Q_SIGNALS:
-    /// An edit, its undo or its redo was tried.
+    /// Is emitted after an edit, its undo or its redo, with the outcome of each preset.
     void done(const QString& what, const std::vector<patina::PresetOutcome>& outcomes);
-    /// An import could not be taken back, or not be made again.
+    /// Is emitted if an import could not be undone or redone.
     void importFailed(const QString& folder, const QString& problem);
 
   private:

@@ -11,17 +11,17 @@ namespace patina {
 
 class FileActions;
 
-/// Offers work that an earlier program could not save.
+/// Offers to recover work that an earlier program could not save.
 class RecoveryOffer : public QObject {
     Q_OBJECT
 
   public:
-    /// All outlive it; `window` is what the question lies over.
+    /// Keeps references that have to outlive it; `window` is the parent of the question.
     RecoveryOffer(Autosave& autosave, DocumentFiles& documentFiles, FileActions& files,
                   QWidget* window);
 
-    /// Asks about the newest, and about the next where that is discarded. Nothing happens where
-    /// there is none.
+    /// Asks about the newest copy, and about the next one if that is discarded. Does nothing
+    /// without copies.
     void ask();
 
   private:

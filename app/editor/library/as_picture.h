@@ -7,7 +7,7 @@
 
 namespace patina {
 
-/// Converts a picture as it is shown, divided by 255.
+/// Converts display values, 0 .. 1 in at least three channels, to 8 bits.
 QImage asPicture(const Image& image);
 
 } // namespace patina

@@ -28,7 +28,7 @@ void FolderWatcher::close() {
     }
 }
 
-/// A new queue each time: a folder that was moved away and made again is another one.
+/// Makes a new queue each time, since a folder that was replaced has another inode.
 void FolderWatcher::watch(const std::vector<std::filesystem::path>& folders) {
     close();
     queue_ = inotify_init1(IN_NONBLOCK | IN_CLOEXEC);

@@ -10,8 +10,8 @@
 
 namespace patina {
 
-/// Tells that something in folders came, went or was written, also in place. The kernel watches
-/// folders, not files: thousands of files cost no more than one.
+/// Emits changed() when something in a folder is added, removed or written. It watches folders, not
+/// files, so that thousands of files cost no more than one.
 class FolderWatcher : public QObject {
     Q_OBJECT
 
@@ -19,7 +19,8 @@ class FolderWatcher : public QObject {
     explicit FolderWatcher(QObject* parent = nullptr);
     ~FolderWatcher() override;
 
-    /// Watches these and no others; those below them are watched where they are listed themselves.
+    /// Watches these folders in place of the former ones; folders below them only if they are
+    /// listed.
     void watch(const std::vector<std::filesystem::path>& folders);
 
   Q_SIGNALS:
@@ -29,7 +30,7 @@ class FolderWatcher : public QObject {
     void read();
     void close();
 
-    int queue_ = -1; ///< of inotify; -1: none can be had, and nothing is told
+    int queue_ = -1; ///< is inotify's descriptor; -1 without one, and nothing is emitted
     std::unique_ptr<QSocketNotifier> arrived_;
 };
 

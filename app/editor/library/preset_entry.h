@@ -12,29 +12,30 @@
 
 namespace patina {
 
-/// A file as it was at one moment.
+/// Describes a file at one moment, so that a change makes it differ.
 struct FileStamp {
     std::filesystem::path file;
-    std::int64_t bytes = -1;  ///< -1: it is not there
-    std::int64_t written = 0; ///< nanoseconds
+    std::int64_t bytes = -1;  ///< is -1 if the file does not exist
+    std::int64_t written = 0; ///< nanoseconds since 1970
 
     friend bool operator==(const FileStamp&, const FileStamp&) = default;
 };
 
 FileStamp stampOf(const std::filesystem::path& file);
 
-/// A preset file that can be read.
+/// Holds what was read from a preset file.
 struct PresetEntry {
     std::filesystem::path file;
-    QString path;                 ///< the same
-    std::filesystem::path folder; ///< the one of the library that it lies in or below
+    QString path;                 ///< is `file` as text
+    std::filesystem::path folder; ///< is the library's folder that holds it, directly or below
     bool shipped = true;
     Material material;
-    QString name;                   ///< the material's, or the file's where that has none
-    QString modelLabel;             ///< what its lighting model is called
-    QString searched;               ///< all that a search looks through, case folded
-    std::vector<FileStamp> sources; ///< what it was read from
-    bool isFresh = false; ///< written so shortly before it was read that its stamps may deceive
+    QString name;       ///< is the material's name, or the file's without one
+    QString modelLabel; ///< is the label of its lighting model, or the id if that is unknown
+    QString searched;   ///< is all text that a search looks through, case folded
+    std::vector<FileStamp> sources; ///< are the file itself, then the presets that it derives from
+    bool isFresh = false; ///< tells that it was written within 2 s before it was read, so that a
+                          ///< later change may keep its stamps
 };
 
 using PresetPtr = std::shared_ptr<const PresetEntry>;

@@ -100,7 +100,7 @@ void PresetLibrary::scan() {
     worker_.ask(reading, take, QStringLiteral("folders"));
 }
 
-/// Compares with what there was before.
+/// Compares the variants with those that were read before.
 void PresetLibrary::tellVariants(const std::vector<PresetPtr>& entries) {
     std::unordered_map<std::string, PresetPtr> before;
     for (const PresetPtr& entry : entries_) {
@@ -136,7 +136,7 @@ std::filesystem::path PresetLibrary::userFolder() {
     return userDataFolder() / "presets";
 }
 
-/// Anew each time: a folder that was moved away and made again is another one.
+/// Watches all folders again, since one that was replaced has another inode.
 void PresetLibrary::watch() {
     std::vector<std::filesystem::path> all = watched_;
     for (const PresetFolder& folder : folders()) {

@@ -11,14 +11,14 @@
 
 namespace patina {
 
-/// A variant before and after a preset above it changed.
+/// Holds a variant before and after a preset that it derives from changed.
 struct VariantChange {
     PresetPtr before;
     PresetPtr after;
 };
 
-/// The presets that ship, those in the user's folder and those in folders that the user added, read
-/// in a worker thread and again when a file in one of the folders comes, goes or changes.
+/// Holds the presets that ship, those in the user's folder and those in folders that the user
+/// added. A worker thread reads them, and again when a file in one of the folders changes.
 class PresetLibrary : public QObject {
     Q_OBJECT
 
@@ -26,22 +26,23 @@ class PresetLibrary : public QObject {
     PresetLibrary(std::shared_ptr<const Catalog> catalog, Session& session,
                   QObject* parent = nullptr);
 
-    /// Sorted by name. While the folders are read for the first time there are more and more.
+    /// Returns the presets sorted by name; more and more of them while folders are read for the
+    /// first time.
     const std::vector<PresetPtr>& entries() const { return entries_; }
     PresetPtr find(const QString& file) const;
-    /// False until the folders were read for the first time.
+    /// Returns false until the folders were read for the first time.
     bool isRead() const { return isRead_; }
     void setCatalog(std::shared_ptr<const Catalog> catalog);
     PresetMarks& marks() { return marks_; }
     const Catalog& catalog() const { return *catalog_; }
 
-    /// The shipped one, the user's, and those that were added.
+    /// Returns the shipped folder, the user's, and those that were added.
     std::vector<PresetFolder> folders() const;
     void addFolder(const QString& folder);
-    /// The folder stays where it is; it is no longer shown.
+    /// Takes a folder out of the library, but leaves it on the disk.
     void removeFolder(const QString& folder);
 
-    /// Reads all folders; changed() follows.
+    /// Reads all folders; checked() follows, and changed() if the presets differ.
     void scan();
 
     static std::filesystem::path shippedFolder();
@@ -49,10 +50,10 @@ class PresetLibrary : public QObject {
 
   Q_SIGNALS:
     void changed();
-    /// These variants look otherwise though their own files did not change: a preset above them
-    /// did.
+    /// Is emitted when variants look different although only a preset that they derive from
+    /// changed.
     void variantsChanged(const std::vector<patina::VariantChange>& changes);
-    /// All files were read; these mistakes keep some of them out of the entries.
+    /// Is emitted when all files were read; files with mistakes are not among the entries.
     void checked(patina::Errors mistakes);
 
   private:
@@ -65,8 +66,8 @@ class PresetLibrary : public QObject {
     PresetMarks marks_;
     std::vector<PresetPtr> entries_;
     bool isRead_ = false;
-    bool isOfCatalog_ = false; ///< the entries were read with the blocks that there are now
-    std::vector<std::filesystem::path> watched_; ///< and the folders that these lie in
+    bool isOfCatalog_ = false; ///< tells whether the entries were read with the current blocks
+    std::vector<std::filesystem::path> watched_; ///< are all folders that were read
     FolderWatcher watcher_;
     QTimer settle_;
     Worker worker_;

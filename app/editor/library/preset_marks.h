@@ -9,8 +9,7 @@ namespace patina {
 
 class Session;
 
-/// Knows which preset files the user marked as favourites, and which were used last; both are
-/// remembered.
+/// Knows which preset files are favourites and which were used last, and keeps both in the session.
 class PresetMarks : public QObject {
     Q_OBJECT
 
@@ -20,7 +19,7 @@ class PresetMarks : public QObject {
     bool isFavourite(const QString& file) const { return favourites_.contains(file); }
     void setFavourites(const QStringList& files, bool on);
 
-    const QStringList& recent() const { return recent_; } ///< newest first
+    const QStringList& recent() const { return recent_; } ///< has the newest first
     void noteUsed(const QString& file);
 
   Q_SIGNALS:

@@ -10,7 +10,7 @@
 namespace patina {
 namespace {
 
-/// "red" is looked for in "Dark red" and "reddish", not in "scattered".
+/// Finds "red" in "Dark red" and "reddish", but not in "scattered".
 bool beginsAWord(const QString& text, const QString& searched) {
     for (qsizetype at = text.indexOf(searched); at >= 0; at = text.indexOf(searched, at + 1)) {
         if (at == 0 || !text[at - 1].isLetterOrNumber() || !searched[0].isLetterOrNumber()) {
@@ -34,7 +34,7 @@ bool isInFolder(const PresetEntry& entry, const std::string& folder) {
     return folder.empty() || (file.starts_with(folder) && file[folder.size()] == '/');
 }
 
-/// The filter in the forms that entries are compared with.
+/// Holds a filter in the forms that entries are compared with.
 class Wanted {
   public:
     Wanted(const PresetFilter& filter, const PresetMarks& marks)
@@ -64,7 +64,7 @@ class Wanted {
     std::string model_;
     std::string tag_;
     std::string folder_;
-    QHash<QString, qsizetype> places_; ///< of those that were used lately
+    QHash<QString, qsizetype> places_; ///< holds the ranks of those used lately, by file
 };
 
 std::int64_t dateOf(const PresetEntry& entry) {

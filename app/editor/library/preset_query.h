@@ -7,14 +7,14 @@ namespace patina {
 
 class PresetMarks;
 
-/// Says which presets are wanted. What is empty or false leaves none out.
+/// Says which presets are wanted. Fields that are empty or false exclude none.
 struct PresetFilter {
-    QString search; ///< words that each begin a word of the name, a tag, the model or other texts
-    QString model;  ///< the id of a lighting model
+    QString search; ///< holds words, each of which begins a word of a preset's text
+    QString model;  ///< is the id of a lighting model
     QString tag;
-    QString folder; ///< they lie in it or below
+    QString folder; ///< holds the presets, directly or below
     bool favourites = false;
-    bool recent = false; ///< used lately; these come first
+    bool recent = false; ///< keeps those used lately, newest first
 
     bool isEmpty() const { return *this == PresetFilter(); }
 
@@ -23,10 +23,10 @@ struct PresetFilter {
 
 enum class PresetOrder { Name, Date, Model };
 
-/// Tells whether each word of a search begins a word of what the preset is searched by.
+/// Returns whether each word of a search begins a word of the preset's text.
 bool matches(const PresetEntry& entry, const QString& search);
 
-/// The wanted ones of entries that are sorted by name, in an order.
+/// Returns the presets that pass a filter, in the given order; `entries` have to be sorted by name.
 std::vector<PresetPtr> chosen(const std::vector<PresetPtr>& entries, const PresetFilter& filter,
                               PresetOrder order, const PresetMarks& marks);
 

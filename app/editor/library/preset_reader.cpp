@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::string_view presetSuffix = ".patina.json";
-constexpr std::int64_t freshNanoseconds = 2'000'000'000; ///< clocks of file systems are coarse
+constexpr std::int64_t freshNanoseconds =
+    2'000'000'000; ///< is longer than the steps of a file system's clock
 constexpr auto firstShare = std::chrono::milliseconds(100);
 constexpr auto tellAfter = std::chrono::milliseconds(400);
 constexpr int maxFolderDepth = 12;
@@ -46,8 +47,8 @@ QString searchedOf(const PresetEntry& entry) {
     return all.toCaseFolded();
 }
 
-/// All preset files in and below a folder, and the folders; links to folders are followed no
-/// further than that a circle of them ends.
+/// Collects the preset files in and below a folder, and all folders. A depth limit ends circles of
+/// links.
 void walk(const fs::path& folder, int depth, std::vector<fs::path>& files,
           std::vector<fs::path>& folders) {
     std::error_code unreadable;
@@ -73,7 +74,7 @@ void walk(const fs::path& folder, int depth, std::vector<fs::path>& files,
     }
 }
 
-/// Reads the presets, of which it knows those that were read before.
+/// Reads presets, and reuses those that were read before and have not changed.
 class Reader {
   public:
     Reader(const Catalog& catalog, const std::vector<PresetPtr>& known) : catalog_(catalog) {

@@ -9,23 +9,24 @@
 
 namespace patina {
 
-/// A folder of presets that the library shows, with those below it.
+/// Is a folder whose presets, and those below it, are in the library.
 struct PresetFolder {
     std::filesystem::path path;
-    bool shipped = false; ///< nothing in it is changed
+    bool shipped = false; ///< tells that nothing in it may be changed
 
     friend bool operator==(const PresetFolder&, const PresetFolder&) = default;
 };
 
-/// What reading the library's folders gave.
+/// Holds what was read from the library's folders.
 struct PresetsRead {
-    std::vector<PresetPtr> entries;             ///< by name
-    Errors errors;                              ///< of the files that cannot be read
-    std::vector<std::filesystem::path> folders; ///< all that were looked through
+    std::vector<PresetPtr> entries; ///< are sorted by name
+    Errors errors;                  ///< are those of files that cannot be read
+    std::vector<std::filesystem::path>
+        folders; ///< are all folders that were read, with those below them
 };
 
-/// Reads all presets of some folders. Those of `known` whose files are as they were are taken from
-/// there. `soFar` is told now and then what was read.
+/// Reads all presets of some folders; takes those of `known` whose files have not changed. Calls
+/// `soFar` now and then with what was read, and ends early if that returns false.
 PresetsRead readPresets(const std::vector<PresetFolder>& folders, const Catalog& catalog,
                         const std::vector<PresetPtr>& known,
                         const std::function<bool(const PresetsRead& read)>& soFar);

@@ -20,8 +20,8 @@ std::uint64_t hashOf(const std::filesystem::path& file) {
     return text ? qHash(QByteArrayView(*text)) : 0;
 }
 
-/// Hashes the files that all shaders share. They come with Patina: their times tell whether
-/// somebody edits them.
+/// Hashes names, sizes and times of the files that all shaders share: they come with Patina, so
+/// that their content seldom changes.
 std::uint64_t sharedHash(const Catalog& catalog) {
     std::size_t hash = 0;
     for (const char* name : {"lib", "passes"}) {

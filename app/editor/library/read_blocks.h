@@ -10,22 +10,23 @@
 
 namespace patina {
 
-/// Blocks as they were when they were read: equal however often that happens, until one changes.
+/// Holds blocks as they were read: equal however often they are read, until one changes.
 struct ReadBlocks {
     std::vector<Block> blocks;
-    std::vector<std::uint64_t> texts; ///< hashes of their shaders and descriptors, the last one of
-                                      ///< all they share
+    /// Are hashes of each block's shader and descriptor, and last of the files that all blocks
+    /// share.
+    std::vector<std::uint64_t> texts;
 
     friend bool operator==(const ReadBlocks&, const ReadBlocks&) = default;
 };
 
-/// The blocks that a scene names, or its parts go without.
+/// Returns the blocks that a scene names, and the default blocks of their slots.
 ReadBlocks readBlocksOf(const Scene& scene, const Catalog& catalog);
 
 /// Returns all blocks of a catalogue.
 ReadBlocks readBlocks(const Catalog& catalog);
 
-/// Knows what something was found out with: whether the same blocks are still there.
+/// Holds the blocks that a result depends on, to tell whether they are still the same.
 class KnownBlocks {
   public:
     KnownBlocks() = default;
@@ -33,15 +34,16 @@ class KnownBlocks {
 
     const std::shared_ptr<const Catalog>& catalog() const { return catalog_; }
 
-    /// Tells whether another catalogue has them, too. One that is the same has; no file is read
-    /// then.
+    /// Returns whether another catalogue has the same blocks. Reads no file for a catalogue that
+    /// was asked about last.
     bool areIn(const std::shared_ptr<const Catalog>& catalog) const;
 
   private:
     std::shared_ptr<const Catalog> catalog_;
     Scene scene_;
     ReadBlocks blocks_;
-    mutable std::shared_ptr<const Catalog> asked_; ///< last, and what came of it
+    mutable std::shared_ptr<const Catalog>
+        asked_; ///< is the one asked about last; haveSame_ is its answer
     mutable bool haveSame_ = false;
 };
 

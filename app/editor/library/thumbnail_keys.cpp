@@ -17,10 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Counts the ways in which pictures have been made.
+/// Has to be raised when images are drawn differently.
 constexpr int pictureVersion = 2;
 
-/// What of a material is to be seen.
+/// Returns the JSON of what is visible of a material.
 nlohmann::json lookOf(const Material& material) {
     nlohmann::json look = toJson(material);
     for (const char* text : {"name", "description", "author", "license", "tags", "extras"}) {
@@ -29,7 +29,7 @@ nlohmann::json lookOf(const Material& material) {
     return look;
 }
 
-/// What blocks include and what calls them.
+/// Returns the files that blocks include, and the passes that call them.
 std::vector<fs::path> sharedShaders(const Catalog& catalog) {
     std::vector<fs::path> files;
     if (catalog.roots.empty()) {
@@ -85,7 +85,8 @@ QByteArray ThumbnailKeys::of(const Scene& scene, const fs::path& file, const Cat
     return hash.result().toHex();
 }
 
-/// The same for all materials: the scene with whatever blocks it is made of, and the program.
+/// Hashes what is the same for all materials: the scene, the blocks of other kinds than models, the
+/// shared shaders and the program.
 QByteArray ThumbnailKeys::renderer(const Catalog& catalog) {
     QCryptographicHash hash(QCryptographicHash::Sha1);
     hash.addData(hashOf(scene_));
@@ -104,7 +105,7 @@ QByteArray ThumbnailKeys::renderer(const Catalog& catalog) {
     return hash.result();
 }
 
-/// Empty where there is no such file.
+/// Returns the hash of a file's content; empty if it does not exist.
 QByteArray ThumbnailKeys::hashOf(const fs::path& file) {
     const FileStamp stamp = stampOf(file);
     Hashed& known = files_[file.string()];

@@ -12,19 +12,19 @@
 
 namespace patina {
 
-/// Names the picture of a material by a hash of the content of everything that it depends on: the
-/// material's look, its images, the blocks and the text of the shaders, the scene, and the program
-/// that draws it. Files are read again only when they changed.
+/// Names the image of a material by a hash of everything that it depends on: the material's look,
+/// its textures, the blocks, the shaders, the scene and the program. A file is read again only when
+/// its size or time changed.
 class ThumbnailKeys {
   public:
     explicit ThumbnailKeys(std::filesystem::path scene) : scene_(std::move(scene)) {}
 
     QByteArray of(const Material& material, const Catalog& catalog);
 
-    /// The same for the picture of an environment.
+    /// Returns the name of the image of an environment.
     QByteArray of(const BlockValues& environment, const Catalog& catalog);
 
-    /// The same for a scene that was read from a file, with its own materials.
+    /// Returns the name of the image of a scene file, whose objects have their own materials.
     QByteArray of(const Scene& scene, const std::filesystem::path& file, const Catalog& catalog);
 
   private:

@@ -26,8 +26,7 @@
 namespace patina {
 namespace {
 
-/// As bright as a photographer would take it: the mean of its brightness in stops becomes a middle
-/// grey.
+/// Exposes the environment so that its mean, taken in stops, becomes middle grey (18 %).
 QImage seenFromWithin(const EnvironmentRadiance& environment) {
     constexpr double grey = 0.18;
     constexpr double darkest = 1e-4;
@@ -57,7 +56,7 @@ QImage seenFromWithin(const EnvironmentRadiance& environment) {
                           Qt::SmoothTransformation);
 }
 
-/// On a full disk only flush() fails, commit() does not.
+/// Writes an image to a file, or nothing: on a full disk flush() fails where commit() does not.
 void keep(const QImage& picture, const QString& file) {
     QSaveFile target(file);
     if (QDir().mkpath(QFileInfo(file).path()) && target.open(QIODevice::WriteOnly) &&
@@ -68,10 +67,10 @@ void keep(const QImage& picture, const QString& file) {
 
 } // namespace
 
-/// The renderer and the scene of the pictures that are drawn without a rest.
+/// Holds the renderer and the scene while images are drawn one after the other.
 class ThumbnailMaker::Studio {
   public:
-    /// The context is current.
+    /// Opens a studio. Needs a current context.
     static Result<std::unique_ptr<Studio>> open(const Folders& folders, const Catalog& catalog) {
         Checked<SceneReading> reading = readScene(folders.scene, catalog);
         if (!reading || reading->scene.objects.empty()) {
@@ -88,7 +87,7 @@ class ThumbnailMaker::Studio {
         return studio;
     }
 
-    /// Null where its program does not compile: what is drawn instead is not what it looks like.
+    /// Returns null if the program does not compile, since the fallback would be a wrong picture.
     QImage draw(const Material& material, std::shared_ptr<const Catalog> catalog) {
         scene_.objects.front().material = material;
         return draw(scene_, std::move(catalog));
@@ -104,7 +103,7 @@ class ThumbnailMaker::Studio {
         return image && !isBroken() ? asPicture(*image) : QImage();
     }
 
-    /// Null where its picture cannot be read or its shader does not compile.
+    /// Returns null if its picture cannot be read or its shader does not compile.
     QImage drawEnvironment(const BlockValues& environment, std::shared_ptr<const Catalog> catalog) {
         use(std::move(catalog));
         Scene alone;
@@ -150,13 +149,14 @@ class ThumbnailMaker::Studio {
         return view;
     }
 
-    AssetClient files_; ///< starts nothing before an image is wanted
+    AssetClient files_; ///< starts no process before an image is needed
     TextureLoader textures_{files_};
     std::unique_ptr<Renderer> renderer_;
     std::shared_ptr<const Catalog> catalog_;
     Scene scene_;
     std::map<std::string, Mesh> meshes_;
-    std::map<std::string, std::vector<VertexOpenness>> openness_; ///< of the meshes
+    std::map<std::string, std::vector<VertexOpenness>>
+        openness_; ///< is that of the meshes, by name
 };
 
 ThumbnailMaker::ThumbnailMaker(std::shared_ptr<const Catalog> catalog, Folders folders,
@@ -209,7 +209,7 @@ void ThumbnailMaker::handOver(const QString& name, const Result<QImage>& drawn) 
     Q_EMIT ready(name, drawn.value_or(QImage()));
 }
 
-/// In the worker's thread.
+/// Runs in the worker's thread.
 Result<QImage> ThumbnailMaker::picture(const QByteArray& key,
                                        const std::shared_ptr<const Catalog>& catalog,
                                        const Worker::Control& control, const Drawing& draw) {

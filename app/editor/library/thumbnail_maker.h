@@ -14,45 +14,43 @@
 
 namespace patina {
 
-/// Small pictures of materials in one fixed neutral scene, whatever the document shows, of
-/// environments, and of the scenes that ship. Drawn in a worker thread with a context of its own
-/// that lives while there is something to draw, and kept on disk until something they are made of
-/// changes.
+/// Draws small images of materials in one fixed neutral scene, whatever the document shows, of
+/// environments, and of the scenes that ship. Draws in a worker thread, whose context lives while
+/// there is something to draw, and keeps images on disk until something they depend on changes.
 class ThumbnailMaker : public QObject {
     Q_OBJECT
 
   public:
     struct Folders {
-        std::filesystem::path cache;        ///< where the pictures are kept
-        std::filesystem::path programCache; ///< shared with the views
-        std::filesystem::path scene;        ///< the scene file whose first object is shown
+        std::filesystem::path cache;        ///< keeps the images
+        std::filesystem::path programCache; ///< is shared with the views
+        std::filesystem::path scene; ///< is the scene file whose first object gets the material
     };
 
     ThumbnailMaker(std::shared_ptr<const Catalog> catalog, Folders folders,
                    QObject* parent = nullptr);
     ~ThumbnailMaker() override;
 
-    /// Nothing is drawn before this: the first frame of the window comes first.
+    /// Begins to draw; nothing is drawn before, so that the window's first frame does not have to
+    /// wait.
     void start() { worker_.resume(); }
     void setCatalog(std::shared_ptr<const Catalog> catalog);
 
-    /// Takes the place of what was asked for by that name and is not begun. ready() follows with
-    /// the name.
+    /// Asks for the image of a material; replaces a waiting request of that name. ready() follows
+    /// with the name.
     void ask(const QString& name, const Material& material);
 
-    /// The same for all that is seen from within an environment of these blocks' default values,
-    /// or of the picture that the values name: twice as wide as high.
+    /// Asks for what is seen from within an environment with these values, of environmentPixels.
     void askEnvironment(const QString& name, const BlockValues& environment);
 
-    /// The same for a scene file as it is, which lays no picture around its objects.
+    /// Asks for the image of a scene file as it is, without a picture around its objects.
     void askScene(const QString& name, const std::filesystem::path& file);
 
     static constexpr int pixels = 256;
     static constexpr QSize environmentPixels{128, 64};
 
   Q_SIGNALS:
-    /// The picture is null when the material's shader does not compile, and where nothing can be
-    /// drawn.
+    /// Is emitted with a null picture if a shader does not compile, or if nothing can be drawn.
     void ready(QString name, QImage picture);
 
   private:
@@ -66,8 +64,9 @@ class ThumbnailMaker : public QObject {
 
     Folders folders_;
     std::shared_ptr<const Catalog> catalog_;
-    ThumbnailKeys keys_;                     ///< of the worker's thread
-    Result<std::unique_ptr<Studio>> studio_; ///< of the worker's thread; null: it was not needed
+    ThumbnailKeys keys_; ///< belong to the worker's thread
+    Result<std::unique_ptr<Studio>>
+        studio_; ///< belongs to the worker's thread; null while it is not needed
     Worker worker_;
 };
 

@@ -22,7 +22,7 @@ void addNew(std::vector<StrangerBlock>& blocks, const std::vector<StrangerBlock>
 
 } // namespace
 
-/// The user's blocks as they stand in programs, and what their texts alone show to be wrong.
+/// Holds the user's blocks as they are in programs, and the mistakes that their texts alone show.
 class UserBlockTrials::Wanted {
   public:
     void add(const Checked<ProgramSource>& source) {
@@ -70,7 +70,7 @@ void UserBlockTrials::run(std::shared_ptr<const Catalog> catalog) {
                 });
 }
 
-/// In the worker's thread.
+/// Runs in the worker's thread.
 Errors UserBlockTrials::mistakesIn(const Catalog& catalog, const Worker::Control& control) {
     Wanted wanted;
     for (const Block& block : catalog.blocks) {

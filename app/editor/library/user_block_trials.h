@@ -12,22 +12,22 @@
 
 namespace patina {
 
-/// Has the user's blocks tried in the background (see BlockGate), so that a mistake is told when it
-/// is made and not first when the block is chosen.
+/// Tries the user's blocks in the background (see BlockGate), so that a mistake is told when it is
+/// made, not when the block is chosen.
 class UserBlockTrials : public QObject {
     Q_OBJECT
 
   public:
     explicit UserBlockTrials(QObject* parent = nullptr);
 
-    /// Ends the trial that it waits for.
+    /// Cancels the trial that is running.
     ~UserBlockTrials() override;
 
-    /// finished() follows, unless another run is wished meanwhile.
+    /// Tries all of the user's blocks; finished() follows, unless run() is called again before.
     void run(std::shared_ptr<const Catalog> catalog);
 
   Q_SIGNALS:
-    /// All mistakes in the user's shaders, at their files' own lines.
+    /// Is emitted with all mistakes in the user's shaders, at the lines of their own files.
     void finished(const patina::Errors& mistakes);
 
   private:

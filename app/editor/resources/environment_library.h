@@ -15,42 +15,43 @@
 
 namespace patina {
 
-/// The pictures of the environments that are shown, read one after the other by a files process of
-/// its own from a worker thread; the views draw without one until it is there. The process ends
-/// with the reading: image formats take a lot of memory, and the next picture may never come.
+/// Holds the pictures of the environments that are shown. A worker thread reads them one after the
+/// other with a files process of its own; views draw without a picture until it is loaded. The
+/// process ends after each reading, since image formats take much memory and the next picture may
+/// never come.
 class EnvironmentLibrary : public QObject {
     Q_OBJECT
 
   public:
     explicit EnvironmentLibrary(QObject* parent = nullptr);
 
-    /// The picture of a file; null while it is not there, a placeholder when it cannot be read.
-    /// One that is not there starts loading when none else is.
+    /// Returns the picture of a file: null while it is not loaded, a placeholder if it cannot be
+    /// read. Starts loading it unless another one is being loaded.
     std::shared_ptr<const EnvironmentImage> image(std::string_view file);
 
-    /// Forgets all pictures but these, and gives up on loading another one.
+    /// Forgets all pictures except these, and cancels loading of another one.
     void keep(const std::set<std::string, std::less<>>& files);
 
     bool isLoading() const { return !worker_.isIdle(); }
 
-    /// Tells whether the file was asked for and could not be read.
+    /// Returns whether the file was asked for and could not be read.
     bool isMissing(std::string_view file) const;
 
-    /// Files that are not read from now on; those that were and are no more are tried again.
+    /// Sets the files that must not be read. Pictures that could not be read are tried again.
     void withhold(FileSet files);
 
-    /// The next image() tries again where the last one could not be read.
+    /// Lets the next image() try again what could not be read.
     void forgetFailure();
 
   Q_SIGNALS:
     void loaded(QString file);
-    void failed(patina::Error why); ///< also when it was cancelled
+    void failed(patina::Error why); ///< is also emitted when it was cancelled
 
   private:
     using Answer = Result<std::shared_ptr<const EnvironmentImage>>;
 
     struct Picture {
-        std::shared_ptr<const EnvironmentImage> image; ///< null while it is not there
+        std::shared_ptr<const EnvironmentImage> image; ///< is null while it is not loaded
         bool hasFailed = false;
     };
 
@@ -58,8 +59,8 @@ class EnvironmentLibrary : public QObject {
     void finish(const std::string& file, const Answer& answer);
 
     FileSet withheld_;
-    std::map<std::string, Picture, std::less<>> pictures_; ///< by file
-    std::string loading_;                                  ///< the file that is read, or was last
+    std::map<std::string, Picture, std::less<>> pictures_; ///< are indexed by file
+    std::string loading_; ///< is the file that is being read, or was last
     Worker worker_;
 };
 

@@ -166,7 +166,7 @@ void MeshLibrary::load(const MeshKey& key) {
         [this, key](const Answer& answer) { finish(key, answer); }, {}, fileName(key));
 }
 
-/// In the worker's thread.
+/// Runs in the worker's thread.
 MeshLibrary::Answer MeshLibrary::read(AssetClient& client, const MeshKey& key, Progress& progress) {
     const MeshRequest request{key.mesh, key.fitUnitBox, key.flipNormals, 1.0};
     return client.loadMesh(request, &progress).map([](std::shared_ptr<const SharedMesh> mesh) {

@@ -17,69 +17,69 @@
 
 namespace patina {
 
-/// Every mesh the editor has. Built-in ones are made when they are first asked for; files are read
-/// by the files process, asked from a worker thread, and the views draw without them until then.
-/// What meshes hide from themselves is found in another thread, for scenes that ask for it.
+/// Holds every mesh of the editor. Built-in ones are made when they are first asked for. A worker
+/// thread has files read by the files process, and views draw without a mesh until it is loaded.
+/// Another thread finds how open each vertex is, for scenes that ask for it.
 class MeshLibrary : public QObject {
     Q_OBJECT
 
   public:
     explicit MeshLibrary(QObject* parent = nullptr);
 
-    /// The triangles of an object's mesh, or an empty view while they are not there. A file that
-    /// was not asked for yet starts loading.
+    /// Returns the triangles of an object's mesh; empty while they are not loaded. Starts loading a
+    /// file that was not asked for yet.
     MeshView view(const Object& object);
 
-    /// Tells whether view() has what a mesh hides from itself found where that is not there yet.
-    /// What is being found for nobody any more is given up.
+    /// Says whether view() also starts to find how open a mesh's vertices are, where that is not
+    /// known. False cancels what is being found.
     void wantOpenness(bool wanted);
 
-    /// The same for rays, which need not look at each triangle of a large mesh.
+    /// Returns the triangles with boxes, so that a ray need not test each triangle of a large mesh.
     PickMesh pickMesh(const Object& object);
 
-    /// Tells whether a file is read, or what a mesh hides is found.
+    /// Returns whether a file is being read, or openness is being found.
     bool isLoading() const { return !loading_.empty() || !finding_.empty(); }
     bool has(const Object& object) const;
 
-    /// Starts the files process ahead of its first use.
+    /// Starts the files process before its first use.
     void warmUp();
 
-    /// Gives up on what is loading and is in no object of the scene.
+    /// Cancels loading of meshes that no object of the scene has.
     void cancelAllBut(const Scene& scene);
 
-    /// The files process, for whoever else has files to read.
+    /// Returns the files process, for others who have files to read.
     AssetClient& client();
 
-    /// Sets what is read from now on; what failed with other rights is tried again, and what lacks
-    /// links is read again.
+    /// Sets what may be read from now on. Files that failed are tried again, and meshes with
+    /// missing links are read again.
     void setRights(const FileRights& rights);
 
-    /// Says again which links the meshes of a scene lack.
+    /// Emits linksRefused() again for the meshes of a scene that have missing links.
     void repeatMissingLinks(const Scene& scene);
 
     /// Forgets failures, so that the next view() tries again.
     void forgetFailures();
 
   Q_SIGNALS:
-    void loaded(QString file);           ///< its triangles are there
-    void opennessFound();                ///< view() has it, or does without it
-    void remarked(patina::Error remark); ///< what had to be left out of a mesh that is there
-    void failed(QString file, patina::Error why); ///< also when it was cancelled
-    /// The file was read, or could not be, without these.
+    void loaded(QString file); ///< is emitted when its triangles are there
+    void opennessFound();      ///< is emitted when view() has it, or finding it was cancelled
+    void remarked(patina::Error remark);          ///< says what was left out of a mesh
+    void failed(QString file, patina::Error why); ///< is also emitted when it was cancelled
+    /// Is emitted when the file was read, or could not be, without these files that it links to.
     void linksRefused(QString file, std::vector<std::string> places);
 
   private:
-    /// Holds what a file gave, and what picking in it needs.
+    /// Holds a mesh of a file, and the boxes for picking in it.
     struct Loaded {
         std::shared_ptr<const SharedMesh> mesh;
         std::vector<Bounds> runs;
     };
     using Answer = Result<std::shared_ptr<const Loaded>>;
 
-    /// Holds what a mesh hides from itself.
+    /// Holds how open each vertex of a mesh is, that is how much the mesh hides from itself.
     struct Found {
-        const Vertex* vertices = nullptr;     ///< whose it is
-        std::vector<VertexOpenness> openness; ///< empty: it was cancelled
+        const Vertex* vertices = nullptr;     ///< identify the mesh
+        std::vector<VertexOpenness> openness; ///< is empty if it was cancelled
     };
 
     MeshView triangles(const MeshKey& key);
@@ -93,12 +93,14 @@ class MeshLibrary : public QObject {
     std::unique_ptr<AssetClient> client_;
     std::map<MeshKey, Mesh> builtins_;
     std::map<MeshKey, std::shared_ptr<const Loaded>> files_;
-    std::map<MeshKey, std::vector<std::string>> missingLinks_; ///< of the files
-    std::vector<std::shared_ptr<const Loaded>> outdated_;      ///< frames may still draw them
+    std::map<MeshKey, std::vector<std::string>> missingLinks_; ///< are those of meshes in files_
+    std::vector<std::shared_ptr<const Loaded>>
+        outdated_; ///< are kept since frames may still draw them
     std::map<MeshKey, std::shared_ptr<Progress>> loading_;
     std::map<MeshKey, Error> failures_;
     std::map<MeshKey, std::shared_ptr<const Found>> found_;
-    std::vector<std::shared_ptr<const Found>> outdatedOpenness_; ///< frames may still draw it
+    std::vector<std::shared_ptr<const Found>>
+        outdatedOpenness_; ///< is kept since frames may still draw it
     std::map<MeshKey, std::shared_ptr<Progress>> finding_;
     FileRights rights_;
     bool wantsOpenness_ = false;

@@ -7,8 +7,8 @@ namespace patina {
 
 class MeshLibrary;
 
-/// The meshes of a scene for other threads: those that are there now. They lie still in the library
-/// until it goes.
+/// Returns the meshes of a scene that are loaded now, for another thread. They point into the
+/// library, which has to outlive their use.
 MeshSource meshSnapshot(const Scene& scene, MeshLibrary& library);
 
 } // namespace patina

@@ -8,14 +8,15 @@
 
 namespace patina {
 
-/// So many triangles that follow each other have one box in runBoundsOf.
+/// Is the number of consecutive triangles that share one box in runBoundsOf().
 inline constexpr std::size_t trianglesPerRun = 128;
 
-/// The boxes around each run of triangles. Neighbours in a well-ordered mesh are neighbours in
-/// space, so a ray meets few of them.
+/// Returns the boxes around each run of triangles. Neighbours in a well-ordered mesh are close in
+/// space, so that a ray meets few of the boxes.
 std::vector<Bounds> runBoundsOf(const MeshView& mesh);
 
-/// A mesh for rays: with the boxes around its runs, or without where it is small.
+/// Holds a mesh for ray tests, with the boxes around its runs; without boxes each triangle is
+/// tested.
 struct PickMesh {
     PickMesh() = default;
     PickMesh(const MeshView& triangles, std::span<const Bounds> boxes = {})

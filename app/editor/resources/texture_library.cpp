@@ -16,7 +16,7 @@ namespace {
 
 constexpr int previewPixels = 64;
 
-/// The level that is no larger than a preview.
+/// Returns the largest level that is no larger than a preview.
 const TexturePicture::Level& smallLevel(const TexturePicture& picture) {
     const auto found = std::ranges::find_if(picture.levels, [](const auto& level) {
         return level.size.x <= previewPixels && level.size.y <= previewPixels;
@@ -28,7 +28,7 @@ int displayed(float linear) {
     return static_cast<int>(std::lround(255.0 * srgbEncoded(double(linear))));
 }
 
-/// A texel as a screen shows it.
+/// Returns a texel as a screen shows it.
 QRgb shown(const std::byte* at, TexelFormat format) {
     if (format == TexelFormat::Grey32 || format == TexelFormat::Color32) {
         float light[4] = {};
@@ -145,7 +145,7 @@ void TextureLibrary::finish(const Key& key, const Answer& answer) {
     Q_EMIT arrived();
 }
 
-/// What no view has in its graphics memory any more.
+/// Drops images that no view holds any more.
 void TextureLibrary::dropUnused() {
     std::erase_if(pictures_, [](const auto& entry) { return entry.second.use_count() == 1; });
 }

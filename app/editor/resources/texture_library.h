@@ -18,31 +18,31 @@
 
 namespace patina {
 
-/// Every image on a surface that the editor has, each once however many materials show it. Files
-/// are read by the files process, asked from a worker thread; the views draw without them until
-/// then.
+/// Holds every image on a surface once, however many materials use it. A worker thread has files
+/// read by the files process, and views draw without an image until it is loaded.
 class TextureLibrary : public QObject {
     Q_OBJECT
 
   public:
     using Client = std::function<AssetClient&()>;
 
-    /// `client` gives the files process; it outlives the library.
+    /// `client` returns the files process, which outlives the library.
     explicit TextureLibrary(Client client, QObject* parent = nullptr);
 
-    /// Returns what there is of an image. A file that was not asked for yet starts loading.
+    /// Returns what is known of an image. Starts loading a file that was not asked for yet.
     TextureLookup find(const TextureUse& use, TextureDecoding decoding);
 
-    /// Returns what there is now, for another thread: nothing more is loaded for it.
+    /// Returns the images that are loaded now, for another thread; it never loads more.
     TextureSource snapshot() const;
 
-    /// A small picture of a file, as far as it is known; null while it is not.
+    /// Returns a small image of a file, at most 64 pixels wide and high; null if it was never
+    /// loaded.
     QImage preview(const std::string& file) const;
 
-    /// Tells whether some of the file is not opaque, as far as it is known.
+    /// Returns whether a part of the file is not opaque; false if it was never loaded.
     bool hasAlpha(const std::string& file) const;
 
-    /// Why a file is missing; empty while it is not.
+    /// Says why a file is missing; empty if it is not.
     QString problem(const TextureUse& use) const;
 
     bool isLoading() const { return !loading_.empty(); }
@@ -52,8 +52,8 @@ class TextureLibrary : public QObject {
 
   Q_SIGNALS:
     void loadingStarted(QString file);
-    void failed(QString file, patina::Error why); ///< also when it was cancelled
-    void arrived(); ///< an image that was asked for is there, or will not come
+    void failed(QString file, patina::Error why); ///< is also emitted when it was cancelled
+    void arrived(); ///< is emitted when an image is loaded, or could not be
 
   private:
     using Key = std::pair<std::string, TextureDecoding>;
@@ -79,7 +79,7 @@ class TextureLibrary : public QObject {
     void dropUnused();
 
     Client client_;
-    /// Returns what is known; nothing where nobody asked or nobody answered yet.
+    /// Returns what is known of an image; empty if it was neither loaded nor failed.
     static std::optional<TextureLookup> among(const Pictures& pictures, const Failures& failures,
                                               const TextureUse& use, TextureDecoding decoding);
     Pictures pictures_;
