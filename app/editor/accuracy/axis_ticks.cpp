@@ -11,7 +11,7 @@ namespace patina {
 namespace {
 
 constexpr double evenBelow = 8.0;   ///< ratio of the axis' ends below which ticks are evenly spaced
-constexpr int maxEven = 6;          ///< is the most ticks at even distances
+constexpr int maxEven = 6;          ///< is the greatest number of ticks at even distances
 constexpr double gap = 8.0;         ///< pixels between two labels
 constexpr double besideAxes = 90.0; ///< pixels by which a plot is longer than its axis, at most
 

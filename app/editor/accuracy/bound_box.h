@@ -5,8 +5,8 @@
 
 namespace patina {
 
-/// Edits an upper bound of time or error with the keys and the wheel of a parameter's field. Keeps
-/// it in 1e-6 .. 1e7 ms, or 1e-7 .. 10 as a share.
+/// Edits an upper bound of time or error in a field like a parameter's. Keeps it in
+/// 1e-6 .. 1e7 ms, or in 1e-7 .. 10 as a share.
 class BoundBox : public NumberBox {
     Q_OBJECT
 

@@ -109,7 +109,7 @@ class Names {
             {-half.x(), distance},
             {-along - size.width(), -along - size.height()},
             {-along - size.width(), along},
-            {distance, -half.y()}, // where the point's interval is, as the next one
+            {distance, -half.y()}, // crosses the point's interval, as does the next
             {-distance - size.width(), -half.y()},
         };
         for (const QPointF& corner : corners) {
@@ -179,7 +179,7 @@ class ChartPicture {
         plot_.setViewport({QPoint(), fileSize});
         addHeading(plot_, heading, palette);
         marks_.draw(content, palette);
-        plot_.replot(QCustomPlot::rpImmediateRefresh); // places are known after it
+        plot_.replot(QCustomPlot::rpImmediateRefresh); // places are known only after this
         addNames(plot_, marks_, content, palette);
     }
 

@@ -120,7 +120,7 @@ CostList::CostList(QWidget* parent) : QTreeWidget(parent) {
     setUniformRowHeights(true);
     setFrameShape(QFrame::NoFrame);
     header()->setStretchLastSection(false);
-    setTextElideMode(Qt::ElideMiddle); // the ends tell ways apart
+    setTextElideMode(Qt::ElideMiddle); // both ends tell rows apart
     setItemDelegateForColumn(Way, new WayDelegate(this));
     setSortingEnabled(true);
     sortByColumn(Time, Qt::AscendingOrder);

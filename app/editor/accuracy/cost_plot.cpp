@@ -35,7 +35,7 @@ CostPlot::CostPlot(QWidget* parent)
     plot_->setMinimumSize(0, 0);
     plot_->installEventFilter(this);
     auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(1, 1, 1, 1); // for the sign of the focus
+    layout->setContentsMargins(1, 1, 1, 1); // leaves room for the focus frame
     layout->addWidget(plot_);
     draw();
 }
@@ -105,7 +105,7 @@ bool CostPlot::eventFilter(QObject* watched, QEvent* event) {
         const auto* move = static_cast<QMouseEvent*>(event);
         hover(move->position().toPoint(), move->globalPosition().toPoint());
     } else if (event->type() == QEvent::ToolTip) {
-        return pointAt(static_cast<QHelpEvent*>(event)->pos()) >= 0; // that is told already
+        return pointAt(static_cast<QHelpEvent*>(event)->pos()) >= 0; // hover() shows the tip
     } else if (event->type() == QEvent::MouseButtonPress) {
         setFocus(Qt::MouseFocusReason);
     } else if (event->type() == QEvent::MouseButtonRelease) {

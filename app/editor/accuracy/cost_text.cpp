@@ -217,7 +217,7 @@ QString pointText(std::size_t number, const CostChart& chart) {
 }
 
 QString stepText(const SweepStep& step, const CostChart& chart) {
-    if (step.of < 2) { // it has only begun
+    if (step.of < 2) { // the steps are not known yet
         return tr("Measuring …");
     }
     const QString text = tr("Measuring, step %1 of %2: %3, %4 %")

@@ -17,7 +17,7 @@ std::vector<WayPart> wayParts(const CostPoint& point, const CostChart& chart);
 /// Returns "Render scale: Half + Fog: Per vertex"; "Exact" if every choice is exact.
 QString wayName(const CostPoint& point, const CostChart& chart);
 
-/// Returns the labels of a point's choices and levels with what each level does, one a line.
+/// Returns the labels of a point's choices and levels with what each level does, one per line.
 QString wayDescription(const CostPoint& point, const CostChart& chart);
 
 /// Returns "1.23 ± 0.02"; "1.23 ± ?" if the interval is too wide to say anything, as on a busy
@@ -35,8 +35,8 @@ QString ratioNote(const ChoiceCost& cost, RatioBound bound);
 /// which tables with a column of ratios do not need.
 QString perPixelText(const ChoiceCost& cost, bool withInterval);
 
-/// Return the number of instructions as text ("–" if unknown), the number of each kind, one a line,
-/// and the total as a number to sort by (-1 if unknown).
+/// Return the number of instructions as text ("–" if unknown), the number of each kind, one per
+/// line, and the total as a number to sort by (-1 if unknown).
 QString countText(const std::optional<InstructionCount>& count);
 QString kindsText(const std::optional<InstructionCount>& count);
 double countOf(const std::optional<InstructionCount>& count);
@@ -49,7 +49,7 @@ QString tieText(const CostPoint& point, const CostChart& chart, Standing standin
 /// converged render. The chart must have one.
 QString convergedNote(const CostChart& chart);
 
-/// Returns the name and the numbers of the chart's point of that index, one a line.
+/// Returns the name and the numbers of the chart's point of that index, one per line.
 QString pointText(std::size_t number, const CostChart& chart);
 
 /// Says what a measurement is doing, and how much of it is done.

@@ -27,7 +27,7 @@ const PageResult* KeptCharts::find(const MeasuredSubject& subject, const std::st
         const PageResult* earlier = findEarlier(subject, file);
         return earlier != nullptr ? earlier : kept;
     }
-    if (!stored_.contains(keyOf(file, subject.object))) { // it has been saved under that name
+    if (!stored_.contains(keyOf(file, subject.object))) { // the document has a new file name
         store(*kept);
     }
     return kept;

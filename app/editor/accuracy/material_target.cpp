@@ -71,7 +71,7 @@ MeasuredSubject MaterialTarget::subject() const {
         material.license.clear();
         material.tags.clear();
     }
-    leaveSurfaces(scene); // a measurement is of them
+    leaveSurfaces(scene); // a measurement covers only them
     forgetPicture(scene, document_.catalog());
     return subjectOf(std::move(scene), object, document_.catalog());
 }

@@ -54,7 +54,7 @@ void MeasureBar::addButton(QToolButton* button) {
 
 void MeasureBar::giveTwoLines() {
     text_->setWordWrap(true);
-    text_->setMinimumHeight(2 * fontMetrics().lineSpacing()); // another text moves nothing
+    text_->setMinimumHeight(2 * fontMetrics().lineSpacing()); // so that a longer text moves nothing
 }
 
 void MeasureBar::setProgress(double share) {

@@ -33,7 +33,7 @@ class ScalingPage : public MeasurePage {
 
   private:
     QWidget* plots_;
-    std::array<GrowthPlot*, 3> plot_; ///< by ScalingCurve::Axis
+    std::array<GrowthPlot*, 3> plot_; ///< are indexed by ScalingCurve::Axis
 };
 
 } // namespace patina

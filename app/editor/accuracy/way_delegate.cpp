@@ -57,7 +57,7 @@ QString wayText(const std::vector<WayPart>& parts) {
 
 QString fittingWay(const std::vector<WayPart>& parts,
                    const std::function<bool(const QString&)>& fits) {
-    constexpr qsizetype minLetters = 3; // of a choice, to say anything
+    constexpr qsizetype minLetters = 3; // shorter names of choices say nothing
     for (qsizetype maxLetters = longestChoice(parts); maxLetters >= minLetters; --maxLetters) {
         if (QString text = withShortChoices(parts, maxLetters); fits(text)) {
             return text;

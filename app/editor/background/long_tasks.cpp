@@ -84,7 +84,7 @@ std::vector<LongTasks::Row> LongTasks::rows(bool all) const {
 void LongTasks::cancel(quint64 number) {
     const auto found = running_.find(number);
     if (found != running_.end() && found->second.task.cancel) {
-        const auto stop = found->second.task.cancel; // which may end it
+        const auto stop = found->second.task.cancel; // it may erase the entry
         stop();
     }
 }

@@ -54,7 +54,7 @@ class LongTasks : public QObject {
     void cancel(quint64 number);
 
   Q_SIGNALS:
-    /// Is emitted every 100 ms while something is shown.
+    /// Is emitted every 100 ms while something is shown, and when that ends.
     void changed();
 
   private:

@@ -173,7 +173,7 @@ void Worker::run() {
     while (const std::shared_ptr<Task> task = next()) {
         Control control(*this, task);
         Delivery delivery = task->work(control);
-        task->work = nullptr; // what it holds is not needed to hand over
+        task->work = nullptr; // frees what it holds
         handOver(task, std::move(delivery), true);
     }
     if (options_.atRest) {
@@ -211,7 +211,7 @@ void Worker::handOver(const std::shared_ptr<Task>& task, Delivery delivery, bool
             told_ = {};
         }
         const QPointer alive(this);
-        delivery(); // which may ask for more, or take the worker away
+        delivery(); // it may ask for more, or destroy the worker
         if (alive) {
             report();
         }
@@ -221,7 +221,7 @@ void Worker::handOver(const std::shared_ptr<Task>& task, Delivery delivery, bool
 
 void Worker::closeContext() {
     if (std::exchange(context_, std::nullopt)) {
-        returnFreeMemory(); // compilers leave a lot
+        returnFreeMemory(); // compiling leaves much of it
     }
 }
 

@@ -27,8 +27,9 @@ namespace patina {
 
 /// Runs requests in a thread of its own, one after the other, and delivers each result in the
 /// thread that asked. Its public functions belong to that thread.
-/// || Its destructor waits for the thread, so it has to be the last member of a class that owns
-/// what the work uses. Results that are not delivered by then are dropped.
+///
+/// Its destructor waits for the thread, so it has to be the last member of a class that owns what
+/// the work uses. Results that are not delivered by then are dropped.
 class Worker : public QObject {
     Q_OBJECT
 

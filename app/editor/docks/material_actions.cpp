@@ -34,7 +34,7 @@ MaterialActions::MaterialActions(Document& document, FileActions& files, TriedMa
                     tr("The material as it was opened or applied, until it is edited"), {});
     original_->setCheckable(true);
     original_->setShortcut(QKeySequence(QStringLiteral("O")));
-    original_->setShortcutContext(Qt::WidgetWithChildrenShortcut); // of the views
+    original_->setShortcutContext(Qt::WidgetWithChildrenShortcut); // works in the views
     connect(original_, &QAction::triggered, this, &MaterialActions::showOriginal);
     add(tr("Set as &Default of the Model"),
         tr("The model begins with these values wherever it is chosen anew"),

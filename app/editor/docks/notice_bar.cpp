@@ -27,7 +27,7 @@ NoticeBar::NoticeBar(QWidget* parent) : QFrame(parent), label_(new QLabel(this))
         layout->addWidget(button);
         buttons_.push_back(button);
         connect(button, &QToolButton::clicked, this, [this, i] {
-            const std::function<void()> run = actions_.at(i).run; // which may say something else
+            const std::function<void()> run = actions_.at(i).run; // run() may replace actions_
             run();
         });
     }

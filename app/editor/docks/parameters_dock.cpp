@@ -89,7 +89,7 @@ void ParametersDock::connectOriginal() {
         showNotice();
     };
     connect(action, &QAction::changed, this, follow);
-    connect(original_, &QToolButton::clicked, this, follow); // it is the action's to be checked
+    connect(original_, &QToolButton::clicked, this, follow); // only the action decides
     connect(original_, &QToolButton::pressed, this, [this, action] {
         wasOriginal_ = action->isChecked();
         held_.start();

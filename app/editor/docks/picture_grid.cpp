@@ -48,7 +48,7 @@ void PictureGrid::setEntries(const std::vector<Entry>& entries) {
         setCurrentItem(same);
     }
     fitColumns();
-    doItemsLayout(); // so that the bar has its range
+    doItemsLayout(); // gives the scroll bar its range
     verticalScrollBar()->setValue(inSight);
 }
 
@@ -140,7 +140,7 @@ void PictureGrid::resizeEvent(QResizeEvent* event) {
     QListWidget::resizeEvent(event);
     fitColumns();
     if (const QListWidgetItem* chosen = currentItem()) {
-        doItemsLayout(); // otherwise the places are still those of the old size
+        doItemsLayout(); // updates the items' places
         scrollToItem(chosen);
     }
 }

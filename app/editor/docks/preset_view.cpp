@@ -89,7 +89,7 @@ QString asHtml(const QImage& picture) {
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
-    picture.save(&buffer, "PNG", 90); // little packed: it is shown once
+    picture.save(&buffer, "PNG", 90); // compresses little, as it is shown once
     return QStringLiteral("<img src=\"data:image/png;base64,%1\" width=%2 height=%3>")
         .arg(QString::fromLatin1(bytes.toBase64()))
         .arg(picture.width())
@@ -134,7 +134,7 @@ void PresetView::setAsList(bool asList) {
 void PresetView::setPictureSize(int pixels) {
     const int size = std::clamp(pixels, minPictureSize, maxPictureSize);
     if (size > pictureSize_) {
-        list_.forgetPictures(); // they are as large as they were shown
+        list_.forgetPictures(); // they are too small now
     }
     pictureSize_ = size;
     fit();
@@ -162,7 +162,7 @@ void PresetView::setRows(std::vector<PresetPtr> rows) {
     }
     selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect);
     fit();
-    doItemsLayout(); // so that the bar has its range
+    doItemsLayout(); // gives the scroll bar its range
     verticalScrollBar()->setValue(inSight);
 }
 
@@ -327,7 +327,7 @@ void PresetView::resizeEvent(QResizeEvent* event) {
     QListView::resizeEvent(event);
     fit();
     if (currentIndex().isValid()) {
-        doItemsLayout(); // otherwise the places are still those of the old size
+        doItemsLayout(); // updates the items' places
         scrollTo(currentIndex());
     }
 }

@@ -151,7 +151,7 @@ void Autosave::giveUp() {
     stop();
     giveUpOwn();
     if (std::exchange(isAdopted_, false)) {
-        lock_.reset(); // as a program that is gone leaves it
+        lock_.reset(); // leaves the copy to be found again
     }
 }
 

@@ -14,7 +14,7 @@ namespace {
 /// which a change has to be visible.
 constexpr qint64 settleMs = 120;
 
-/// Is how long after the first change files are read that keep changing.
+/// Is how long after the first change files are read even if they keep changing.
 constexpr qint64 patienceMs = 400;
 
 /// Returns whether an error names the block's descriptor or a folder that holds it.
@@ -88,7 +88,7 @@ bool CatalogWatcher::watchAll() {
     }
     wanted.removeDuplicates();
     watcher_->addPaths(wanted);
-    return watched_ != known_ || statesNow() != watched_; // which came while nobody looked
+    return watched_ != known_ || statesNow() != watched_; // changed while unwatched
 }
 
 /// Reads nothing if no part of a block changed, since other files are reported, too.
@@ -96,7 +96,7 @@ void CatalogWatcher::read() {
     if (!watchAll()) {
         return;
     }
-    known_ = watched_; // first, so that a change while it reads is another reading
+    known_ = watched_; // first, so that a change while reading leads to another reading
     Catalog read = loadCatalog(catalog_->roots);
     catalog_ = std::make_shared<const Catalog>(withLastGoodBlocks(std::move(read), *catalog_));
     if (statesNow() != known_) {

@@ -65,7 +65,7 @@ void ClipboardActions::paste() {
     } else if (copied->format() == sceneFormat.name) {
         pasteScene(*copied);
     } else {
-        pasteMaterial(*copied); // what is something else is no preset either
+        pasteMaterial(*copied); // reports other text as no preset
     }
 }
 

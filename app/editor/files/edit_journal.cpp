@@ -75,7 +75,7 @@ Result<void> EditJournal::write(const Scene& scene) {
         return {};
     }
     Result<void> appended = append(patch);
-    written_ = appended ? std::move(now) : Json(); // half a line may stand there: begin anew
+    written_ = appended ? std::move(now) : Json(); // half a line may be there: write a new copy
     return appended;
 }
 
@@ -108,7 +108,7 @@ Result<void> EditJournal::join(const std::filesystem::path& copy) {
     const Result<std::string> journal = readFile(beside(copy), maxFileBytes);
     const Result<std::string> text = readFile(copy, maxFileBytes);
     if (!journal || !text) {
-        return {}; // there is none: the copy is all that was kept
+        return {}; // without a journal the copy is complete
     }
     Json scene = Json::parse(*text, nullptr, false);
     std::string_view rest = *journal;
@@ -122,7 +122,7 @@ Result<void> EditJournal::join(const std::filesystem::path& copy) {
     }
     Result<void> joined = writeFileAtomically(copy, writeJson(scene));
     if (joined) {
-        std::error_code ignored; // it is not read with another copy
+        std::error_code ignored; // a journal that stays is ignored
         std::filesystem::remove(beside(copy), ignored);
     }
     return joined;

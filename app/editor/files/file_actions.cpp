@@ -93,7 +93,7 @@ bool FileActions::save() {
         isShippedPreset(file.path)) {
         return saveAs();
     }
-    // Also when nothing was edited: the camera is no edit, and the file may be gone or another.
+    // Saves even if nothing was edited: moving the camera is no edit, and the file may be gone.
     const bool isSaved = mayReplaceChanged(file.path) && files_.save();
     if (isSaved) {
         noteSaved(QString::fromStdString(file.path.string()));
@@ -218,7 +218,7 @@ void FileActions::addObject(Object object) {
                start && !start->scene.objects.empty()) {
         object.material = start->scene.objects.front().material;
     }
-    patina::addObject(document_, object); // which makes it the current one
+    patina::addObject(document_, object); // makes it current, too
 }
 
 void FileActions::addBeside(const Object& object) {

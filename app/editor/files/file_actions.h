@@ -53,8 +53,8 @@ class FileActions : public QObject {
     /// Asks about the files outside its folder that the document names and that were not read.
     void allowOutside();
 
-    /// Adds an object and makes it current. It gets the material of side A, or in an empty scene
-    /// that of a new document.
+    /// Adds an object and makes it current. It gets the current material of side A, or in an
+    /// empty scene that of a new document.
     void addObject(Object object);
 
     /// Adds an object beside the others as one undo step, and emits meshPlaced(). Its mesh must be

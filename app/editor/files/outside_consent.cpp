@@ -12,7 +12,7 @@
 namespace patina {
 namespace {
 
-constexpr std::size_t maxNamed = 8; // of the files in the question itself
+constexpr std::size_t maxNamed = 8; // files that the question itself names
 
 QString text(const char* words) {
     return QObject::tr(words);
@@ -65,7 +65,7 @@ ReadingRights OutsideConsent::rightsFor(const QString& file, DocumentFile::Kind 
     for (const QString& other : session_.outside(fullPath(file), true)) {
         rights.allowed.insert(other.toStdString());
     }
-    while (true) { // what was allowed may name others
+    while (true) { // files that are allowed may name others
         OutsideFiles wanted = DocumentFiles::outsideOf(file.toStdString(), kind, catalog, rights);
         const QStringList refused = session_.outside(fullPath(file), false);
         std::erase_if(wanted, [&](const OutsideFile& each) {

@@ -22,7 +22,7 @@ std::optional<PathState> stateOf(const fs::path& path) {
     PathState state{path.string(), found.st_dev, found.st_ino, found.st_mode, 0, 0, 0};
     if (!S_ISDIR(found.st_mode)) {
         state.bytes = found.st_size;
-        state.seconds = found.st_ctim.tv_sec; // also of who may read it, as no time of writing is
+        state.seconds = found.st_ctim.tv_sec; // ctime changes with rights, too
         state.nanoseconds = found.st_ctim.tv_nsec;
     }
     return state;
@@ -45,7 +45,7 @@ void add(const fs::path& path, PathStates& states) {
 void addPathStates(const fs::path& folder, PathStates& states) {
     const auto first = static_cast<std::ptrdiff_t>(states.size());
     add(folder, states);
-    std::error_code failed; // what cannot be listed is nowhere, until its folder changes
+    std::error_code failed; // a folder that cannot be listed counts as empty
     fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied,
                                         failed);
     for (const fs::recursive_directory_iterator end; !failed && at != end; at.increment(failed)) {

@@ -44,7 +44,7 @@ struct Box {
 
 glm::dvec3 rounded(const glm::dvec3& place, double size) {
     const double step = std::pow(10.0, std::floor(std::log10(finest * size)));
-    return glm::round(place / step) * step + 0.0; // no negative zero
+    return glm::round(place / step) * step + 0.0; // turns -0.0 into 0.0
 }
 
 } // namespace

@@ -36,7 +36,7 @@ class PresetEdits : public QObject {
     void duplicate(const std::vector<PresetPtr>& entries);
     /// Makes a variant of each, which looks the same at first.
     void makeVariants(const std::vector<PresetPtr>& entries);
-    /// Makes variants independent presets, which look the same and have no parent any more.
+    /// Turns variants into presets that look the same and have no parent.
     void detach(const std::vector<PresetPtr>& entries);
     void moveToTrash(const std::vector<PresetPtr>& entries);
     /// Adds tags to each preset and removes others.

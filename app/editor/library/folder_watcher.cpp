@@ -36,7 +36,7 @@ void FolderWatcher::watch(const std::vector<std::filesystem::path>& folders) {
         return;
     }
     for (const std::filesystem::path& folder : folders) {
-        inotify_add_watch(queue_, folder.c_str(), events); // one that is not there tells nothing
+        inotify_add_watch(queue_, folder.c_str(), events); // a missing folder is not watched
     }
     arrived_ = std::make_unique<QSocketNotifier>(queue_, QSocketNotifier::Read);
     connect(arrived_.get(), &QSocketNotifier::activated, this, &FolderWatcher::read);

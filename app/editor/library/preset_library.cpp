@@ -70,7 +70,7 @@ void PresetLibrary::scan() {
     std::error_code ignored; // a folder that cannot be made has no presets in it
     std::filesystem::create_directories(userFolder(), ignored);
     settle_.stop();
-    watch(); // first: what changes while they are read is read again
+    watch(); // first, so that a change while reading leads to another reading
     const auto known = isOfCatalog_ ? entries_ : std::vector<PresetPtr>();
     const bool isFirst = !isRead_;
     const auto reading = [this, known, isFirst, folders = folders(),

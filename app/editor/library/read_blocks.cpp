@@ -13,7 +13,7 @@
 namespace patina {
 namespace {
 
-constexpr std::uintmax_t maxBlockBytes = 8u << 20; // of a descriptor; a shader has less
+constexpr std::uintmax_t maxBlockBytes = 8u << 20; // bytes; shaders are smaller than descriptors
 
 std::uint64_t hashOf(const std::filesystem::path& file) {
     const Result<std::string> text = readFile(file, maxBlockBytes);

@@ -30,7 +30,7 @@ class MeshLibrary : public QObject {
     /// file that was not asked for yet.
     MeshView view(const Object& object);
 
-    /// Says whether view() also starts to find how open a mesh's vertices are, where that is not
+    /// Sets whether view() also starts to find how open a mesh's vertices are, where that is not
     /// known. False cancels what is being found.
     void wantOpenness(bool wanted);
 
