@@ -34,8 +34,8 @@ struct PresetEntry {
     QString modelLabel; ///< is the label of its lighting model, or the id if that is unknown
     QString searched;   ///< is all text that a search looks through, case folded
     std::vector<FileStamp> sources; ///< are the file itself, then the presets that it derives from
-    bool isFresh = false; ///< tells that it was written within 2 s before it was read, so that a
-                          ///< later change may keep its stamps
+    /// Tells that it was written within 2 s before it was read: a later change may keep its stamps.
+    bool isFresh = false;
 };
 
 using PresetPtr = std::shared_ptr<const PresetEntry>;

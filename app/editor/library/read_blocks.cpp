@@ -13,7 +13,7 @@
 namespace patina {
 namespace {
 
-constexpr std::uintmax_t maxBlockBytes = 8u << 20; // bytes; shaders are smaller than descriptors
+constexpr std::uintmax_t maxBlockBytes = 8u << 20; // bytes; that of descriptors, the larger limit
 
 std::uint64_t hashOf(const std::filesystem::path& file) {
     const Result<std::string> text = readFile(file, maxBlockBytes);
