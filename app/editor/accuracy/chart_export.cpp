@@ -26,8 +26,8 @@ constexpr double pngScale = 2.0;
 constexpr double headingMargin = 12.0;
 constexpr double markRadius = 8.0;    ///< pixels; covers a point and its ring
 constexpr double longestName = 320.0; ///< pixels; a longer name has the names of its choices cut
-constexpr double besideMark =
-    10.0; ///< pixels from a point to its name; a line leads to a name farther away
+/// Is the distance in pixels from a point to its name; a line leads to a name farther away.
+constexpr double besideMark = 10.0;
 
 /// Breaks a text into lines of at most `width` pixels.
 QString wrapped(const QString& text, const QFontMetrics& metrics, int width) {

@@ -24,8 +24,8 @@ constexpr double minError = 1e-6;
 constexpr double timeMargin = 1.12;
 constexpr double errorMargin = 2.5;
 constexpr double minErrorRange = 1e3; ///< ratio of the ends of the error axis, at least
-constexpr double longestBar =
-    2.0; ///< ratio to a point's time; a longer interval does not widen the chart
+/// Is the ratio to a point's time; a longer interval does not widen the chart.
+constexpr double longestBar = 2.0;
 constexpr double pointSize = 7.0;
 constexpr double ringSize = 13.0;
 

@@ -43,8 +43,8 @@ class EnvironmentChooser : public BlockChooser {
 
     Session& session_;
     ThumbnailMaker& thumbnails_;
-    QHash<QString, QIcon>
-        pictures_; ///< holds small images by the data of their items: a block's id, or a path
+    /// Holds small images by the data of their items: a block's id, or a path.
+    QHash<QString, QIcon> pictures_;
     QSet<QString> wished_;
 };
 

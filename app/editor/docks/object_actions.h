@@ -29,8 +29,8 @@ class ObjectActions : public QObject {
 
     Document& document_;
     std::vector<QAction*> actions_;
-    std::vector<std::function<bool()>>
-        possible_; ///< tells for each action whether it is enabled now
+    /// Tells for each action whether it is enabled now.
+    std::vector<std::function<bool()>> possible_;
 };
 
 } // namespace patina

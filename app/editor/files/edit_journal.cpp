@@ -18,8 +18,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::uintmax_t longestJournal =
-    1u << 20; ///< bytes; the copy is written again when it is longer
+/// Is the length in bytes above which the copy is written again.
+constexpr std::uintmax_t longestJournal = 1u << 20;
 constexpr std::uintmax_t maxFileBytes = 256u << 20; ///< bytes; no copy and no journal is longer
 
 /// Returns the first line of a journal, a hash of its copy, so that it is never read with another

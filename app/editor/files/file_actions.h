@@ -117,8 +117,8 @@ class FileActions : public QObject {
     ClipboardActions* clipboard_;
     OutsideConsent consent_;
     QWidget* window_;
-    std::optional<std::filesystem::file_time_type>
-        written_; ///< is when the document's file was last read or written here
+    /// Is when the document's file was last read or written here.
+    std::optional<std::filesystem::file_time_type> written_;
     std::map<QString, Object> wanted_; ///< holds objects that wait for their mesh, by its file
 };
 

@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::string_view presetSuffix = ".patina.json";
-constexpr std::int64_t freshNanoseconds =
-    2'000'000'000; ///< is longer than the steps of a file system's clock
+/// Is the age below which a stamp may not show a further change: file systems' clocks are coarse.
+constexpr std::int64_t freshNanoseconds = 2'000'000'000;
 constexpr auto firstShare = std::chrono::milliseconds(100);
 constexpr auto tellAfter = std::chrono::milliseconds(400);
 constexpr int maxFolderDepth = 12;

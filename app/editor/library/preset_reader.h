@@ -21,8 +21,8 @@ struct PresetFolder {
 struct PresetsRead {
     std::vector<PresetPtr> entries; ///< are sorted by name
     Errors errors;                  ///< are those of files that cannot be read
-    std::vector<std::filesystem::path>
-        folders; ///< are all folders that were read, with those below them
+    /// Holds all folders that were read, with those below them.
+    std::vector<std::filesystem::path> folders;
 };
 
 /// Reads all presets of some folders; takes those of `known` whose files have not changed. Calls

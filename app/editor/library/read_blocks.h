@@ -42,8 +42,8 @@ class KnownBlocks {
     std::shared_ptr<const Catalog> catalog_;
     Scene scene_;
     ReadBlocks blocks_;
-    mutable std::shared_ptr<const Catalog>
-        asked_; ///< is the one asked about last; haveSame_ is its answer
+    /// Is the catalogue asked about last, to which haveSame_ is the answer.
+    mutable std::shared_ptr<const Catalog> asked_;
     mutable bool haveSame_ = false;
 };
 

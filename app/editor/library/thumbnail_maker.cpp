@@ -155,8 +155,8 @@ class ThumbnailMaker::Studio {
     std::shared_ptr<const Catalog> catalog_;
     Scene scene_;
     std::map<std::string, Mesh> meshes_;
-    std::map<std::string, std::vector<VertexOpenness>>
-        openness_; ///< is that of the meshes, by name
+    /// Holds the openness of the meshes' vertices, by mesh name.
+    std::map<std::string, std::vector<VertexOpenness>> openness_;
 };
 
 ThumbnailMaker::ThumbnailMaker(std::shared_ptr<const Catalog> catalog, Folders folders,

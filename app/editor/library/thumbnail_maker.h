@@ -65,8 +65,8 @@ class ThumbnailMaker : public QObject {
     Folders folders_;
     std::shared_ptr<const Catalog> catalog_;
     ThumbnailKeys keys_; ///< belong to the worker's thread
-    Result<std::unique_ptr<Studio>>
-        studio_; ///< belongs to the worker's thread; null while it is not needed
+    /// Belongs to the worker's thread; null while it is not needed.
+    Result<std::unique_ptr<Studio>> studio_;
     Worker worker_;
 };
 

@@ -94,13 +94,13 @@ class MeshLibrary : public QObject {
     std::map<MeshKey, Mesh> builtins_;
     std::map<MeshKey, std::shared_ptr<const Loaded>> files_;
     std::map<MeshKey, std::vector<std::string>> missingLinks_; ///< are those of meshes in files_
-    std::vector<std::shared_ptr<const Loaded>>
-        outdated_; ///< are kept since frames may still draw them
+    /// Holds replaced meshes until the library goes, since frames may still draw them.
+    std::vector<std::shared_ptr<const Loaded>> outdated_;
     std::map<MeshKey, std::shared_ptr<Progress>> loading_;
     std::map<MeshKey, Error> failures_;
     std::map<MeshKey, std::shared_ptr<const Found>> found_;
-    std::vector<std::shared_ptr<const Found>>
-        outdatedOpenness_; ///< is kept since frames may still draw it
+    /// Holds replaced openness until the library goes, since frames may still draw it.
+    std::vector<std::shared_ptr<const Found>> outdatedOpenness_;
     std::map<MeshKey, std::shared_ptr<Progress>> finding_;
     FileRights rights_;
     bool wantsOpenness_ = false;
