@@ -11,11 +11,11 @@ namespace patina {
 namespace {
 
 constexpr double middleGrey = 0.18;
-constexpr double blackest = 1e-6; ///< what is darker counts as black
+constexpr double blackest = 1e-6; ///< anything darker counts as black
 constexpr double maxStops = 32.0;
 constexpr double stepsPerStop = 100.0;
 
-/// Of a pixel of one, three or four channels.
+/// Returns the luminance of a pixel of one, three or four channels.
 double luminanceAt(const Image& image, std::size_t pixel) {
     const auto channels = static_cast<std::size_t>(image.channels);
     const float* first = &image.pixels[pixel * channels];

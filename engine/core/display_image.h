@@ -5,8 +5,8 @@
 
 namespace patina {
 
-/// The linear floats that encode to exactly the 8-bit values of a picture as it is shown, which
-/// came divided by 255. Alpha stays.
+/// Returns the linear floats that encode to exactly the 8-bit values of a picture as it is shown,
+/// whose channels are given divided by 255. Alpha stays as it is.
 Image linearFromDisplay(Image display);
 
 } // namespace patina

@@ -9,8 +9,8 @@
 namespace patina {
 namespace {
 
-/// Messages quote files that nobody vouches for: a line break would look like another message, and
-/// a terminal obeys other control characters.
+/// Replaces control characters by question marks. Messages quote files that nobody vouches for: a
+/// line break would look like another message, and a terminal obeys other control characters.
 std::string printable(std::string text) {
     std::replace_if(
         text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');

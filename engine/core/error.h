@@ -9,15 +9,16 @@
 
 namespace patina {
 
-/// One mistake in something a user, a driver or a disk can cause. A value, never thrown.
+/// Describes one mistake in something a user, a driver or a disk can cause. It is returned, never
+/// thrown.
 struct Error {
     std::string file;     ///< path as the user knows it; empty when no file is involved
     int line = 0;         ///< 1-based; 0 when the place inside the file is unknown
     int column = 0;       ///< 1-based, in bytes; 0 when unknown
-    std::string problem;  ///< a sentence without a final stop: what is wrong
-    std::string expected; ///< what would have been right; may be empty
+    std::string problem;  ///< says what is wrong: a sentence without a final stop
+    std::string expected; ///< says what would have been right; may be empty
 
-    /// "file:line:column: problem; expected ..." with the unknown parts left out.
+    /// Returns "file:line:column: problem; expected ..." with the unknown parts left out.
     std::string text() const;
 
     friend bool operator==(const Error&, const Error&) = default;
@@ -38,15 +39,15 @@ void addNew(Errors& errors, const Errors& more);
 /// Returns the texts of all errors, one per line.
 std::string text(const Errors& errors);
 
-/// A value, or the one reason why there is none.
+/// Holds a value, or the one reason why there is none.
 template <class T>
 using Result = tl::expected<T, Error>;
 
-/// A value, or every reason why there is none.
+/// Holds a value, or every reason why there is none.
 template <class T>
 using Checked = tl::expected<T, Errors>;
 
-/// Shorthand for `tl::unexpected(Error{...})` without a place in a file.
+/// Is short for `tl::unexpected(Error{...})` without a place in a file.
 tl::unexpected<Error> failure(std::string problem, std::string expected = {});
 
 } // namespace patina

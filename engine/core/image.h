@@ -9,7 +9,7 @@ namespace patina {
 struct Image {
     int width = 0;
     int height = 0;
-    int channels = 0;          ///< 1, 3 or 4 (alpha last, not premultiplied)
+    int channels = 0;          ///< 1, 3 or 4 (alpha is last and not premultiplied)
     std::vector<float> pixels; ///< width * height * channels
 
     friend bool operator==(const Image&, const Image&) = default;

@@ -7,7 +7,7 @@
 namespace patina {
 namespace {
 
-/// More would take a window's time.
+/// Limits how many vertices are compared: more would take a window's time.
 constexpr std::size_t maxVertices = std::size_t(1) << 20;
 
 } // namespace

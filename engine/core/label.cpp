@@ -11,9 +11,9 @@ namespace {
 
 constexpr int glyphWidth = 5;
 constexpr int glyphHeight = 7;
-constexpr int margin = 2; ///< squares around the text
+constexpr int margin = 2; ///< is the space around the text, in squares
 
-constexpr char degree = '\x01'; ///< stands for the sign of degrees, which is two bytes
+constexpr char degree = '\x01'; ///< stands for the degree sign, which is two bytes in UTF-8
 
 struct Glyph {
     char character;
@@ -75,7 +75,8 @@ constexpr std::array glyphs{
     Glyph{'?', {" ### ", "#   #", "    #", "   # ", "  #  ", "     ", "  #  "}},
 };
 
-/// Small letters are written as capitals, unknown characters as a question mark.
+/// Returns the glyph of a character: lower case uses capitals, unknown characters the question
+/// mark.
 const Glyph& glyphOf(char character) {
     const auto capital = static_cast<char>(std::toupper(static_cast<unsigned char>(character)));
     const auto* found = std::find_if(glyphs.begin(), glyphs.end(), [capital](const Glyph& glyph) {
@@ -89,7 +90,7 @@ float* at(Image& image, int x, int y) {
     return image.pixels.data() + index * std::size_t(image.channels);
 }
 
-/// Mixes a grey level into a rectangle that is cut at the image's edges and at `right`.
+/// Mixes grey levels into rectangles, which are cut off at the image's edges and at `right`.
 struct Brush {
     Image& image;
     int right;
@@ -117,7 +118,8 @@ struct Brush {
     }
 };
 
-/// A byte for each character: those beyond ASCII are one that has no glyph.
+/// Returns one byte per character: a character beyond ASCII keeps its first byte, which has no
+/// glyph; the degree sign becomes `degree`.
 std::string singleBytes(std::string_view text) {
     std::string bytes;
     for (std::size_t i = 0; i < text.size(); ++i) {

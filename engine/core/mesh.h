@@ -11,7 +11,7 @@
 
 namespace patina {
 
-/// One vertex as the GPU reads it: 48 bytes, object space, metres.
+/// Holds one vertex as the GPU reads it: 48 bytes, object space, metres.
 struct Vertex {
     glm::vec3 position{0.0f};
     glm::vec3 normal{0.0f, 0.0f, 1.0f};        ///< unit
@@ -21,20 +21,21 @@ struct Vertex {
     friend bool operator==(const Vertex&, const Vertex&) = default;
 };
 
-/// How much of its surroundings a vertex sees past its own mesh, as the GPU reads it: 8 bytes
-/// (mesh_openness.h). As it is made nothing is hidden.
+/// Says how much of its surroundings a vertex sees past its own mesh, as the GPU reads it: 8 bytes
+/// (mesh_openness.h). The initial value says that nothing is hidden.
 struct VertexOpenness {
-    std::int16_t x = 0; ///< the mean of the directions that are free, times their share, less the
+    std::int16_t x =
+        0; ///< x, y and z: the mean of the unoccluded directions times their share, minus the
     std::int16_t y = 0; ///< normal, in object space, in units of `unit`
     std::int16_t z = 0;
-    std::int16_t back = 1; ///< 1 .. 32767: the share that is hidden from the back of the surface
+    std::int16_t back = 1; ///< 1 .. 32767; the share that is hidden from the back of the surface
 
     static constexpr float unit = 1.4142136f / 32767.0f;
 
     friend bool operator==(const VertexOpenness&, const VertexOpenness&) = default;
 };
 
-/// Axis-aligned box. Empty (lower > upper) until the first point is added.
+/// Is an axis-aligned box, empty (lower > upper) until the first point is added.
 struct Bounds {
     glm::vec3 lower{1e30f};
     glm::vec3 upper{-1e30f};
@@ -47,15 +48,17 @@ struct Bounds {
     friend bool operator==(const Bounds&, const Bounds&) = default;
 };
 
-/// A triangle list that somebody else owns (a Mesh, or memory shared with another process).
+/// Refers to a triangle list that somebody else owns (a Mesh, or memory shared with another
+/// process).
 struct MeshView {
     std::span<const Vertex> vertices;
     std::span<const std::uint32_t> indices; ///< three per triangle, counter-clockwise from outside
     Bounds bounds;
-    std::span<const VertexOpenness> openness{}; ///< of each vertex; empty: nothing is hidden
+    std::span<const VertexOpenness>
+        openness{}; ///< one per vertex; when it is empty, nothing is hidden
 };
 
-/// A triangle list.
+/// Owns a triangle list.
 struct Mesh {
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> indices;
@@ -64,7 +67,7 @@ struct Mesh {
     MeshView view() const { return {vertices, indices, bounds}; }
 };
 
-/// Returns the box around all vertices.
+/// Returns the box around all vertices; it is empty for none.
 Bounds boundsOf(std::span<const Vertex> vertices);
 
 } // namespace patina

@@ -17,24 +17,26 @@
 namespace patina {
 namespace {
 
-constexpr std::size_t rayBudget = std::size_t(12) << 20; ///< of one side of all vertices
+constexpr std::size_t rayBudget =
+    std::size_t(12) << 20; ///< is shared by all vertices, for each side of the surface
 constexpr std::size_t minRays = 16;
 constexpr std::size_t maxRays = 128;
 
-/// Where rays begin above the surface, by half the diagonal of the mesh.
+/// Says how far above the surface rays begin, as a part of the mesh's radius.
 constexpr float lift = 2e-5f;
 
-/// How far they begin within the triangles around the vertex, by the way to their middles: where a
-/// floor meets a wall the vertex itself lies in the plane of both.
+/// Says how far from the vertex rays begin within the triangles around it, as a part of the
+/// distance to their centroids: where a floor meets a wall, the vertex itself lies in the plane of
+/// both.
 constexpr float inset = 0.01f;
 
-/// What is free of a side that is taken for closed.
+/// Is the unoccluded share at or below which a side counts as closed.
 constexpr float minBack = 0.01f;
 
 constexpr std::size_t verticesPerPart = 256;
 
-/// Directions about +z, each for as much of the cosine as the others: a spiral on the disk below
-/// (Vogel 1979), lifted to the sphere.
+/// Returns directions about +z, distributed by the cosine: a spiral on the disk below (Vogel 1979),
+/// lifted to the sphere.
 std::vector<glm::vec3> cosineDirections(std::size_t count) {
     const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
     std::vector<glm::vec3> directions(count);
@@ -47,13 +49,14 @@ std::vector<glm::vec3> cosineDirections(std::size_t count) {
     return directions;
 }
 
-/// What one side of a vertex sees: how many directions are free, and their sum.
+/// Counts the unoccluded directions of one side of a vertex, and sums them.
 struct Seen {
     std::size_t free = 0;
     glm::vec3 sum{0.0f};
 };
 
-/// A mesh brought into the unit ball, so that floats are fine enough wherever it lies.
+/// Traces rays from vertices of a mesh scaled into the unit ball, so that floats are precise enough
+/// wherever it lies.
 class OpennessFinder {
   public:
     explicit OpennessFinder(const MeshView& mesh)
@@ -89,7 +92,7 @@ class OpennessFinder {
         return 0.5 * (lower + upper);
     }
 
-    /// One over the farthest distance from the middle; 0 where there is none.
+    /// Returns one over the farthest distance from the middle; 0 for a mesh without an extent.
     static double scaleOf(std::span<const Vertex> vertices, const glm::dvec3& middle) {
         double farthest = 0.0;
         for (const Vertex& vertex : vertices) {
@@ -117,7 +120,7 @@ class OpennessFinder {
         return corners;
     }
 
-    /// For each vertex the mean of the ways to the middles of its triangles.
+    /// Returns for each vertex the mean of the vectors to the centroids of its triangles.
     std::vector<glm::vec3> waysWithin(const MeshView& mesh) const {
         std::vector<glm::vec3> ways(mesh.vertices.size(), glm::vec3(0.0f));
         std::vector<float> counts(mesh.vertices.size(), 0.0f);
@@ -142,7 +145,8 @@ class OpennessFinder {
         return ways;
     }
 
-    /// Never below the plane of the normal, so that the corners of a convex shape stay outside.
+    /// Returns where the rays of a vertex begin. It is never below the plane of the normal, so that
+    /// the corners of a convex shape stay outside.
     glm::vec3 originAt(std::size_t index, const glm::vec3& place, const glm::vec3& n) const {
         const glm::vec3 way = within_[index];
         const float below = std::min(glm::dot(way, n), 0.0f);
@@ -164,8 +168,9 @@ class OpennessFinder {
         return seen;
     }
 
-    /// Nobody looks at a side from which hardly anything is free but by a pixel at an outline that
-    /// takes the far side of a shape for the near one: it is taken for as open as the front.
+    /// Encodes both sides of a vertex. A side from which hardly anything is free is seen only by a
+    /// pixel at an outline that takes the far side of a shape for the near one: it is taken for as
+    /// open as the front.
     VertexOpenness packed(const glm::vec3& n, const Seen& front, const Seen& back) const {
         const auto share = [this](const Seen& seen) {
             return float(seen.free) / float(directions_.size());
@@ -191,7 +196,7 @@ class OpennessFinder {
     const MeshView& mesh_;
     glm::dvec3 middle_;
     double scale_;
-    std::vector<glm::vec3> within_; ///< of each vertex: waysWithin()
+    std::vector<glm::vec3> within_; ///< holds waysWithin(), one per vertex
     TriangleTree tree_;
     std::vector<glm::vec3> directions_;
 };

@@ -10,20 +10,22 @@
 
 namespace patina {
 
-/// What a vertex sees past its mesh.
+/// Says what a vertex sees past its mesh.
 struct Openness {
-    float share = 1.0f;        ///< 0 .. 1: of light from everywhere, weighted by the cosine
-    glm::vec3 direction{0.0f}; ///< unit: the mean of the directions that are free
-    float back = 1.0f;         ///< 0 .. 1: the share of the other side of the surface
+    float share =
+        1.0f; ///< 0 .. 1: the unoccluded share of light from everywhere, weighted by the cosine
+    glm::vec3 direction{0.0f}; ///< unit; the mean of the unoccluded directions
+    float back = 1.0f;         ///< 0 .. 1: the same share for the other side of the surface
 };
 
-/// Returns what is in a vertex' eight bytes. `normal` is the vertex' own.
+/// Decodes a vertex' eight bytes. `normal` is the vertex' own.
 Openness unpacked(const VertexOpenness& packed, const glm::vec3& normal);
 
 /// Finds for each vertex how much of its surroundings its own mesh leaves free, by rays, on all
 /// cores but one. Large meshes have fewer rays per vertex, so that it takes a bounded time: half a
 /// minute of one core for a million triangles. Where a vertex or all of a mesh has no extent, no
-/// normal or no numbers, nothing is hidden. Empty where it was cancelled.
+/// normal or values that are not finite, nothing is hidden. The result is empty when the work was
+/// cancelled.
 std::vector<VertexOpenness> opennessOf(const MeshView& mesh, Progress* progress = nullptr);
 
 } // namespace patina

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Nobody waits at the other end of a pipe, nor becomes the owner of a terminal.
+/// Opens without waiting for the other end of a pipe, and without becoming the owner of a terminal.
 constexpr int openFlags = O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
 
 constexpr const char* leadsOut = "lies outside the folder";
@@ -41,7 +41,7 @@ Error cannotOpen(const fs::path& file, int reason) {
     }
 }
 
-/// What is wrong with anything but an ordinary file.
+/// Says what is wrong with anything but an ordinary file.
 Error notOrdinary(const fs::path& file, mode_t mode) {
     const char* const what = S_ISDIR(mode)                    ? "is a folder"
                              : S_ISFIFO(mode)                 ? "is a pipe"
@@ -64,7 +64,7 @@ std::string sizeText(std::uintmax_t bytes) {
     return bytes % kibi == 0 ? fmt::format("{} KiB", bytes / kibi) : fmt::format("{} bytes", bytes);
 }
 
-/// A descriptor that stands for what a path leads to without opening it.
+/// Owns a descriptor that stands for what a path leads to without opening it.
 class Place {
   public:
     explicit Place(int descriptor) : descriptor_(descriptor) {}
@@ -82,12 +82,12 @@ class Place {
     int descriptor_;
 };
 
-/// The name under which the system knows what is open.
+/// Returns the path under which the system knows an open descriptor.
 fs::path openedAs(int descriptor) {
     return fmt::format("/proc/self/fd/{}", descriptor);
 }
 
-/// Where the thing lies whatever links led there; empty when the system does not say.
+/// Returns the full path of what is open, all links followed; empty when the system does not say.
 fs::path pathOf(int descriptor) {
     std::error_code failed;
     return fs::read_symlink(openedAs(descriptor), failed);
@@ -168,8 +168,8 @@ Result<std::string> OrdinaryFile::content() const {
     return all;
 }
 
-/// The size is only a first guess: of files that grow, and of those that the system makes up while
-/// they are read, it is not true.
+/// Reads in growing pieces: the size is only a first guess, which is wrong for files that grow and
+/// for those that the system makes up while they are read.
 Result<std::string> OrdinaryFile::start(std::size_t bytes) const {
     constexpr std::size_t minRoom = 4096;
     std::string text;

@@ -12,23 +12,23 @@
 
 namespace patina {
 
-/// No mesh and no image is read that is larger.
+/// Limits the size of the meshes and images that are read, in bytes.
 inline constexpr std::uintmax_t maxAssetBytes = std::uintmax_t(1) << 30;
 
-/// An ordinary file that is open for reading. Everything that Patina reads is opened here: neither
-/// a folder nor a pipe, a socket or a device, behind whatever links, is ever waited for, and what
-/// is larger than its limit is not read at all.
+/// Is an ordinary file that is open for reading. Everything that Patina reads is opened here: a
+/// folder, a pipe, a socket or a device, behind whatever links, is never waited for, and a file
+/// larger than its limit is not read at all.
 class OrdinaryFile {
   public:
-    /// Errors name the file and say what it is, or by how much it is too large.
+    /// Opens a file for reading. Errors name the file and say what it is, or which limit it
+    /// exceeds.
     static Result<OrdinaryFile> open(const std::filesystem::path& file, std::uintmax_t maxBytes);
 
-    /// Decides on a file by the full path of where it lies, all links followed.
+    /// Decides whether a file may be read, by the full path of where it lies, all links followed.
     using Decision = std::function<bool(const std::filesystem::path& place)>;
 
-    /// Opens a path from an open folder and what lies below it: a path that leads out of the
-    /// folder, be it by "..", as a full path or through a link, is an error
-    /// unless `mayLeave` says of what is there that it may.
+    /// Opens a path relative to an open folder. A path that leads out of the folder, be it by "..",
+    /// as a full path or through a link, is an error unless `mayLeave` allows what it leads to.
     static Result<OrdinaryFile> openBelow(int folder, const std::filesystem::path& path,
                                           std::uintmax_t maxBytes, const Decision& mayLeave = {});
 
@@ -40,16 +40,17 @@ class OrdinaryFile {
 
     int descriptor() const { return descriptor_; }
 
-    /// Its size when it was opened, in bytes.
+    /// Returns the size in bytes when the file was opened.
     std::uintmax_t size() const { return size_; }
 
     /// Gives the descriptor away; this file is empty afterwards.
     int release() { return std::exchange(descriptor_, -1); }
 
-    /// Everything in it. What grows beyond the limit meanwhile, or never ends, is an error.
+    /// Returns the whole content. A file that grows beyond the limit meanwhile, or never ends, is
+    /// an error.
     Result<std::string> content() const;
 
-    /// As many of its first bytes as there are.
+    /// Returns the first `bytes` bytes, or fewer where the file ends before.
     Result<std::string> start(std::size_t bytes) const;
 
   private:
@@ -65,7 +66,7 @@ class OrdinaryFile {
     std::uintmax_t maxBytes_ = 0;
 };
 
-/// Returns the content of an ordinary file of at most so many bytes.
+/// Returns the content of an ordinary file of at most `maxBytes` bytes.
 Result<std::string> readFile(const std::filesystem::path& file, std::uintmax_t maxBytes);
 
 } // namespace patina

@@ -11,7 +11,7 @@ namespace patina {
 
 namespace {
 
-/// NaN gives 0.
+/// Returns the 8-bit code of an alpha, which is clamped to [0, 1]; NaN gives 0.
 std::uint8_t alphaCode(float alpha) {
     return alpha > 0.0f ? static_cast<std::uint8_t>(std::lround(std::min(alpha, 1.0f) * 255.0f))
                         : 0;

@@ -9,7 +9,8 @@
 
 namespace patina {
 
-/// Holds the sRGB curve of 8-bit pictures as tables, exact rounding at a few nanoseconds per value.
+/// Holds the sRGB curve of 8-bit pictures as tables; it rounds exactly, in a few nanoseconds per
+/// value.
 class SrgbTable {
   public:
     SrgbTable();
@@ -17,11 +18,11 @@ class SrgbTable {
     /// Returns the linear value of a code.
     float decoded(std::uint8_t code) const { return linear_[code]; }
 
-    /// The code whose encoded value is nearest; below 0 and NaN give 0, above 1 gives 255.
+    /// Returns the code whose encoded value is nearest; below 0 and NaN give 0, above 1 gives 255.
     std::uint8_t encoded(float linear) const;
 
-    /// The image as 8-bit codes with its first `channels` channels (grey repeated); alpha, the
-    /// fourth, is not curved.
+    /// Returns the first `channels` channels of the image as 8-bit codes (grey is repeated); alpha,
+    /// the fourth, stays linear.
     std::vector<std::uint8_t> codes(const Image& image, int channels) const;
 
   private:

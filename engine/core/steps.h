@@ -10,11 +10,11 @@ namespace patina {
 
 /// Is long work written from top to bottom: a coroutine that says `co_yield Pause()` wherever it
 /// may be left for a while, and `co_await` of other steps for a part of it. Its local variables are
-/// what a hand-written machine of stages would have as members. Whoever owns it asks for one step
-/// after the other, and may destroy it at any pause.
+/// what a hand-written state machine would have as members. Its owner asks for one step after the
+/// other, and may destroy it at any pause.
 ///
-/// Arguments of the coroutine are kept by value or must stay; a lambda's captures do not live as
-/// long as its coroutine, so steps are functions.
+/// Arguments of the coroutine are kept by value or must outlive it; a lambda's captures do not live
+/// as long as its coroutine, so steps are functions.
 class [[nodiscard]] Steps {
   public:
     /// Ends a step.
@@ -29,7 +29,7 @@ class [[nodiscard]] Steps {
         void return_void() noexcept {}
         void unhandled_exception() noexcept { thrown_ = std::current_exception(); }
 
-        /// The part's steps are steps of the whole.
+        /// Runs a part's steps as steps of the whole.
         std::suspend_always await_transform(Steps part) {
             part_ = std::make_unique<Steps>(std::move(part));
             return {};
@@ -42,7 +42,7 @@ class [[nodiscard]] Steps {
         std::exception_ptr thrown_;
     };
 
-    /// Is done from the start.
+    /// Creates steps that are done from the start.
     Steps() = default;
 
     Steps(Steps&& other) noexcept : handle_(std::exchange(other.handle_, nullptr)) {}
@@ -59,7 +59,7 @@ class [[nodiscard]] Steps {
         }
     }
 
-    /// Goes on until the next pause. Throws what the work throws, which ends it.
+    /// Continues to the next pause. Rethrows what the work throws, which ends it.
     void step() {
         while (!isDone()) {
             promise_type& promise = handle_.promise();
@@ -86,7 +86,7 @@ class [[nodiscard]] Steps {
     using Handle = std::coroutine_handle<promise_type>;
     explicit Steps(Handle handle) : handle_(handle) {}
 
-    /// What a part throws ends the whole.
+    /// Runs a step of the part; what it throws ends the whole.
     void stepPart() {
         try {
             handle_.promise().part_->step();

@@ -12,7 +12,7 @@ bool isBlank(std::string_view line);
 /// Tells whether a character may stand in a name of GLSL or C++.
 bool isNameCharacter(char c);
 
-/// Makes "fresnel" -> "Fresnel".
+/// Makes the first letter upper case: "fresnel" -> "Fresnel".
 std::string capitalised(std::string_view word);
 
 /// Makes "CookTorrance" -> "COOK_TORRANCE", "diffuseColor" -> "DIFFUSE_COLOR", "v-g" -> "V_G".

@@ -8,7 +8,7 @@
 
 namespace patina {
 
-/// Tells how a texel lies in memory. Grey stands for all three colours; what has no alpha is
+/// Tells how a texel lies in memory. Grey stands for all three colours; a texel without alpha is
 /// opaque.
 enum class TexelFormat {
     Grey8,
@@ -20,7 +20,7 @@ enum class TexelFormat {
 
 std::size_t texelBytes(TexelFormat format);
 
-/// An image as the GPU takes it, with all its smaller versions. Rows go up from the bottom, as v
+/// Holds an image as the GPU takes it, with all its mipmap levels. Rows go up from the bottom, as v
 /// does.
 struct TexturePicture {
     struct Level {
@@ -29,7 +29,7 @@ struct TexturePicture {
     };
 
     TexelFormat format = TexelFormat::Color8;
-    bool hasAlpha = false;     ///< the file has it, and not only 1
+    bool hasAlpha = false;     ///< the file has an alpha that is not 1 everywhere
     std::vector<Level> levels; ///< the first is the image itself, the last is one texel
     std::vector<std::byte> bytes;
 };

@@ -17,10 +17,10 @@ namespace {
 
 constexpr std::uint32_t leafTriangles = 4;
 
-/// By so much of their sides triangles are larger, so that no ray slips through between two.
+/// Enlarges triangles by this part of their sides, so that no ray slips through between two.
 constexpr float overlap = 1e-5f;
 
-/// Each level halves the triangles, of which there are less than 2^32.
+/// Limits the tree's depth: each level halves the triangles, of which there are less than 2^32.
 constexpr std::size_t maxDepth = 40;
 
 /// One over the direction, so that it is finite where the ray runs along a side of a box.
@@ -73,7 +73,8 @@ TriangleTree::TriangleTree(std::span<const glm::vec3> corners) {
     triangles_ = std::move(sorted);
 }
 
-/// Halves the triangles by their middles along the longest side of the box around those.
+/// Splits the triangles at the median of their centroids, along the longest side of the box around
+/// those.
 void TriangleTree::build(std::vector<std::uint32_t>& order, std::uint32_t first,
                          std::uint32_t last) {
     const auto middle = [this](std::uint32_t index) {
@@ -113,7 +114,7 @@ void TriangleTree::build(std::vector<std::uint32_t>& order, std::uint32_t first,
     build(order, split, last);
 }
 
-/// Triangles as Möller and Trumbore 1997 meet them.
+/// Intersects triangles by the method of Möller and Trumbore (1997).
 bool TriangleTree::isHit(const glm::vec3& origin, const glm::vec3& direction) const {
     const auto isMet = [&](const Triangle& triangle) {
         const glm::vec3 across = glm::cross(direction, triangle.second);
