@@ -24,9 +24,10 @@ struct Vertex {
 /// Says how much of its surroundings a vertex sees past its own mesh, as the GPU reads it: 8 bytes
 /// (mesh_openness.h). The initial value says that nothing is hidden.
 struct VertexOpenness {
-    std::int16_t x =
-        0; ///< x, y and z: the mean of the unoccluded directions times their share, minus the
-    std::int16_t y = 0; ///< normal, in object space, in units of `unit`
+    /// Holds, with y and z, the mean of the unoccluded directions times their share, minus the
+    /// normal, in object space, in units of `unit`.
+    std::int16_t x = 0;
+    std::int16_t y = 0;
     std::int16_t z = 0;
     std::int16_t back = 1; ///< 1 .. 32767; the share that is hidden from the back of the surface
 
@@ -54,8 +55,7 @@ struct MeshView {
     std::span<const Vertex> vertices;
     std::span<const std::uint32_t> indices; ///< three per triangle, counter-clockwise from outside
     Bounds bounds;
-    std::span<const VertexOpenness>
-        openness{}; ///< one per vertex; when it is empty, nothing is hidden
+    std::span<const VertexOpenness> openness{}; ///< one per vertex; if empty, nothing is hidden
 };
 
 /// Owns a triangle list.

@@ -17,8 +17,7 @@
 namespace patina {
 namespace {
 
-constexpr std::size_t rayBudget =
-    std::size_t(12) << 20; ///< is shared by all vertices, for each side of the surface
+constexpr std::size_t rayBudget = std::size_t(12) << 20; ///< rays, for each side of the surface
 constexpr std::size_t minRays = 16;
 constexpr std::size_t maxRays = 128;
 

@@ -12,8 +12,8 @@ namespace patina {
 
 /// Says what a vertex sees past its mesh.
 struct Openness {
-    float share =
-        1.0f; ///< 0 .. 1: the unoccluded share of light from everywhere, weighted by the cosine
+    /// Is the unoccluded share of light from everywhere, weighted by the cosine: 0 .. 1.
+    float share = 1.0f;
     glm::vec3 direction{0.0f}; ///< unit; the mean of the unoccluded directions
     float back = 1.0f;         ///< 0 .. 1: the same share for the other side of the surface
 };

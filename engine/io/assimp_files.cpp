@@ -9,7 +9,7 @@
 namespace patina {
 namespace {
 
-/// A file that is read through the C library's buffer.
+/// Reads an ordinary file for Assimp through the C library's buffer. It cannot be written.
 class Stream final : public Assimp::IOStream {
   public:
     explicit Stream(OrdinaryFile file)

@@ -19,7 +19,7 @@ class AssimpFiles final : public Assimp::IOSystem {
     Assimp::IOStream* Open(const char* file, const char* mode) override;
     void Close(Assimp::IOStream* stream) override;
 
-    // Readers have no business here.
+    // Assimp's readers get no right to write.
     bool CreateDirectory(const std::string&) override { return false; }
     bool ChangeDirectory(const std::string&) override { return false; }
     bool DeleteFile(const std::string&) override { return false; }

@@ -20,7 +20,8 @@
 namespace patina {
 namespace {
 
-/// Polygons come as they are in the file: what Assimp makes of concave ones covers their notches.
+/// Leaves polygons as they are in the file: Assimp's own triangles of concave ones cover their
+/// notches.
 constexpr unsigned int noSteps = 0;
 
 class Reporter final : public Assimp::ProgressHandler {
@@ -47,7 +48,7 @@ glm::dmat4 matrixFrom(const aiMatrix4x4& m) {
 
 static_assert(sizeof(aiVector3D) == sizeof(glm::vec3));
 
-/// Appends to an attribute that earlier parts of the file may have lacked.
+/// Appends to an attribute. Earlier parts of the file that do not have it get zeros.
 void append(std::vector<glm::vec3>& all, std::size_t first, const aiVector3D* part,
             std::size_t count) {
     all.resize(first + count, glm::vec3(0.0f));
@@ -110,7 +111,8 @@ void appendMesh(RawMesh& mesh, const aiMesh& part, const glm::dmat4& matrix) {
     mesh.transform(matrix, first, firstIndex);
 }
 
-/// False when the file is nested too deeply or grows too large.
+/// Appends a node's meshes and those of its children. Returns false when the file is nested too
+/// deeply or grows too large.
 bool appendNode(RawMesh& mesh, const aiScene& scene, const aiNode& node, const glm::dmat4& parent,
                 int depth) {
     const glm::dmat4 matrix = parent * matrixFrom(node.mTransformation);
@@ -145,7 +147,7 @@ Error unreadable(const std::filesystem::path& file, std::string why) {
     return Error{file.string(), 0, 0, "cannot be read: " + why, {}};
 }
 
-/// The scene that `read` makes with an importer, as a mesh.
+/// Returns the scene that `read` makes with an importer as a mesh.
 template <class Read>
 Result<RawMesh> meshFrom(const std::shared_ptr<MeshFolder>& folder, const ReportProgress& report,
                          const Read& read) {

@@ -11,11 +11,12 @@
 
 namespace patina {
 
-/// All triangles of a folder's mesh file in any format Assimp knows, node transforms applied.
+/// Reads all triangles of a folder's mesh file in any format Assimp knows, node transforms applied.
+/// Errors name the file.
 Result<RawMesh> readWithAssimp(const std::shared_ptr<MeshFolder>& folder,
                                const ReportProgress& report);
 
-/// The same of a text that stands for the file's own.
+/// Reads them from `text`, which replaces the content of the mesh file.
 Result<RawMesh> readWithAssimp(const std::shared_ptr<MeshFolder>& folder, std::string_view text,
                                const ReportProgress& report);
 

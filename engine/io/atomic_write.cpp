@@ -19,7 +19,7 @@ tl::unexpected<Error> cannotWrite(const fs::path& file, int cause) {
                                 {}});
 }
 
-/// Zero, or the cause of the failure.
+/// Writes all bytes and flushes them to the disk. Returns 0, or the `errno` of the failure.
 int writeAll(int descriptor, std::string_view bytes) {
     while (!bytes.empty()) {
         const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());

@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t maxElements = std::size_t(1) << 27;
 
-/// glTF 2.0, section 3.6.2.2: how an integer stands for a number in [-1, 1] or [0, 1].
+/// Reads one number. A normalised integer stands for a number in [-1, 1] or [0, 1] (glTF 2.0,
+/// section 3.6.2.2).
 template <class T>
 double valueAt(const unsigned char* bytes, bool normalized) {
     T value{};
@@ -46,7 +47,7 @@ ReadValue readerFor(int componentType) {
     }
 }
 
-/// A run of elements somewhere in a buffer view.
+/// Describes consecutive elements somewhere in a buffer view.
 struct Source {
     int view = -1;
     std::size_t offset = 0;
@@ -56,7 +57,8 @@ struct Source {
     bool normalized = false;
 };
 
-/// Numbers one after the other; the checks of ranges happen here, once.
+/// Reads the numbers of all elements one after the other. It checks all ranges once, before the
+/// loop.
 template <class T>
 Result<std::vector<T>> elements(GltfViews& views, const Source& source) {
     const ReadValue read = readerFor(source.componentType);
@@ -104,7 +106,7 @@ Source sourceOf(const tinygltf::Accessor& accessor, std::size_t components) {
             components,          accessor.componentType, accessor.normalized};
 }
 
-/// Replaces the elements a sparse accessor lists.
+/// Replaces the elements that a sparse accessor lists.
 template <class T>
 Result<void> applySparse(GltfViews& views, const tinygltf::Accessor& accessor,
                          std::size_t components, std::vector<T>& values) {

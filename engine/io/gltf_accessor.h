@@ -11,9 +11,10 @@
 
 namespace patina {
 
-/// The values of an accessor as floats, `components` per element: of any component type,
-/// normalised where the accessor says so, sparse replacements applied. Errors: no such accessor,
-/// another number of components, data beyond its buffer view.
+/// Returns the values of an accessor as floats, `components` per element: of any component type,
+/// normalised where the accessor says so, sparse replacements applied. It is an error when there is
+/// no such accessor, when it has another number of components, or when its data reaches beyond its
+/// buffer view.
 Result<std::vector<float>> readFloats(const tinygltf::Model& model, GltfViews& views, int accessor,
                                       std::size_t components);
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* dracoExtension = "KHR_draco_mesh_compression";
 
-/// Draco's own identifier for a glTF attribute; -1 when the primitive has no such attribute.
+/// Returns Draco's own identifier of a glTF attribute; -1 when the primitive has no such attribute.
 int identifierOf(const tinygltf::Value& extension, const std::string& attribute) {
     if (!extension.Has("attributes") || !extension.Get("attributes").Has(attribute)) {
         return -1;
@@ -24,7 +24,7 @@ int identifierOf(const tinygltf::Value& extension, const std::string& attribute)
     return value.IsNumber() ? value.GetNumberAsInt() : -1;
 }
 
-/// What the integers of a normalised accessor are divided by; 1 for all others.
+/// Returns what the integers of a normalised accessor are divided by; 1 for all others.
 float divisorFor(const tinygltf::Model& model, const tinygltf::Primitive& primitive,
                  const std::string& attribute) {
     const auto index = primitive.attributes.find(attribute);

@@ -9,10 +9,10 @@
 
 namespace patina {
 
-/// True when the primitive's data is in KHR_draco_mesh_compression.
+/// Tells whether the primitive's data is in KHR_draco_mesh_compression.
 bool isDraco(const tinygltf::Primitive& primitive);
 
-/// Returns the triangles of such a primitive.
+/// Returns the triangles of such a primitive; damaged data is an error.
 Result<RawMesh> readDraco(const tinygltf::Model& model, GltfViews& views,
                           const tinygltf::Primitive& primitive);
 

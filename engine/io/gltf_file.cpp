@@ -40,7 +40,7 @@ void appendWord(std::string& bytes, std::size_t word) {
     bytes.append(reinterpret_cast<const char*>(&narrow), sizeof narrow);
 }
 
-/// A file taken apart: the JSON text, and for GLB what follows it.
+/// Refers to the parts of a file: the JSON text, and for GLB what follows it.
 struct Parts {
     bool binary = false;
     std::string_view json;
@@ -74,8 +74,8 @@ std::string glbOf(const std::string& text, std::string_view chunks) {
     return bytes;
 }
 
-/// A buffer that exists only for readers that cannot decompress has no data. tinygltf insists on
-/// some, so it is given one byte. True when there was such a buffer.
+/// Gives one byte to each buffer that exists only for readers that cannot decompress: it has no
+/// data, but tinygltf insists on some. Returns whether there was such a buffer.
 bool fillFallbackBuffers(json& document, bool binary) {
     bool changed = false;
     const auto buffers = document.find("buffers");
@@ -92,8 +92,8 @@ bool fillFallbackBuffers(json& document, bool binary) {
     return changed;
 }
 
-/// Compressed primitives describe their indices without a buffer view, which tinygltf refuses; the
-/// compressed data has them anyway. True when there was such a primitive.
+/// Removes the indices of compressed primitives: they are described without a buffer view, which
+/// tinygltf refuses, and the compressed data has them anyway. Returns whether there were any.
 bool dropCompressedIndices(json& document) {
     const json::json_pointer compression("/extensions/KHR_draco_mesh_compression");
     bool changed = false;
@@ -112,7 +112,7 @@ bool dropCompressedIndices(json& document) {
     return changed;
 }
 
-/// "%2e%2e" is "..": what a library makes of the characters of a URI.
+/// Decodes the percent escapes of a URI, as a library would: "%2e%2e" becomes "..".
 std::string withoutEscapes(std::string_view uri) {
     std::string plain;
     for (std::size_t i = 0; i < uri.size(); ++i) {
@@ -137,7 +137,8 @@ Error outside(const std::string& uri) {
     return refusal("buffer", uri);
 }
 
-/// Whoever sent a mesh does not decide which of the user's files are read.
+/// Refuses buffers outside the folder: whoever sent a mesh does not decide which of the user's
+/// files are read.
 Result<void> checkBuffers(const json& document, MeshFolder& folder) {
     const auto buffers = document.find("buffers");
     for (std::size_t i = 0; buffers != document.end() && i < buffers->size(); ++i) {
@@ -154,14 +155,15 @@ Result<void> checkBuffers(const json& document, MeshFolder& folder) {
     return {};
 }
 
-/// Changes what is valid but tinygltf does not take. True when something was changed.
+/// Changes what is valid but not accepted by tinygltf. Returns whether something was changed.
 bool adaptForLibrary(json& document, bool binary) {
     const bool buffers = fillFallbackBuffers(document, binary);
     const bool primitives = dropCompressedIndices(document);
     return buffers || primitives;
 }
 
-/// Materials, textures, lights and animations do not matter here; these are about geometry.
+/// Tells whether an extension can be read or ignored. Those for materials, textures, lights and
+/// animations do not matter here; the three others are about geometry.
 bool isKnown(const std::string& extension) {
     constexpr std::array<std::string_view, 3> geometry{
         "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_mesh_quantization"};

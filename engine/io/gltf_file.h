@@ -10,9 +10,10 @@
 
 namespace patina {
 
-/// A glTF 2.0 or GLB file with all its buffers, images left alone. Nothing when the file is of
-/// version 1, which tinygltf does not read. Errors: not glTF, a buffer that is missing or too
-/// short or lies outside of the folder, an extension that is required but not known here.
+/// Loads a glTF 2.0 or GLB file with all its buffers, but without its images. The result is empty
+/// when the file is of version 1, which tinygltf does not read. It is an error when the file is not
+/// glTF, when a buffer is missing, too short or outside of the folder, or when a required extension
+/// is not known here.
 Result<std::optional<tinygltf::Model>> loadGltf(MeshFolder& folder);
 
 } // namespace patina

@@ -13,7 +13,7 @@
 namespace patina {
 namespace {
 
-/// Reads an optional attribute; an absent one leaves the target empty.
+/// Reads an optional attribute; a missing one leaves the target empty.
 template <class Vector>
 Result<void> readAttribute(const tinygltf::Model& model, GltfViews& views,
                            const tinygltf::Primitive& primitive, const char* name,
@@ -75,7 +75,7 @@ Result<std::vector<std::uint32_t>> cornersOf(const tinygltf::Model& model, GltfV
     return indices;
 }
 
-/// glTF 2.0, section 3.7.2.1: how corners make triangles.
+/// Returns the triangles that corners make in a mode (glTF 2.0, section 3.7.2.1).
 std::vector<std::uint32_t> trianglesFrom(const std::vector<std::uint32_t>& corners, int mode) {
     std::vector<std::uint32_t> triangles;
     if (mode == TINYGLTF_MODE_TRIANGLES) {

@@ -9,7 +9,8 @@
 
 namespace patina {
 
-/// The triangles of one primitive, strips and fans taken apart; points and lines are only counted.
+/// Returns the triangles of one primitive, strips and fans taken apart; points and lines are only
+/// counted.
 Result<RawMesh> readPrimitive(const tinygltf::Model& model, GltfViews& views,
                               const tinygltf::Primitive& primitive);
 

@@ -39,7 +39,8 @@ glm::dmat4 localMatrix(const tinygltf::Node& node) {
     return matrix;
 }
 
-/// Appends one attribute; earlier parts that lack it get the filler, later ones by padAttributes.
+/// Appends one attribute. Earlier parts without it get the filler here, later ones in
+/// padAttributes.
 template <class Vector>
 void append(std::vector<Vector>& all, std::size_t first, const std::vector<Vector>& part,
             const Vector& filler) {
@@ -49,7 +50,7 @@ void append(std::vector<Vector>& all, std::size_t first, const std::vector<Vecto
     }
 }
 
-/// Walks the nodes and gathers their meshes.
+/// Visits the nodes and gathers their meshes.
 class Gatherer {
   public:
     Gatherer(const tinygltf::Model& model, const ReportProgress& report)
@@ -66,7 +67,8 @@ class Gatherer {
     }
 
   private:
-    /// The default scene's, else the first scene's; without any scene every node nobody owns.
+    /// Returns the nodes of the default scene, else of the first scene; without any scene, every
+    /// node that is no other node's child.
     std::vector<int> roots() const {
         if (!model_.scenes.empty()) {
             const auto scene = std::size_t(std::max(model_.defaultScene, 0));
@@ -130,7 +132,7 @@ class Gatherer {
         return {};
     }
 
-    /// Each primitive is decoded once, however many nodes show it.
+    /// Returns a primitive, which is decoded once, however many nodes use it.
     Result<const RawMesh*> decoded(int mesh, std::size_t index,
                                    const tinygltf::Primitive& primitive) {
         const auto key = std::pair(mesh, index);

@@ -10,9 +10,9 @@
 
 namespace patina {
 
-/// All triangles of a glTF 2.0 or GLB file's default scene, node transforms applied, with
-/// KHR_draco_mesh_compression, EXT_meshopt_compression and KHR_mesh_quantization. Nothing when
-/// the file is glTF 1. Errors are without the file's name.
+/// Reads all triangles of a glTF 2.0 or GLB file's default scene, node transforms applied, with
+/// KHR_draco_mesh_compression, EXT_meshopt_compression and KHR_mesh_quantization. The result is
+/// empty when the file is glTF 1. Errors do not name the file.
 Result<std::optional<RawMesh>> readGltf(MeshFolder& folder, const ReportProgress& report);
 
 } // namespace patina

@@ -13,7 +13,7 @@ namespace {
 constexpr const char* meshoptExtension = "EXT_meshopt_compression";
 constexpr std::size_t maxViewBytes = std::size_t(1) << 30;
 
-/// The fields of the extension object, as its specification names them.
+/// Holds the fields of the extension object, under the names of its specification.
 struct Compression {
     int buffer = 0;
     std::size_t byteOffset = 0;
@@ -47,7 +47,7 @@ Compression compressionFrom(const tinygltf::Value& object) {
             textIn(object, "filter")};
 }
 
-/// The library asserts what the specification demands, so it is checked before.
+/// Checks what the specification demands, since the library asserts it.
 bool isValid(const Compression& c) {
     if (c.count == 0 || c.byteStride == 0 || c.count > maxViewBytes / c.byteStride) {
         return false;

@@ -12,17 +12,19 @@
 
 namespace patina {
 
-/// Reads the buffer views of a model, with EXT_meshopt_compression undone, every range checked.
+/// Reads the buffer views of a model, decompresses EXT_meshopt_compression, and checks every range.
 class GltfViews {
   public:
     explicit GltfViews(const tinygltf::Model& model) : model_(model) {}
 
     struct View {
         std::span<const unsigned char> bytes;
-        std::size_t stride = 0; ///< 0: tightly packed
+        std::size_t stride = 0; ///< bytes between elements; 0: tightly packed
     };
 
-    /// Errors: no such view, or it reaches beyond its buffer, or its compressed data is damaged.
+    /// Returns a view, which stays valid as long as this object and the model do. It is an error
+    /// when there is no such view, when it reaches beyond its buffer, or when its compressed data
+    /// is damaged.
     Result<View> view(int index);
 
   private:

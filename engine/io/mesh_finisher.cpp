@@ -17,7 +17,7 @@
 namespace patina {
 namespace {
 
-/// What a mesh without a single triangle holds instead, for the message.
+/// Returns the error for a mesh without a single triangle, which says what the mesh holds instead.
 Error nothingToDraw(const RawMesh& mesh, const UselessTriangles& dropped) {
     Error error;
     if (dropped.all() > 0) {
@@ -40,7 +40,7 @@ std::string remarksOn(const UselessTriangles& dropped, std::size_t triangles) {
                        dropped.all() + triangles, dropped.reasons());
 }
 
-/// Uniform scale about the centre, so that normals and tangents stay as they are.
+/// Scales the mesh uniformly about the centre, so that normals and tangents stay as they are.
 Result<void> scale(RawMesh& mesh, const MeshOptions& options) {
     if (!(options.scale > 0.0) || !std::isfinite(options.scale)) {
         return failure("the scale is not usable", "a number above 0");
@@ -83,7 +83,8 @@ glm::vec2 finiteUv(const RawMesh& mesh, std::size_t i) {
     return mesh.uvs[i];
 }
 
-/// Orders triangles for the vertex cache and vertices for fetching, straight into the target.
+/// Orders triangles for the vertex cache and vertices for fetching, and writes both into the
+/// target.
 void write(const RawMesh& mesh, const MeshSpans& target) {
     const std::size_t vertices = mesh.positions.size();
     meshopt_optimizeVertexCacheFifo(target.indices.data(), mesh.indices.data(), mesh.indices.size(),

@@ -11,7 +11,8 @@
 namespace patina {
 
 /// Turns the triangles of a file into what the renderer draws, and writes that into the storage.
-/// Gives a sentence on what was left out; errors when nothing is left (without the file's name).
+/// Returns a sentence on what was left out, empty when nothing was. It is an error when no triangle
+/// is left; errors do not name the file.
 Result<std::string> finishMesh(RawMesh mesh, const MeshOptions& options,
                                const MeshStorage& storage);
 

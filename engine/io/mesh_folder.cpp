@@ -38,7 +38,7 @@ Result<OrdinaryFile> MeshFolder::open(const std::string& path) {
         [&](const std::filesystem::path& place) { return mayRead(path, place.string()); });
 }
 
-/// A place outside.
+/// Decides on a file outside the folder, and remembers those that are refused.
 bool MeshFolder::mayRead(const std::string& path, const std::string& place) {
     if (rights_.everything || std::ranges::find(rights_.files, place) != rights_.files.end()) {
         return true;

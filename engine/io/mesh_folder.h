@@ -10,15 +10,15 @@
 
 namespace patina {
 
-/// Holds what may be read outside a mesh's folder: the user agreed to it.
+/// Says what may be read outside a mesh's folder: the user agreed to it.
 struct LinkRights {
     bool everything = false;
     std::vector<std::string> files{}; ///< full paths, links followed
 };
 
-/// A mesh file and all that may be read for it: what lies in its folder or below, whatever links
-/// and names the file gives, and what the user allowed. Whoever sent a mesh does not decide which
-/// of the user's files are read.
+/// Holds a mesh file and opens all that may be read for it: what lies in its folder or below,
+/// whatever links and names the file gives, and what the user allowed. Whoever sent a mesh does not
+/// decide which of the user's files are read.
 class MeshFolder {
   public:
     explicit MeshFolder(std::filesystem::path file, LinkRights rights = {});
@@ -26,15 +26,15 @@ class MeshFolder {
     MeshFolder& operator=(const MeshFolder&) = delete;
     ~MeshFolder();
 
-    /// The mesh file itself, or one that it names: as a full path, or from its folder.
+    /// Opens the mesh file itself, or one that it names by a full path or relative to its folder.
     Result<OrdinaryFile> open(const std::string& path);
 
-    /// A file that was asked for, is there, lies outside and is not allowed.
+    /// Names a file that was asked for and exists, but lies outside and is not allowed.
     struct Refused {
-        std::string path;  ///< as it was asked for
-        std::string place; ///< the full path, links followed
+        std::string path;  ///< the path that was asked for
+        std::string place; ///< the full path of the file, links followed
     };
-    const std::vector<Refused>& refused() const { return refused_; } ///< each once
+    const std::vector<Refused>& refused() const { return refused_; } ///< each path is listed once
 
     const LinkRights& rights() const { return rights_; }
     const std::filesystem::path& file() const { return file_; }
@@ -48,7 +48,8 @@ class MeshFolder {
     std::vector<Refused> refused_;
 };
 
-/// Returns the error that what a mesh names is not read; `what` is a file, a buffer.
+/// Returns the error that says that a file named by the mesh is not read; `what` is "file" or
+/// "buffer".
 Error refusal(std::string_view what, const std::string& path);
 bool isRefusal(const Error& error);
 

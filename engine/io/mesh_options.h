@@ -3,10 +3,11 @@
 
 namespace patina {
 
-/// Holds what to do to a mesh while it is read.
+/// Says what is done to a mesh while it is read.
 struct MeshOptions {
     double scale = 1.0;
-    bool fitUnitBox = false; ///< centred, and scaled so that the longest side is 2; then `scale`
+    /// The mesh is centred and its longest side becomes 2 before it is scaled.
+    bool fitUnitBox = false;
     bool flipNormals = false;
 
     friend bool operator==(const MeshOptions&, const MeshOptions&) = default;

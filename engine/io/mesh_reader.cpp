@@ -17,7 +17,8 @@
 namespace patina {
 namespace {
 
-constexpr double shareOfReading = 0.7; // of the whole time, for the progress bar
+// Is the share of reading in the whole time, for the progress bar.
+constexpr double shareOfReading = 0.7;
 
 std::string formatOf(const std::filesystem::path& file) {
     std::string extension = file.extension().string();
@@ -26,7 +27,8 @@ std::string formatOf(const std::filesystem::path& file) {
     return extension;
 }
 
-/// The libraries expect text that ASCII is a part of, and say odd things of any other.
+/// Tells whether a text format is in UTF-16. The libraries expect supersets of ASCII, and their
+/// errors on any other text are misleading.
 bool isUtf16Text(const std::filesystem::path& file, const std::string& format) {
     static constexpr std::array<std::string_view, 5> textFormats = {".obj", ".gltf", ".dae", ".ply",
                                                                     ".off"};
@@ -35,7 +37,7 @@ bool isUtf16Text(const std::filesystem::path& file, const std::string& format) {
            (found == "\xff\xfe" || found == "\xfe\xff");
 }
 
-/// Assimp looks past a byte order mark in the other formats.
+/// Tells whether a byte order mark makes Assimp fail; it skips one in the other formats.
 bool hasTextThatMarksHoldUp(const std::string& format) {
     return format == ".ply" || format == ".fbx";
 }
@@ -48,7 +50,7 @@ Result<RawMesh> readGeneralObj(const Folder& folder, const ReportProgress& repor
     });
 }
 
-/// glTF 1.0, of which Assimp reads the text form and little of the other.
+/// Reads glTF 1.0 with Assimp, which reads the text form but little of the binary one.
 Result<RawMesh> readFormerGltf(const Folder& folder, const std::string& format,
                                const ReportProgress& report) {
     auto mesh = readWithAssimp(folder, report);
@@ -89,7 +91,7 @@ Result<RawMesh> readTriangles(const Folder& folder, const ReportProgress& report
     return text ? readWithAssimp(folder, *text, report) : readWithAssimp(folder, report);
 }
 
-/// Materials and images are none of a mesh's business: nobody misses them.
+/// Tells whether a mesh is incomplete without a file: materials and images are not needed.
 bool isMissed(const MeshFolder::Refused& file) {
     const std::string format = formatOf(file.path);
     static constexpr std::array<std::string_view, 13> looks = {
@@ -98,7 +100,7 @@ bool isMissed(const MeshFolder::Refused& file) {
     return std::ranges::find(looks, format) == looks.end();
 }
 
-/// The remarks, and which of its files the mesh is without.
+/// Appends to the remarks which files the mesh is incomplete without.
 std::string withRefused(std::string remarks, const MeshFolder& folder) {
     for (const MeshFolder::Refused& file : folder.refused()) {
         if (isMissed(file)) {
@@ -108,7 +110,7 @@ std::string withRefused(std::string remarks, const MeshFolder& folder) {
     return remarks;
 }
 
-/// Where files were refused, that is the reason for all that followed.
+/// Returns the error to show: where files were refused, that is the reason for all that followed.
 Error reasonOf(const Error& error, const MeshFolder& folder) {
     const auto& refused = folder.refused();
     const auto missed = std::ranges::find_if(refused, isMissed);

@@ -13,10 +13,10 @@
 
 namespace patina {
 
-/// Holds what there is besides the mesh itself.
+/// Holds what reading a mesh returns besides the mesh itself.
 struct MeshReading {
-    std::string remarks;             ///< what had to be repaired; empty when nothing
-    std::shared_ptr<void> leftovers; ///< freeing it may take a while: hand on the mesh first
+    std::string remarks;             ///< says what had to be repaired; empty when nothing
+    std::shared_ptr<void> leftovers; ///< freeing it may take a while: pass the mesh on first
 };
 
 /// Reads every triangle of the folder's mesh file (glTF and GLB through tinygltf, all else through
@@ -26,7 +26,7 @@ struct MeshReading {
 Result<MeshReading> readMesh(const std::shared_ptr<MeshFolder>& folder, const MeshOptions& options,
                              const MeshStorage& storage, const ReportProgress& report);
 
-/// Returns where the files lie that were refused and that the mesh is not whole without; each once.
+/// Returns the full paths of the refused files that the mesh is incomplete without, each once.
 std::vector<std::string> missedPlaces(const MeshFolder& folder);
 
 } // namespace patina

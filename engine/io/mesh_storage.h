@@ -17,8 +17,8 @@ struct MeshSpans {
     std::span<std::uint32_t> indices;
 };
 
-/// Asked once, when the counts are known, for memory of exactly these sizes; so that a mesh is
-/// written where it is used and never copied.
+/// Allocates memory for exactly these counts. It is called once, when the counts are known, so that
+/// a mesh is written where it is used and never copied.
 using MeshStorage = std::function<Result<MeshSpans>(std::size_t vertices, std::size_t indices)>;
 
 } // namespace patina

@@ -17,8 +17,8 @@ bool isZero(const glm::vec3& v) {
     return v.x == 0.0f && v.y == 0.0f && v.z == 0.0f;
 }
 
-/// The angle whose cosine is `x`: Abramowitz and Stegun 1964, 4.4.45, |error| < 7e-5. Enough for a
-/// weight, and a quarter of the library's time.
+/// Returns the angle whose cosine is `x`, in radians: Abramowitz and Stegun 1964, 4.4.45, |error| <
+/// 7e-5. This is enough for a weight, and takes a quarter of the library's time.
 float roughAngle(float x) {
     const float c = std::min(std::abs(x), 1.0f);
     const float angle =
@@ -27,11 +27,11 @@ float roughAngle(float x) {
 }
 
 struct Face {
-    glm::vec3 normal; ///< unit; zero when even doubles find no direction
-    glm::vec3 angles; ///< at the three corners, radians
+    glm::vec3 normal; ///< unit; zero when even doubles give no direction
+    glm::vec3 angles; ///< radians, at the three corners
 };
 
-/// For a sliver whose area only doubles can see.
+/// Computes the normal in doubles, for slivers whose area is lost in floats.
 glm::vec3 preciseNormal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
     const glm::dvec3 normal =
         glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a));
@@ -39,7 +39,7 @@ glm::vec3 preciseNormal(const glm::vec3& a, const glm::vec3& b, const glm::vec3&
     return length > 0.0 ? glm::vec3(normal / length) : glm::vec3(0.0f);
 }
 
-/// Unit edges first: triangles may be as small as 1e-15 or as large as 1e15.
+/// Computes with unit edges: triangles may be as small as 1e-15 or as large as 1e15.
 Face faceOf(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
     const glm::vec3 ab = unitOrZero(b - a);
     const glm::vec3 bc = unitOrZero(c - b);
@@ -69,7 +69,7 @@ std::vector<glm::vec3> sumsAtPlaces(const RawMesh& mesh, const Places& places) {
     return sums;
 }
 
-/// For vertices that still have none: the normal of any face that uses them.
+/// Gives vertices that still have no normal the one of any face that uses them.
 void takeFromFaces(RawMesh& mesh) {
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
         const std::uint32_t* const corners = &mesh.indices[i];

@@ -6,8 +6,8 @@
 namespace patina {
 
 /// Makes every normal unit. Missing ones become the angle-weighted mean of the faces around the
-/// place (Thuermer and Wuethrich 1998), smooth over every edge; where that mean vanishes (two
-/// faces back to back) it is the normal of one of the faces.
+/// place (Thuermer and Wuethrich 1998), smooth over every edge; where that mean vanishes (two faces
+/// back to back) they become the normal of one of the faces.
 void completeNormals(RawMesh& mesh);
 
 } // namespace patina

@@ -13,7 +13,7 @@ bool isDigit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// "1," separates a number from the next; "1,5" does not say whether it does.
+/// Finds a comma inside a number: "1," separates a number from the next, but "1,5" may or may not.
 std::size_t innerComma(std::string_view word) {
     std::size_t at = word.find(',');
     while (at != std::string_view::npos && (at + 1 == word.size() || !isDigit(word[at + 1]))) {
@@ -22,7 +22,7 @@ std::size_t innerComma(std::string_view word) {
     return at;
 }
 
-/// Goes through the coordinates of a file and remembers what their marks are.
+/// Goes through the coordinates of a file and remembers the commas and points in their numbers.
 class Commas {
   public:
     std::optional<Error> find(std::string_view text) {
@@ -68,7 +68,7 @@ class Commas {
     }
 
     bool hasPoint_ = false;
-    std::optional<Error> firstComma_; ///< an error only beside decimal points
+    std::optional<Error> firstComma_; ///< is an error only beside decimal points
     std::optional<Error> unclear_;
 };
 

@@ -10,11 +10,11 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r";
 
-/// What a line may consist of after its keyword.
+/// Says what a line may consist of after its keyword.
 struct Statement {
     std::string_view keyword;
-    std::string_view characters; ///< empty: any
-    std::size_t minWords = 0;    ///< words
+    std::string_view characters; ///< empty: all are allowed
+    std::size_t minWords = 0;
     std::size_t maxWords = std::string_view::npos;
 };
 constexpr std::string_view real = "0123456789+-.eE \t\r";
@@ -70,7 +70,7 @@ bool isPlainLine(std::string_view line) {
     });
 }
 
-/// Where a number that starts with its point is, from a place on.
+/// Finds the next number that starts with its point, from `from` on.
 std::size_t findBarePoint(std::string_view text, std::size_t from) {
     const auto isBare = [&](std::size_t i) {
         const bool begins = i > 0 && blanks.find(text[i - 1]) != std::string_view::npos;

@@ -16,7 +16,7 @@
 namespace patina {
 namespace {
 
-/// Hands out a text piece by piece and tells how much of it was taken.
+/// Provides a text piece by piece and reports how much of it was taken.
 class ReportedText final : public std::streambuf {
   public:
     ReportedText(std::string text, const ReportProgress& report)
@@ -75,7 +75,7 @@ Vector valueAt(const std::vector<tinyobj::real_t>& values, std::size_t index) {
     return value;
 }
 
-/// Positions alone: each is a vertex as it stands.
+/// Takes the positions as vertices, for a file without normals and texture coordinates.
 void takePositions(RawMesh& mesh, const tinyobj::attrib_t& attributes) {
     const std::size_t count = attributes.vertices.size() / 3;
     mesh.positions.reserve(count);
@@ -84,7 +84,7 @@ void takePositions(RawMesh& mesh, const tinyobj::attrib_t& attributes) {
     }
 }
 
-/// Each corner is a vertex of its own until they are joined.
+/// Adds a corner as a vertex of its own; equal vertices are joined later.
 void addCorner(RawMesh& mesh, const tinyobj::attrib_t& from, const tinyobj::index_t& corner) {
     mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
     mesh.positions.push_back(valueAt<glm::vec3>(from.vertices, std::size_t(corner.vertex_index)));
@@ -102,7 +102,8 @@ void addCorner(RawMesh& mesh, const tinyobj::attrib_t& from, const tinyobj::inde
     }
 }
 
-/// False for an index beyond the vertices.
+/// Adds the triangles of a shape. Returns false for an index beyond the vertices, and for a number
+/// of corners that is no multiple of three.
 bool addShape(RawMesh& mesh, const tinyobj::attrib_t& from, const tinyobj::shape_t& shape) {
     const bool alone = from.normals.empty() && from.texcoords.empty();
     mesh.pointsAndLines += shape.lines.num_line_vertices.size() + shape.points.indices.size();

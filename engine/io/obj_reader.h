@@ -11,15 +11,15 @@
 
 namespace patina {
 
-/// The triangles of an OBJ file through tinyobjloader, which keeps the file's shared corners where
-/// Assimp takes them apart, and so needs half the time and a third of the memory for a large mesh.
-/// Nothing when the file uses more of the format than tinyobjloader reads faithfully (polygons,
-/// continued lines, homogeneous coordinates, NaN) or is damaged: ask Assimp then.
+/// Reads the triangles of an OBJ file through tinyobjloader, which keeps the file's shared corners
+/// where Assimp takes them apart, and so needs half the time and a third of the memory for a large
+/// mesh. Returns nothing when the file uses more of the format than tinyobjloader reads faithfully
+/// (polygons, continued lines, homogeneous coordinates, NaN) or is damaged: ask Assimp then.
 std::optional<RawMesh> readPlainObj(const std::filesystem::path& file,
                                     const ReportProgress& report);
 
-/// An OBJ file's text as Assimp understands it (see withLeadingZeros; without a byte order mark);
-/// nothing when it does so as the file stands. An error where its numbers cannot be told.
+/// Returns an OBJ file's text as Assimp understands it (see withLeadingZeros; without a byte order
+/// mark), or nothing when Assimp can read the file itself. Ambiguous commas are an error.
 Result<std::optional<std::string>> objForAssimp(const std::filesystem::path& file);
 
 } // namespace patina

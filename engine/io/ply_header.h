@@ -5,8 +5,8 @@
 
 namespace patina {
 
-/// True when the file begins as PLY and its header comes to an end. Assimp reads one that does
-/// not for ever.
+/// Tells whether the file begins as PLY and its header comes to an end. Assimp would read a file
+/// without such a header for ever.
 bool hasWholePlyHeader(const std::filesystem::path& file);
 
 } // namespace patina

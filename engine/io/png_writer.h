@@ -8,8 +8,8 @@
 
 namespace patina {
 
-/// The bytes of a PNG file, 8-bit sRGB. Through libpng itself: pictures are written as PNG most of
-/// the time, and loading OpenImageIO would take longer than all of the writing.
+/// Returns the bytes of a PNG file, 8-bit sRGB. It uses libpng itself: pictures are written as PNG
+/// most of the time, and loading OpenImageIO would take longer than all of the writing.
 Result<std::string> encodedPng(const Image& image);
 
 } // namespace patina

@@ -8,14 +8,15 @@
 namespace patina {
 namespace {
 
-/// The first diagonal, from corner 0 to 2, unless the other one cuts better.
+/// Tells whether a quad is better cut from corner 1 to 3 than from corner 0 to 2.
 bool isBetterAlongSecond(const Polygon& quad) {
     const double first = std::min(quad.shape(0, 1, 2), quad.shape(0, 2, 3));
     return first <= thinnestShape &&
            std::min(quad.shape(1, 2, 3), quad.shape(1, 3, 0)) > first;
 }
 
-/// All corners can be seen from the first one, within half a turn, and no three lie on one line.
+/// Tells whether all corners can be seen from the first one, within half a turn, and no triangle of
+/// the fan is thin.
 bool isFan(const Polygon& polygon) {
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
         if (polygon.shape(0, i, i + 1) <= thinnestShape || polygon.shape(0, 1, i + 1) < 0.0) {
@@ -25,7 +26,7 @@ bool isFan(const Polygon& polygon) {
     return true;
 }
 
-/// Appends the blend of an attribute that the vertices so far have.
+/// Appends the blend of an attribute if each of the vertices so far has a value of it.
 template <class Vector>
 void appendBlend(std::vector<Vector>& all, std::size_t vertices, const CrossingPoint& crossing,
                  std::span<const std::uint32_t> numbers) {

@@ -12,8 +12,8 @@ namespace patina {
 struct CrossingPoint;
 
 /// Cuts the polygons of a file into triangles that cover each of them exactly, seen along its
-/// normal, also where it is concave. One that the outline itself makes hollow or doubtful (it
-/// touches or crosses itself) is filled wherever the outline runs around.
+/// normal, also where it is concave. A polygon whose outline touches or crosses itself is filled by
+/// the nonzero winding rule.
 class PolygonCutter {
   public:
     explicit PolygonCutter(RawMesh& mesh) : mesh_(mesh) {}

@@ -12,10 +12,10 @@
 namespace patina {
 namespace {
 
-/// What GLU's calls back fill. It knows points by the addresses of their numbers.
+/// Collects what GLU's callbacks report. GLU knows points by the addresses of their numbers.
 struct Work {
     Polygon& polygon;
-    std::deque<std::uint32_t> numbers; ///< whose addresses stay
+    std::deque<std::uint32_t> numbers; ///< a deque, because the addresses must stay valid
     Tessellation made;
     bool failed = false;
 
@@ -28,10 +28,11 @@ void takeCorner(void* number, void* work) {
     static_cast<Work*>(work)->made.triangles.push_back(*static_cast<std::uint32_t*>(number));
 }
 
-/// Called so that GLU makes single triangles, neither strips nor fans.
+/// Does nothing, but makes GLU produce single triangles, neither strips nor fans.
 void takeEdgeFlag(GLboolean, void*) {}
 
-/// Two points at one place become the first of them; where outlines cross, a point is made.
+/// Merges two points at one place into the first of them; where outlines cross, it makes a new
+/// point.
 void takeCrossing(GLdouble place[3], void* points[4], GLfloat shares[4], void** result,
                   void* data) {
     auto& work = *static_cast<Work*>(data);

@@ -10,21 +10,23 @@
 
 namespace patina {
 
-/// A point where an outline crosses itself: shares of up to four points before it.
+/// Describes a point where an outline crosses itself, as a weighted mean of up to four points that
+/// precede it.
 struct CrossingPoint {
     std::array<std::uint32_t, 4> points{};
     std::array<float, 4> shares{}; ///< their sum is 1
 };
 
-/// Triangles over a polygon's points, three indices each.
+/// Holds triangles over a polygon's points, three indices each.
 struct Tessellation {
     std::vector<std::uint32_t> triangles;
-    std::vector<CrossingPoint> crossings; ///< the first one follows the corners
+    /// The first crossing's index follows those of the corners.
+    std::vector<CrossingPoint> crossings;
 };
 
-/// Covers what the outline runs around, however often, concave or not; corners on one line get no
+/// Covers everything that the outline winds around, concave or not; corners on one line get no
 /// triangle of their own where that can be avoided. Points where the outline crosses itself are
-/// added to the polygon. Nothing for a polygon without a normal, or when GLU gives up.
+/// added to the polygon. Returns nothing for a polygon without a normal, or when GLU fails.
 std::optional<Tessellation> tessellate(Polygon& polygon);
 
 } // namespace patina

@@ -16,7 +16,7 @@ glm::vec3 unitOrZero(const glm::dvec3& v) {
     return length > 0.0 && std::isfinite(length) ? glm::vec3(v / length) : glm::vec3(0.0f);
 }
 
-/// The cofactor matrix: the inverse transpose times the determinant, and there also when the
+/// Returns the cofactor matrix: the inverse transpose times the determinant, defined also when the
 /// matrix is singular. Its sign is corrected so that a mirrored surface keeps its outside.
 glm::dmat3 normalMatrix(const glm::dmat3& m, bool mirrors) {
     const glm::dmat3 cofactor(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]),

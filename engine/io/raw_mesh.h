@@ -13,22 +13,22 @@
 
 namespace patina {
 
-/// Triangles as a file has them: vertices perhaps many times over, attributes perhaps missing.
-/// An attribute is empty, or has one value per position; a zero normal or tangent is unknown.
+/// Holds triangles as a file has them: vertices may be repeated, attributes may be missing. An
+/// attribute is empty, or has one value per position; a zero normal or tangent is unknown.
 struct RawMesh {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
     std::vector<glm::vec4> tangents;
     std::vector<glm::vec2> uvs;
     std::vector<std::uint32_t> indices; ///< three per triangle, each below positions.size()
-    std::size_t pointsAndLines = 0;     ///< what the file has besides triangles
-    std::shared_ptr<void> leftovers;    ///< what the reader holds; freeing it may take a while
+    std::size_t pointsAndLines = 0;     ///< number of points and lines, which are not read
+    std::shared_ptr<void> leftovers; ///< keeps the reader's data alive; freeing it may take a while
 
     /// Moves the vertices from `first` on, and the triangles from `firstIndex` on, by an affine
     /// transform. A mirroring one reverses the winding.
     void transform(const glm::dmat4& matrix, std::size_t first, std::size_t firstIndex);
 
-    /// Brings attributes that only some parts of the file have to the length of the positions.
+    /// Extends attributes that only some parts of the file have to the length of the positions.
     void padAttributes();
 };
 

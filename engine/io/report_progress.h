@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// Told now and then how far a task is, 0 .. 1.
+/// Is called now and then with how far a task is, 0 .. 1.
 using ReportProgress = std::function<void(double done)>;
 
 } // namespace patina

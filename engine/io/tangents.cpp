@@ -8,10 +8,10 @@
 namespace patina {
 namespace {
 
-/// Shorter than this, what is left of a tangent after projection is rounding noise.
+/// Is the length below which what is left of a tangent after projection is rounding noise.
 constexpr float shortest = 1e-4f;
 
-/// The part of `t` in the plane of the normal, unit; zero when nothing is left.
+/// Returns the part of `t` in the plane of the normal, unit; zero when nothing is left.
 glm::vec3 orthogonal(const glm::vec3& t, const glm::vec3& n) {
     const glm::vec3 rest = t - glm::dot(t, n) * n;
     const float length = glm::length(rest);
@@ -26,10 +26,12 @@ glm::vec3 aroundAxis(const glm::vec3& n) {
 
 struct FaceTangent {
     glm::vec3 direction{0.0f}; ///< unit; zero when the texture coordinates have no area
-    float side = 0.0f;         ///< +1, or -1 where the texture is mirrored; 0 as above
+    /// +1, or -1 where the texture is mirrored; 0 when the texture coordinates have no area.
+    float side = 0.0f;
 };
 
-/// The gradient of u over the triangle (Lengyel 2001), in doubles: both areas may be tiny.
+/// Returns the gradient of u over the triangle (Lengyel 2001). It is computed in doubles, since
+/// both areas may be tiny.
 FaceTangent faceTangent(const RawMesh& mesh, const std::uint32_t* corners) {
     const glm::dvec3 origin(mesh.positions[corners[0]]);
     const glm::dvec3 e1 = glm::dvec3(mesh.positions[corners[1]]) - origin;
@@ -47,7 +49,7 @@ FaceTangent faceTangent(const RawMesh& mesh, const std::uint32_t* corners) {
     return {glm::vec3(t / length), static_cast<float>(sign)};
 }
 
-/// Appends a copy of a vertex, on the other side of a mirror seam.
+/// Appends a copy of a vertex for the other side of a mirror seam.
 std::uint32_t twinOf(RawMesh& mesh, std::uint32_t vertex, float side) {
     const auto twin = static_cast<std::uint32_t>(mesh.positions.size());
     mesh.positions.emplace_back(mesh.positions[vertex]);
@@ -76,7 +78,7 @@ class Accumulator {
         }
     }
 
-    /// What the file itself says wins over what was computed.
+    /// Restores the tangents of the file, which take precedence over computed ones.
     void preferKnown() {
         for (std::size_t i = 0; i < known_.size(); ++i) {
             if (glm::vec3(known_[i]) != glm::vec3(0.0f)) {

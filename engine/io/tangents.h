@@ -5,10 +5,10 @@
 
 namespace patina {
 
-/// Completes the tangents; needs unit normals. Where texture coordinates say so, a tangent is the
-/// direction of growing u, and w tells the side of growing v; vertices on a mirror seam are
-/// doubled. Elsewhere it runs around the y axis (around the x axis on surfaces that face along
-/// y), as the marks of a lathe would. All come out unit and orthogonal to the normal.
+/// Completes the tangents; needs unit normals. Where texture coordinates determine it, a tangent is
+/// the direction of growing u, and w tells the side of growing v; vertices on a mirror seam are
+/// doubled. Elsewhere it runs around the y axis (around the x axis on surfaces that face along y),
+/// as the marks of a lathe would. All are unit and orthogonal to the normal.
 void completeTangents(RawMesh& mesh);
 
 } // namespace patina

@@ -13,7 +13,7 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Begins at the corner across from the longest side.
+/// Returns the triangle with the corner opposite its longest side first.
 Triangle fromItsTip(const Polygon& polygon, const Triangle& t) {
     const auto across = [&](std::size_t i) {
         return glm::distance(polygon.point(t[(i + 1) % 3]), polygon.point(t[(i + 2) % 3]));
@@ -36,7 +36,7 @@ bool hasThin(const Polygon& polygon, const std::vector<std::uint32_t>& triangles
     return false;
 }
 
-/// Knows each triangle by its edges, in the direction it runs along them.
+/// Finds each triangle by its edges, in the direction in which it runs along them.
 class Turner {
   public:
     Turner(const Polygon& polygon, std::vector<std::uint32_t>& triangles)
@@ -46,7 +46,8 @@ class Turner {
         }
     }
 
-    /// True when a triangle was turned, which may give the next one a neighbour.
+    /// Turns every thin triangle that can be. Returns whether any was, which may give the next one
+    /// a neighbour.
     bool turnOnce() {
         bool turned = false;
         for (std::size_t i = 0; i + 2 < triangles_.size(); i += 3) {
@@ -103,7 +104,8 @@ class Turner {
 
     const Polygon& polygon_;
     std::vector<std::uint32_t>& triangles_;
-    std::unordered_map<std::uint64_t, std::size_t> edges_; ///< the first corner of a triangle
+    /// Maps an edge to the first index of its triangle.
+    std::unordered_map<std::uint64_t, std::size_t> edges_;
 };
 
 } // namespace

@@ -8,9 +8,9 @@
 
 namespace patina {
 
-/// Cuts a triangle whose corners lie on one line, and its neighbour at the longest side, along the
-/// other diagonal. Left alone, it would be nothing to draw, and its middle corner a gap in the edge
-/// of the neighbour.
+/// Swaps the edge between a triangle whose corners lie on one line and its neighbour at the longest
+/// side. Otherwise nothing of that triangle would be drawn, and its middle corner would leave a gap
+/// in the edge of the neighbour.
 void turnThinTriangles(const Polygon& polygon, std::vector<std::uint32_t>& triangles);
 
 } // namespace patina

@@ -10,21 +10,23 @@
 namespace patina {
 namespace {
 
-/// Beyond this, squares of lengths come near the end of the float range on the GPU (1e38).
+/// Limits coordinates: beyond this, squares of lengths come near the end of the float range on the
+/// GPU (1e38).
 constexpr float farthest = 1e15f;
 
 bool isNear(const glm::vec3& p) {
     return std::abs(p.x) < farthest && std::abs(p.y) < farthest && std::abs(p.z) < farthest;
 }
 
-/// In doubles: the area of a triangle 1e-15 wide is no float, and must not count as zero.
+/// Computes in doubles: the area of a triangle 1e-15 wide underflows in floats, and must not count
+/// as zero.
 bool hasArea(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
     const glm::dvec3 normal =
         glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a));
     return normal.x != 0.0 || normal.y != 0.0 || normal.z != 0.0;
 }
 
-/// Counts the triangle where it cannot be drawn.
+/// Tells whether a triangle can be drawn, and counts it where it cannot.
 bool isUseful(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c,
               UselessTriangles& useless) {
     if (!isFinite(a) || !isFinite(b) || !isFinite(c)) {

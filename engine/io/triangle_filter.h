@@ -8,7 +8,7 @@
 
 namespace patina {
 
-/// Says how many triangles were removed, by the first reason that holds.
+/// Counts the triangles that were removed, each by the first reason that holds.
 struct UselessTriangles {
     std::size_t notFinite = 0; ///< a corner is at NaN or infinity
     std::size_t tooFar = 0;    ///< a corner is beyond 1e15
@@ -16,7 +16,7 @@ struct UselessTriangles {
 
     std::size_t all() const { return notFinite + tooFar + noArea; }
 
-    /// "no area or no finite position": what was wrong with them.
+    /// Returns what was wrong with them: "no area or no finite position".
     std::string reasons() const;
 };
 

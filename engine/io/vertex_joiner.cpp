@@ -11,7 +11,7 @@
 namespace patina {
 namespace {
 
-/// -0 and 0 are one place but two bit patterns; adding zero makes them one.
+/// Adds zero to every value, so that -0 and 0, which are one place, have one bit pattern.
 template <class T>
 void dropNegativeZeros(std::vector<T>& values) {
     for (T& value : values) {
@@ -37,14 +37,15 @@ Streams streamsOf(const RawMesh& mesh) {
     return streams;
 }
 
-/// Files list each corner of each face, and neighbours follow each other: most vertices equal one
-/// of the few thousand seen last. Finding those in a table that stays in the processor's cache,
-/// before meshoptimizer looks at the rest in a table that does not, halves the time of joining.
+/// Finds equal vertices among those seen last. Files list each corner of each face, and neighbours
+/// follow each other: most vertices equal one of the few thousand seen last. Finding those in a
+/// table that stays in the processor's cache, before meshoptimizer looks at the rest in a table
+/// that does not, halves the time of joining.
 class RecentVertices {
   public:
     explicit RecentVertices(Streams streams) : streams_(std::move(streams)) { recent_.fill(none); }
 
-    /// An earlier vertex that agrees in every attribute, or the vertex itself.
+    /// Returns an earlier vertex that agrees in every attribute, or the vertex itself.
     std::uint32_t same(std::uint32_t vertex) {
         std::uint32_t& slot = recent_[hash(vertex) >> (32 - slotBits)];
         if (slot == none || !agree(slot, vertex)) {
@@ -61,8 +62,8 @@ class RecentVertices {
         return static_cast<const unsigned char*>(stream.data) + vertex * stream.stride;
     }
 
-    /// Multiplicative hashing (Knuth, The Art of Computer Programming 3, section 6.4) of the
-    /// position's three words.
+    /// Hashes the position's three words by multiplication (Knuth, The Art of Computer Programming
+    /// 3, section 6.4).
     std::uint32_t hash(std::uint32_t vertex) const {
         std::uint32_t words[3];
         std::memcpy(words, at(streams_.front(), vertex), sizeof words);

@@ -32,7 +32,8 @@ std::string lowerCase(std::string text) {
     return text;
 }
 
-/// The endings of movies, as "ffmpeg:avi,mov,..." between those of other formats.
+/// Tells whether the extension is one of a movie, which OpenImageIO lists as "ffmpeg:avi,mov,..."
+/// among those of other formats.
 bool hasEndingOfAMovie(const std::filesystem::path& file) {
     const std::string formats = fmt::format(";{};", OIIO::get_string_attribute("extension_list"));
     const auto begin = formats.find(";ffmpeg:");
@@ -44,8 +45,8 @@ bool hasEndingOfAMovie(const std::filesystem::path& file) {
     return ("," + endings + ",").find(ending) != std::string::npos;
 }
 
-/// Lists of movies name other files, wherever they are, under whatever ending: whoever opens one
-/// follows it.
+/// Tells whether a file is a list of movies. It names other files, wherever they are, under
+/// whatever extension, and whoever opens it opens those.
 bool isListOfMovies(std::string_view head) {
     constexpr std::array<std::string_view, 5> heads{"#EXTM3U", "ffconcat", "<?xml", "<MPD",
                                                     "[playlist]"};
@@ -57,7 +58,7 @@ bool isIntegerFormat(const OIIO::ImageSpec& spec) {
     return !spec.format.is_floating_point();
 }
 
-/// Which of the file's channels become the image's: grey; grey and alpha as four; colour.
+/// Returns which of the file's channels become the image's: grey; grey and alpha as four; colour.
 std::vector<int> channelsOf(const OIIO::ImageSpec& spec) {
     switch (spec.nchannels) {
     case 1:
@@ -110,7 +111,7 @@ void decodeSrgb(Image& image, bool eightBit, const SrgbTable& table) {
     }
 }
 
-/// The channels a format can hold.
+/// Returns how many channels a format can hold, at most `channels` for all but .hdr.
 int channelsFor(const std::string& extension, int channels) {
     if (extension == ".hdr") {
         return 3;
