@@ -8,12 +8,12 @@
 
 namespace patina {
 
-/// One field of a struct that blocks are a function of, as a line of `patina eval` names it; or the
-/// number that they are a function of.
+/// Describes one field of the struct that blocks are a function of, under the key that a line of
+/// `patina eval` uses; or the number that they are a function of.
 struct ArgumentField {
     enum class Type {
         Direction, ///< unit
-        Normal,    ///< unit, on the side of the direction before it
+        Normal,    ///< unit; made to be on the side of the direction before it
         Color,     ///< 0 or more
         Number,    ///< 0 .. `max`
         Amount,    ///< 0 or more
@@ -24,9 +24,9 @@ struct ArgumentField {
     std::string_view key;
     Type type = Type::Number;
     double max = 1.0;
-    std::optional<double>
-        usual{};               ///< each of its numbers, where a line says nothing; absent: it must
-    std::string_view member{}; ///< of the struct; empty: `key`
+    /// Is the default of each of its numbers. When it is absent, a line must give them.
+    std::optional<double> usual{};
+    std::string_view member{}; ///< name of the struct's member; empty: `key`
 
     constexpr std::string_view memberName() const { return member.empty() ? key : member; }
     constexpr std::size_t numbers() const { return isTriple() ? 3 : 1; }
@@ -35,7 +35,7 @@ struct ArgumentField {
     constexpr bool isContinuous() const { return type != Type::Whole && type != Type::Flag; }
 };
 
-/// How many numbers the fields are.
+/// Counts the numbers of all fields together.
 constexpr std::size_t numbersOf(std::span<const ArgumentField> fields) {
     std::size_t numbers = 0;
     for (const ArgumentField& field : fields) {

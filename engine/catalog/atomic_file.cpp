@@ -21,7 +21,7 @@ Error systemError(const fs::path& path, const std::string& what) {
     return {path.string(), 0, 0, what + ": " + std::strerror(errno), {}};
 }
 
-/// A file open for writing; closed at the end.
+/// Owns a file that is open for writing.
 class OutputFile {
   public:
     OutputFile(const fs::path& path, int flags) : descriptor_(::open(path.c_str(), flags, 0666)) {}
@@ -52,14 +52,14 @@ class OutputFile {
         return ::fchmod(descriptor_, rights) == 0;
     }
 
-    /// Some file systems tell only here that the disk is full.
+    /// Closes the file. Some file systems report only here that the disk is full.
     bool close() { return descriptor_ < 0 || ::close(std::exchange(descriptor_, -1)) == 0; }
 
   private:
     int descriptor_;
 };
 
-/// Removes a file at the end unless it has been renamed away.
+/// Removes a file when it is destroyed, unless the file has been renamed away.
 struct Remover {
     fs::path path;
     bool armed = false;
@@ -70,13 +70,14 @@ struct Remover {
     }
 };
 
-/// A name in the same folder that nothing else uses; short, because the target's may be long.
+/// Returns a path in the same folder that nothing else uses. The name is short, because the
+/// target's may be long.
 fs::path temporaryBeside(const fs::path& target) {
     static std::atomic<unsigned> counter = 0;
     return target.parent_path() / fmt::format(".patina-{}-{}.tmp", ::getpid(), counter++);
 }
 
-/// A device or a pipe cannot be replaced, only written to.
+/// Writes to a device or a pipe, which cannot be replaced.
 Result<void> writeInPlace(const fs::path& path, std::string_view bytes) {
     OutputFile file(path, O_WRONLY | O_CLOEXEC);
     if (!file.isOpen() || !file.write(bytes) || !file.close()) {
@@ -85,8 +86,8 @@ Result<void> writeInPlace(const fs::path& path, std::string_view bytes) {
     return {};
 }
 
-/// The rename is safe on disk only once the folder is; where that cannot be asked for, it is as
-/// safe as the file system makes it.
+/// Flushes a folder, since a rename in it is safe on disk only afterwards. A failure is ignored:
+/// the rename is then as safe as the file system makes it.
 void flushFolder(const fs::path& folder) {
     const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor >= 0) {

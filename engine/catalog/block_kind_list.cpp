@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Alone in its file: a program that has more kinds defines this function itself, and the linker
-// then leaves this one out.
+// This function is alone in its file: a program that has more kinds defines it itself, and the
+// linker then leaves this one out.
 #include "catalog/block_kind.h"
 
 namespace patina {

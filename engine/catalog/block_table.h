@@ -8,12 +8,12 @@
 
 namespace patina {
 
-/// A table that a block reads in place of computing: some levels of its accuracy choices name it.
-/// The block's text says what an entry is, at a place of 0 .. 1 along each axis, and the engine
-/// makes the function that reads between the entries; see table_source.h.
+/// Describes a table that a block reads instead of computing: some levels of its accuracy choices
+/// name it. The block's text defines what an entry is, at a position of 0 .. 1 along each axis, and
+/// the engine makes the function that interpolates between the entries; see table_source.h.
 struct BlockTable {
     std::string id;
-    glm::ivec2 size{2, 1};       ///< entries along each axis, at least 2; 1 for no second axis
+    glm::ivec2 size{2, 1}; ///< entries along each axis, at least 2; 1: there is no second axis
     std::vector<std::string> of; ///< ids of the parameters that entries depend on
 
     friend bool operator==(const BlockTable&, const BlockTable&) = default;

@@ -5,8 +5,7 @@
 
 namespace patina {
 
-/// Every mistake in what a descriptor says of how far its block works (Hiding, Reach), each at its
-/// place.
+/// Returns every mistake in a descriptor's Hiding and Reach, each at its place.
 Errors boundMistakes(const Descriptor& descriptor);
 
 } // namespace patina

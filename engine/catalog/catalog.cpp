@@ -17,13 +17,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Folders beside the kinds: shared functions and entry points.
+/// Tells whether a folder is one of a kind; beside them are shared functions and entry points.
 bool isKindFolder(const fs::path& folder) {
     const std::string name = folder.filename().string();
     return name != "lib" && name != "passes" && !name.empty() && name.front() != '.';
 }
 
-/// What is in a folder, by name; nothing when it cannot be read.
+/// Returns what is in a folder, sorted by name; empty when it cannot be read.
 std::vector<fs::path> entriesOf(const fs::path& folder, std::error_code& status) {
     std::vector<fs::path> entries;
     for (fs::directory_iterator at(folder, status), end; !status && at != end;
@@ -38,13 +38,13 @@ void append(Errors& errors, const Errors& more) {
     errors.insert(errors.end(), more.begin(), more.end());
 }
 
-/// What editors leave beside a file: hidden ones, locks and copies.
+/// Tells whether a file is one that editors leave beside another: a hidden one, a lock or a copy.
 bool isNobodysFile(const fs::path& file) {
     const std::string name = file.filename().string();
     return name.starts_with('.') || name.starts_with('#') || name.ends_with('~');
 }
 
-/// The shipped folder must be there; the user's may be missing.
+/// Tells whether the status is a mistake: the shipped folder must exist, the user's may be missing.
 bool isMistake(const BlockRoot& root, std::error_code status) {
     return status && (root.shipped || status != std::errc::no_such_file_or_directory);
 }
@@ -58,7 +58,8 @@ Error unreadable(const BlockRoot& root, std::error_code status) {
             fmt::format("{} cannot be read: {}", what, status.message()), expected};
 }
 
-/// Without the descriptors' schema nothing is read, but a missing folder is still worth a word.
+/// Reports missing folders. It is used when the schema of descriptors cannot be read, and so no
+/// block.
 Errors missingRoots(std::span<const BlockRoot> roots) {
     Errors errors;
     for (const BlockRoot& root : roots) {
@@ -81,7 +82,7 @@ Errors kindMistakes() {
     return errors;
 }
 
-/// Reads root after root into one catalogue.
+/// Reads all roots into one catalogue.
 class Loader {
   public:
     explicit Loader(const JsonSchema& schema) : schema_(schema) {}
@@ -117,7 +118,8 @@ class Loader {
         }
     }
 
-    /// A folder of another name is a slip of the pen that nothing else would tell.
+    /// Reports a folder of any other name, since it is a typing mistake that nothing else would
+    /// report.
     bool isKnownKind(const fs::path& folder) {
         const std::string name = folder.filename().string();
         if (findKind(name) != nullptr) {
@@ -188,7 +190,7 @@ class Loader {
         return true;
     }
 
-    /// A former id is of a block that is gone.
+    /// Checks that no former id is the id of a block of that kind.
     bool leavesIds(const Descriptor& descriptor) {
         std::vector<std::string> taken = idsOfKind(descriptor.block.kind);
         taken.push_back(descriptor.block.id);
@@ -203,7 +205,8 @@ class Loader {
         return true;
     }
 
-    /// Tests see to it that the shipped blocks do; only others are worth reading every shader for.
+    /// Checks the names in a block's shader. Tests do so for the shipped blocks; only for others
+    /// every shader is read.
     bool leavesNames(const Descriptor& descriptor) {
         if (takenNames_.empty() && !catalog_.roots.empty()) {
             takenNames_ = shaderNames(catalog_.roots.front().folder);
@@ -239,7 +242,7 @@ class Loader {
 
     const JsonSchema& schema_;
     std::vector<Descriptor> descriptors_;
-    ShaderNames takenNames_; ///< of the first root
+    ShaderNames takenNames_; ///< names that the shaders of the first root use
     Catalog catalog_;
 };
 

@@ -11,7 +11,7 @@
 
 namespace patina {
 
-/// A folder that holds blocks: <root>/<kind>/<id>.json + <id>.glsl.
+/// Is a folder that holds blocks: <root>/<kind>/<id>.json + <id>.glsl.
 struct BlockRoot {
     std::filesystem::path folder;
     bool shipped = true;
@@ -19,13 +19,14 @@ struct BlockRoot {
     friend bool operator==(const BlockRoot&, const BlockRoot&) = default;
 };
 
-/// Every block that could be read, and every mistake that was met. A value; made by loadCatalog.
+/// Holds every block that could be read, and every mistake that was found. loadCatalog makes it.
 struct Catalog {
-    std::vector<BlockRoot> roots; ///< as they were searched; lib/ and passes/ come from the first
+    /// Keeps the order of the search; lib/ and passes/ come from the first.
+    std::vector<BlockRoot> roots;
     std::vector<Block> blocks;    ///< sorted by kind, then id
     Errors errors;
 
-    /// The block with that id, else the one that had it before; null where there is none.
+    /// Returns the block with that id, else the one that had it before; null where there is none.
     const Block* find(std::string_view kind, std::string_view id) const;
 
     /// Returns all blocks of one kind, sorted by label.
@@ -43,17 +44,17 @@ Catalog loadCatalog(std::span<const BlockRoot> roots);
 /// in a build tree, or the installed one) and $XDG_DATA_HOME/patina/shaders.
 std::vector<BlockRoot> standardBlockRoots();
 
-/// The folder that holds shaders/, presets/ and schemas/.
+/// Returns the folder that holds shaders/, presets/ and schemas/.
 std::filesystem::path dataFolder();
 
-/// Tells whether a file is one of the presets and scenes that ship, links and all: of those that
-/// were there when the program first asked.
+/// Tells whether a file is one of the presets and scenes that ship, links followed. It compares
+/// with the files that existed when the program first asked.
 bool isShippedPreset(const std::filesystem::path& file);
 
-/// The scene that a new document starts as.
+/// Returns the file of the scene that a new document starts with.
 std::filesystem::path defaultSceneFile();
 
-/// Returns the scenes that ship, by their files' names.
+/// Returns the files of the scenes that ship, sorted by name.
 std::vector<std::filesystem::path> shippedScenes();
 
 } // namespace patina

@@ -19,14 +19,15 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::string_view curveWord = "curve";
-constexpr std::size_t firstKnot = 4;                  ///< behind a vec4 that says whether it bends
+/// Skips the vec4 that says whether the curve is bent.
+constexpr std::size_t firstKnot = 4;
 constexpr std::size_t knotCount = maxCurvePoints + 1; ///< the last one is beyond every x
 constexpr const char* curveForm = R"({"points": [[0, 0], [0.5, 0.7], [1, 1]]})";
 
 using Points = SpacedList<glm::dvec2, maxCurvePoints>;
 
-/// The points that a list has in use: in the range, by rising x and not too close. Fewer than two
-/// where it is no curve.
+/// Returns the points that a list uses: in the range, by rising x and not too close. There are
+/// fewer than two where it is no curve.
 Points pointsOf(const Parameter& parameter, const NumberList& list) {
     Points all;
     if (list.type != curveWord || list.numbers.size() % 2 != 0 ||
@@ -41,7 +42,7 @@ Points pointsOf(const Parameter& parameter, const NumberList& list) {
     return all;
 }
 
-/// The points of a value, else of the default, else of the straight line.
+/// Returns the points of a value, else of the default, else of the straight line.
 Points usablePoints(const Parameter& parameter, const Value& value) {
     for (const Value* given : {&value, &parameter.defaultValue}) {
         const auto* list = std::get_if<NumberList>(given);
@@ -56,7 +57,7 @@ Points usablePoints(const Parameter& parameter, const Value& value) {
     return line;
 }
 
-/// The slope at a point between two others: 0 where the curve turns, else the weighted harmonic
+/// Returns the slope at a point between two others: 0 at an extremum, else the weighted harmonic
 /// mean of the slopes beside it.
 double slopeBetween(double left, double leftSlope, double right, double rightSlope) {
     if (leftSlope * rightSlope <= 0.0) {
@@ -67,7 +68,8 @@ double slopeBetween(double left, double leftSlope, double right, double rightSlo
     return (leftWeight + rightWeight) / (leftWeight / leftSlope + rightWeight / rightSlope);
 }
 
-/// The slope at an end, of the parabola through three points, as far as that stays monotone.
+/// Returns the slope at an end: that of the parabola through three points, limited so that it stays
+/// monotone.
 double slopeAtEnd(double near, double nearSlope, double far, double farSlope) {
     const double slope = ((2.0 * near + far) * nearSlope - near * farSlope) / (near + far);
     if (slope * nearSlope <= 0.0) {
@@ -103,13 +105,13 @@ double slopeAt(std::span<const glm::dvec2> points, std::size_t i) {
                         secant(points, i));
 }
 
-/// Between the values that they lie between, whatever was rounded.
+/// Clamps a value to the range of two others, which rounding may have made it leave.
 double between(double value, double a, double b) {
     return std::clamp(value, std::min(a, b), std::max(a, b));
 }
 
-/// Each piece as the control values of its Bezier form, which is a mean of them: where values
-/// are 0 or more nothing cancels, and the curve never leaves them.
+/// Writes each piece as the control values of its Bezier form, which is a mean of them: where
+/// values are 0 or more nothing cancels, and the curve never leaves them.
 void writeKnots(std::span<const glm::dvec2> points, double* out) {
     out[0] = isLinear(points) ? 0.0 : 1.0;
     for (std::size_t i = 0; i < knotCount; ++i) {
@@ -144,7 +146,7 @@ constexpr std::string_view curveBody = R"(    x = clamp(x, 0.0, 1.0);
     return clamp(y, min(from.y, to.y), max(from.y, to.y));
 )";
 
-// The row
+// The table's row of the type.
 
 ValuePart curvePart(std::size_t index) {
     const std::size_t point = index / 2;
@@ -263,7 +265,8 @@ void packCurve(const Parameter& parameter, const Value& value, double* out) {
     writeKnots(points.span(), out);
 }
 
-/// Presets; edges at both ends, upside down; as many turns as there can be; no curve at all.
+/// Returns presets, a falling line, steep edges at both ends and in the middle, as many turns as
+/// are possible, and constants.
 std::vector<Value> edgeCaseCurves(const Parameter& parameter, std::span<const double> numbers) {
     std::vector<Value> values;
     for (const CurvePreset& preset : curvePresets()) {

@@ -27,7 +27,7 @@ bool isDataFolder(const fs::path& folder) {
     return fs::is_directory(folder / "schemas", status);
 }
 
-/// The folder `make install` fills, seen from the program that runs.
+/// Returns the folder that `make install` fills, relative to the running program.
 fs::path installedFolder() {
     std::error_code status;
     const fs::path program = fs::read_symlink("/proc/self/exe", status);

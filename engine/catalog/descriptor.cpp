@@ -8,12 +8,13 @@
 namespace patina {
 namespace {
 
-/// Twenty times the longest that ships: checks compare ids with one another.
+/// Limits the size to twenty times the longest that ships, because checks compare ids with one
+/// another.
 constexpr JsonLimits descriptorLimits{.bytes = std::size_t(256) << 10};
 
 using Json = nlohmann::json;
 
-/// Members of an object; one that is missing or of the wrong type (which the schema reports)
+/// Reads members of an object; one that is missing or of the wrong type (which the schema reports)
 /// leaves the default.
 class Fields {
   public:
@@ -65,7 +66,7 @@ class Fields {
         read(key, word);
         into = meaningOf(words, word).value_or(into);
     }
-    /// Applies `make` to each element of an array member.
+    /// Appends what `make` returns for each element of an array member.
     template <class T, class Make>
     void readEach(const char* key, std::vector<T>& into, Make make) const {
         const Json* json = find(key);
@@ -108,7 +109,7 @@ Slot slotFrom(const Fields& fields) {
     return slot;
 }
 
-/// One or two numbers; what else stands there the schema reports.
+/// Reads a table, whose size is one or two numbers; the schema reports anything else.
 BlockTable tableFrom(const Fields& fields) {
     BlockTable table;
     fields.read("id", table.id);
@@ -174,7 +175,7 @@ std::optional<PhysicalRange> physicalFrom(const Fields& fields) {
     return range;
 }
 
-/// What a type's numbers look like where the descriptor does not say.
+/// Sets what the descriptor may leave out to the defaults of the parameter's type.
 void setTypeDefaults(Parameter& parameter) {
     const ParameterTypeInfo& info = infoOf(parameter.type);
     parameter.step = info.step;
@@ -259,7 +260,7 @@ std::optional<Hiding> hidingFrom(const Fields& fields) {
     return hiding;
 }
 
-/// A number, which neutralMistakes() sees to be 0, leaves the word empty.
+/// Reads a condition. A number leaves the word empty; neutralMistakes() checks that it is 0.
 NeutralCase neutralFrom(const Fields& fields) {
     NeutralCase neutral;
     for (const std::string& id : fields.names()) {
@@ -282,7 +283,7 @@ std::optional<Reach> reachFrom(const Fields& fields) {
     return reach;
 }
 
-/// What a choice sets, as values of the parameters it names; mistakes are the checker's.
+/// Returns what a choice sets, as values of the parameters it names; the checker reports mistakes.
 Values fillsFrom(const Block& block, const Json& choice) {
     Values fills;
     const Json* json = Fields(choice).find("fills");
@@ -299,7 +300,8 @@ Values fillsFrom(const Block& block, const Json& choice) {
     return fills;
 }
 
-/// Needs all parameters: a choice may set one that stands after it.
+/// Reads the fills of all choices. It needs all parameters: a choice may set one that stands after
+/// it.
 void readFills(Block& block, const Json& document) {
     for (std::size_t i = 0; i < block.parameters.size(); ++i) {
         std::vector<EnumValue>& values = block.parameters[i].values;

@@ -14,14 +14,15 @@ struct Descriptor {
     LocatedJson document;
 };
 
-/// Reads <kind>/<id>.json: the kind is the folder's name, the shader the .glsl file beside it.
-/// The schema is "descriptor". All mistakes of the file are reported at once.
+/// Reads <kind>/<id>.json: the kind is the folder's name, the shader the .glsl file beside it. The
+/// schema is "descriptor". All mistakes of the file are reported at once.
 Checked<Descriptor> readDescriptor(const std::filesystem::path& path, const JsonSchema& schema);
 
-/// Returns what the text of a descriptor without a shader declares; its file's stem is the id.
+/// Returns what the text of a descriptor without a shader declares; the kind is "settings".
 Descriptor settingsDescriptor(const LocatedJson& document);
 
-/// A block under the field names of descriptor files, every field written, and its kind.
+/// Returns a block and its kind under the field names of descriptor files; fields are written even
+/// where they have their defaults.
 nlohmann::json toJson(const Block& block);
 
 } // namespace patina

@@ -73,7 +73,8 @@ class Checker : DescriptorChecker {
         }
     }
 
-    /// Settings have no shader, and say themselves what a material's own images are.
+    /// Tells whether the block is of settings, which have no shader, and declare a material's own
+    /// images.
     bool isOfSettings() const { return block_.shaderFile.empty(); }
 
     void checkSlots() {
@@ -145,8 +146,8 @@ class Checker : DescriptorChecker {
         checkTexture(parameter, pointer);
     }
 
-    /// Presets keep resting values by id beside objects of these names; a value that is an object
-    /// must not be taken for one of them.
+    /// Refuses ids under which presets keep objects beside the resting values: a value that is an
+    /// object would be taken for one of them.
     void checkParkedKey(const Parameter& parameter, const std::string& pointer) {
         constexpr auto taken = std::to_array<std::string_view>({"black", "inSlot", "withoutSlot"});
         const bool isTaken = std::ranges::find(taken, parameter.id) != taken.end() ||
@@ -156,8 +157,8 @@ class Checker : DescriptorChecker {
         }
     }
 
-    /// An image drives what is read anew at every point; three keys of a preset's images have a
-    /// meaning of their own.
+    /// Checks the images of a parameter: an image drives what is read at every point, and three
+    /// keys of a preset's images have a meaning of their own.
     void checkTexture(const Parameter& parameter, const std::string& pointer) {
         constexpr std::array<std::string_view, 3> taken{"normal", "height", "opacity"};
         if (parameter.textureChannels.empty() || isOfSettings()) {
@@ -197,7 +198,8 @@ class Checker : DescriptorChecker {
         }
     }
 
-    /// Values travel to the shader as floats, which hold every whole number up to 2^24.
+    /// Checks the range of integers: values reach the shader as floats, which hold every whole
+    /// number up to 2^24.
     void checkWholeRange(const Parameter& parameter, const std::string& pointer) {
         constexpr double largest = 1 << 24;
         for (const auto& [key, value] :

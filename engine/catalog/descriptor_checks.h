@@ -9,15 +9,15 @@
 
 namespace patina {
 
-/// The mistakes in a descriptor that a schema cannot see: ranges, defaults, names used twice,
-/// conditions over parameters that are not there, a missing shader. A part that the schema already
-/// rejects is passed over.
+/// Returns the mistakes in a descriptor that a schema cannot find: ranges, defaults, names used
+/// twice, conditions over missing parameters, a missing shader. A part that the schema already
+/// rejects is skipped.
 Errors descriptorMistakes(const Descriptor& descriptor);
 
 /// Returns the ids of the blocks of a kind.
 using IdsOfKind = std::function<std::vector<std::string>(const std::string& kind)>;
 
-/// The slots whose default is no block that there is.
+/// Returns an error for each slot whose default block does not exist.
 Errors slotMistakes(const Descriptor& descriptor, const IdsOfKind& idsOfKind);
 
 } // namespace patina

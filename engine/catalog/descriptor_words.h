@@ -11,7 +11,7 @@
 
 namespace patina {
 
-/// The words by which descriptors name the values of an enumeration.
+/// Maps the words that descriptors use to the values of an enumeration.
 template <class T, std::size_t N>
 using Words = std::array<std::pair<std::string_view, T>, N>;
 

@@ -13,7 +13,7 @@
 namespace patina {
 namespace {
 
-constexpr int deepest = 32; ///< parentheses and nots inside each other
+constexpr int deepest = 32; ///< levels of parentheses and nots
 
 enum class Operator { Or, And, Not, Truth, Equal, Unequal, Less, LessEqual, Greater, GreaterEqual };
 
@@ -30,7 +30,7 @@ bool isWord(char c) {
            c == '+';
 }
 
-/// Cuts a text into words, quoted words, and signs of one or two characters.
+/// Splits a text into words, quoted words, and signs of one or two characters.
 class Tokens {
   public:
     explicit Tokens(std::string_view text) : text_(text) { advance(); }
@@ -113,7 +113,7 @@ bool isOperand(const Token& token) {
                             !token.is("or") && !token.is("not"));
 }
 
-/// What an operand stands for: a number (bools are 0 and 1) or a word.
+/// Is what an operand stands for: a number (bools are 0 and 1) or a word.
 using Meaning = std::variant<double, std::string>;
 
 Meaning meaningOf(const Value& value) {
@@ -179,7 +179,8 @@ struct Expression::Node {
     bool evaluate(const Values& values) const;
     void collect(std::vector<Comparison>& into) const;
 
-    /// The values' meanings compared; words (an enum value may look like a number) as text.
+    /// Compares the meanings of the two operands; words (an enum value may look like a number) are
+    /// compared as text.
     bool compare(const Values& values) const {
         const Meaning a = meaningOf(left, values);
         const Meaning b = meaningOf(right, values);
@@ -194,7 +195,7 @@ struct Expression::Node {
                (what == Operator::Equal || what == Operator::Unequal);
     }
 
-    /// Recursive descent: or binds least, then and, then not.
+    /// Parses by recursive descent: `or` binds least, then `and`, then `not`.
     struct Parser {
         using Pointer = std::shared_ptr<const Node>;
 

@@ -11,19 +11,19 @@
 
 namespace patina {
 
-/// A condition over parameters: `distribution == ggx and not (roughness.x <= 0.5)`.
+/// Is a condition over parameters: `distribution == ggx and not (roughness.x <= 0.5)`.
 ///
 /// Operands are parameter ids, numbers, true, false, and the ids of enum values, bare or quoted;
-/// operators are == != < <= > >=, `and`, `or`, `not` and parentheses. A lone operand is true when
-/// it is true or not zero. Comparing things of different kinds is false (and true for !=).
+/// operators are == != < <= > >=, `and`, `or`, `not` and parentheses. A lone operand holds when it
+/// is true or not zero. Comparing things of different kinds is false (and true for !=).
 class Expression {
   public:
-    /// The empty text is always true. An error has line 1 and the column in the text.
+    /// Parses a text; the empty one is always true. An error has line 1 and the column in the text.
     static Result<Expression> parse(std::string_view text);
 
     bool evaluate(const Values& values) const;
 
-    /// A word compared with another word; what each means depends on the parameters there are.
+    /// Is a comparison of two words; what each means depends on the parameters of the block.
     struct Comparison {
         std::string left;
         std::string right; ///< empty when the operand stands alone
