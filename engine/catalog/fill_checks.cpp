@@ -89,7 +89,8 @@ class FillChecker : DescriptorChecker {
         return ids;
     }
 
-    /// A choice that left one of them alone would depend on the choice before.
+    /// Checks that all choices set the same parameters: one that left a parameter alone would
+    /// depend on the choice before.
     void checkSets() {
         for (std::size_t i = 0; i < parameter_.values.size(); ++i) {
             const std::string pointer = fmt::format("{}/values/{}/fills", pointer_, i);

@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// Every mistake in what the choices of a descriptor set (see fills.h), each at its place.
+/// Returns every mistake in what the choices of a descriptor set (see fills.h), each at its place.
 Errors fillMistakes(const Descriptor& descriptor);
 
 } // namespace patina

@@ -19,7 +19,7 @@ const Value& valueIn(const Values& values, const Parameter& parameter) {
     return found == values.end() ? parameter.defaultValue : found->second;
 }
 
-/// Tells whether the choice sets nothing, or what it sets is so.
+/// Tells whether the choice sets nothing, or the values agree with what it sets.
 bool tellsTheTruth(const Block& block, const Values& values, const EnumValue* choice) {
     return choice == nullptr ||
            std::all_of(choice->fills.begin(), choice->fills.end(), [&](const auto& fill) {
@@ -29,7 +29,7 @@ bool tellsTheTruth(const Block& block, const Values& values, const EnumValue* ch
            });
 }
 
-/// The choice of a shorthand that agrees with the values.
+/// Returns the choice of a shorthand that agrees with the values.
 Value settled(const Block& block, const Values& values, const Parameter& shorthand) {
     const Value& chosen = valueIn(values, shorthand);
     if (tellsTheTruth(block, values, chosenValue(shorthand, chosen))) {
@@ -45,7 +45,7 @@ bool fills(const Parameter& shorthand, std::string_view id) {
                        [id](const EnumValue& choice) { return choice.fills.contains(id); });
 }
 
-/// What a choice sets, and the values of today for what only its siblings set.
+/// Adds what a choice sets, and the current values of what only its siblings set.
 void addFilled(const Block& block, const Values& values, const Parameter& shorthand,
                Values& after) {
     if (const EnumValue* choice = chosenValue(shorthand, after.at(shorthand.id))) {

@@ -12,17 +12,18 @@ namespace patina {
 /// Tells whether any choice of the parameter sets other parameters.
 bool isShorthand(const Parameter& parameter);
 
-/// Every value that setting `parameter` to `wanted` decides: its own; for a shorthand all that its
-/// choices may set; for a parameter that a shorthand sets, the shorthand, which turns to its choice
-/// without fills unless all it sets is as it says. Values that are missing count as their defaults.
+/// Returns every value that setting `parameter` to `wanted` decides: its own; for a shorthand all
+/// that its choices may set; for a parameter that a shorthand sets, the shorthand, which changes to
+/// its choice without fills unless all that it sets still agrees. Values that are missing count as
+/// their defaults.
 Values afterEdit(const Block& block, const Values& values, const Parameter& parameter,
                  const Value& wanted);
 
 /// Adds what the given shorthands set and `given` does not have: a value that is given beside a
-/// choice wins.
+/// choice takes precedence.
 void fillGaps(const Block& block, Values& given);
 
-/// Turns each shorthand that does not say what is set to its choice without fills.
+/// Changes each shorthand whose choice does not agree with the values to its choice without fills.
 void settleShorthands(const Block& block, Values& values);
 
 } // namespace patina

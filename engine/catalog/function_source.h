@@ -8,22 +8,22 @@
 
 namespace patina {
 
-/// Returns what the block calls of a value that is a function; null where the field holds the
-/// value.
+/// Describes the function that the block calls for a value that is a function; null where the field
+/// holds the value itself.
 const ShaderFunction* functionOf(const ParameterField& field);
 
-/// "hatchingToneCurve": what a block calls of the field.
+/// Returns the name of the function that a block calls for the field: "hatchingToneCurve".
 std::string functionOfField(const Block& block, const std::string& field);
 
-/// "toneCurveLinear": the bool of the struct that says whether the function is the plain one; empty
-/// where it never is.
+/// Returns the name of the struct's bool that says whether the function is the plain one:
+/// "toneCurveLinear"; empty where the type has no plain function.
 std::string plainField(const ParameterField& field);
 
-/// The function of a field that reads its numbers, in GLSL or as C++: `base`, which
-/// PARAMETER_DATA uses, is the field and has the type given.
+/// Returns the function of a field that reads its numbers, in GLSL or as C++: `base`, which
+/// PARAMETER_DATA uses, is the type of the field.
 std::string functionText(const Block& block, const ParameterField& field, std::string_view base);
 
-/// The function of a field that is known to be the plain one.
+/// Returns the function of a field that is known to be the plain one.
 std::string plainFunction(const Block& block, const ParameterField& field);
 
 } // namespace patina

@@ -18,11 +18,12 @@ namespace {
 using Json = nlohmann::json;
 using Place = LocatedJson::Place;
 
-/// Elements of an array past this index share the place of the array, so that a file full of
-/// numbers does not cost a hundred times its size in memory.
+/// Limits the elements of an array that have a place of their own. Those past this index share the
+/// place of the array, so that a file full of numbers does not cost a hundred times its size in
+/// memory.
 constexpr std::size_t placedElements = 4096;
 
-/// Walks over text and tells how far the parser has come.
+/// Iterates over text and counts the bytes that the parser has read.
 class CountingIterator {
   public:
     using iterator_category = std::input_iterator_tag;
@@ -53,7 +54,7 @@ class CountingIterator {
     std::size_t* count_;
 };
 
-/// Line and column of a byte.
+/// Returns the line and column of a byte, from 1.
 Place placeOf(std::string_view text, std::size_t offset) {
     const std::string_view before = text.substr(0, std::min(offset, text.size()));
     const std::size_t lineStart = before.rfind('\n') + 1; // npos + 1 is 0
@@ -61,7 +62,8 @@ Place placeOf(std::string_view text, std::size_t offset) {
             1 + static_cast<int>(before.size() - lineStart)};
 }
 
-/// The part of `text` between two marks; the end of the text stands for a missing second mark.
+/// Returns the part of `text` between two marks; the end of the text replaces a missing second
+/// mark.
 std::string between(const std::string& text, std::string_view first, std::string_view second) {
     const std::size_t start = text.find(first);
     if (start == std::string::npos) {
@@ -134,7 +136,8 @@ class Builder : public nlohmann::json_sax<Json> {
         return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '+' || c == '-' || c == '.';
     }
 
-    /// `position` counts the bytes read, the offending one included.
+    /// Returns where the word at the end of the bytes read starts. `position` counts those bytes,
+    /// the offending one included.
     std::size_t wordStart(std::size_t position) const {
         std::size_t start = std::min(position == 0 ? 0 : position - 1, text_.size());
         while (start > 0 && start < text_.size() && isWord(text_[start]) &&
@@ -160,16 +163,16 @@ class Builder : public nlohmann::json_sax<Json> {
         return false;
     }
 
-    /// The token of an event starts at the first byte after the event before it that is neither
-    /// blank nor a separator; the parser may have read one byte past a number, and that byte is
-    /// blank, a separator or a bracket that has no place of its own.
+    /// Returns where the token of an event starts: at the first byte after the event before it that
+    /// is neither blank nor a separator. The parser may have read one byte past a number, and that
+    /// byte is blank, a separator or a bracket that has no place of its own.
     std::size_t tokenStart() {
         const std::size_t start = text_.find_first_not_of(" \t\r\n,:", eventEnd_);
         eventEnd_ = count_;
         return start == std::string_view::npos ? text_.size() : start;
     }
 
-    /// Lines are counted forwards, each byte once.
+    /// Returns the line and column of a byte. Lines are counted forwards, each byte once.
     Place placeAt(std::size_t offset) {
         for (; counted_ < offset; ++counted_) {
             if (text_[counted_] == '\n') {

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Numbers in documents are floats; one that is too large becomes the largest.
+/// Returns a number as a float, which documents hold; one that is too large becomes the largest.
 double asFloat(const Json& json) {
     constexpr double largest = std::numeric_limits<float>::max();
     return static_cast<float>(std::clamp(json.get<double>(), -largest, largest));
@@ -22,7 +22,7 @@ bool isNumber(const Json& json) {
     return json.is_number();
 }
 
-/// "an array of 3", and what stands in it where numbers do.
+/// Returns "an array of 3", and the first element that is no number where others are.
 std::string describedArray(const nlohmann::json& json) {
     std::string text = fmt::format("an array of {}", json.size());
     const auto odd = std::find_if_not(json.begin(), json.end(), isNumber);

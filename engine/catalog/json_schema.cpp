@@ -29,7 +29,8 @@ const Json& resolved(const Json& root, const Json& schema) {
     return root.at(Json::json_pointer(reference->get<std::string>().substr(1)));
 }
 
-/// The part of a schema that stands for the member or element `token` of what `schema` describes.
+/// Returns the part of a schema for the member or element `token` of what `schema` describes; null
+/// where there is none.
 const Json* step(const Json& schema, const std::string& token) {
     const auto properties = schema.find("properties");
     if (properties != schema.end() && properties->contains(token)) {
@@ -44,7 +45,7 @@ const Json* step(const Json& schema, const std::string& token) {
     return nullptr;
 }
 
-/// The part of a schema that stands for the value at a JSON pointer; null where there is none.
+/// Returns the part of a schema for the value at a JSON pointer; null where there is none.
 const Json* partAt(const Json& root, const Json::json_pointer& pointer) {
     if (pointer.empty()) {
         return &root;
@@ -54,7 +55,8 @@ const Json* partAt(const Json& root, const Json::json_pointer& pointer) {
     return part == nullptr ? nullptr : &resolved(root, *part);
 }
 
-/// valijson names a place by steps "[key]" or "[3]" after a first "<root>".
+/// Returns the JSON pointer of a place, which valijson names by steps "[key]" or "[3]" after a
+/// first "<root>".
 std::string pointerOf(const std::vector<std::string>& context) {
     Json::json_pointer pointer;
     for (const std::string& entry : context) {
@@ -85,7 +87,7 @@ std::vector<std::string> knownKeys(const Json* part) {
     return keys;
 }
 
-/// What kinds of value a part of a schema allows, for parts without a description.
+/// Says what a part of a schema allows: its description, else the type of its values.
 std::string allowed(const Json* part) {
     if (part == nullptr) {
         return {};
@@ -97,7 +99,7 @@ std::string allowed(const Json* part) {
     return type != part->end() && type->is_string() ? "type " + type->get<std::string>() : "";
 }
 
-/// valijson names only the first unknown key of an object; this names all.
+/// Reports all unknown keys of an object, since valijson names only the first.
 Errors unknownKeys(const LocatedJson& document, const std::string& pointer, const Json* part) {
     const std::vector<std::string> known = knownKeys(part);
     Errors errors;
@@ -118,7 +120,7 @@ Error missingKey(const LocatedJson& document, const std::string& pointer, const 
                           allowed(missing == nullptr ? nullptr : &resolved(schema, *missing)));
 }
 
-/// One violation in the project's words.
+/// Returns one violation in the project's words.
 Errors violations(const LocatedJson& document, const Json& schema,
                   const valijson::ValidationResults::Error& found) {
     const std::string pointer = pointerOf(found.context);
@@ -134,7 +136,8 @@ Errors violations(const LocatedJson& document, const Json& schema,
     return {document.error(pointer, shown + " is not allowed here", allowed(part))};
 }
 
-/// valijson reports a failed value once more at each object around it; those say nothing new.
+/// Tells whether an error only repeats another: valijson reports a failed value once more at each
+/// object around it.
 bool isEcho(const std::string& description) {
     return contains(description, "Failed to validate");
 }

@@ -13,22 +13,23 @@
 
 namespace patina {
 
-/// A JSON document that remembers where each of its values stood.
+/// Is a JSON document that remembers where each of its values is in the file.
 struct LocatedJson {
     struct Place {
         int line = 0;
         int column = 0;
     };
 
-    std::string file; ///< as the user knows it
+    std::string file; ///< path as the user knows it
     nlohmann::json value;
-    std::unordered_map<std::string, Place> places; ///< JSON pointer -> start of the value
+    /// Maps a JSON pointer to the start of its value.
+    std::unordered_map<std::string, Place> places;
 
-    /// An error at the value a JSON pointer names ("" is the whole document).
+    /// Returns an error at the value that a JSON pointer names ("" is the whole document).
     Error error(const std::string& pointer, std::string problem, std::string expected = {}) const;
 };
 
-/// Limits on what is read: a file is never trusted.
+/// Limits what is read: a file is never trusted.
 struct JsonLimits {
     std::size_t bytes = 8u << 20;
     int depth = 64;
@@ -37,11 +38,11 @@ struct JsonLimits {
 /// Parses strict JSON: finite numbers only, no repeated keys, UTF-8, within the limits.
 Result<LocatedJson> parseJson(std::string_view text, std::string file, const JsonLimits& = {});
 
-/// Reads and parses a file.
+/// Reads and parses a file; errors name it.
 Result<LocatedJson> readJson(const std::filesystem::path& path, const JsonLimits& = {});
 
-/// The project's one way to write JSON: sorted keys, two spaces, floats as the shortest text that
-/// reads back as the same float, short arrays of numbers on one line, a final newline.
+/// Writes JSON in the project's only style: sorted keys, two spaces, floats as the shortest text
+/// that reads back as the same float, arrays of numbers on one line, a final newline.
 std::string writeJson(const nlohmann::json& value);
 
 /// Writes through a temporary file in the same folder and renames it over the target, so that

@@ -15,7 +15,8 @@ using Json = nlohmann::json;
 
 constexpr std::size_t columns = 100;
 
-/// Documents hold floats; a double that is not one (a key we do not know) keeps all its digits.
+/// Writes floats as the shortest text, which documents hold; a double that is no float (of an
+/// unknown key) keeps all its digits.
 std::string numberText(double value) {
     if (!std::isfinite(value)) {
         return "null";

@@ -9,7 +9,7 @@ namespace patina {
 
 namespace {
 
-/// An argument under a key by which a line of `patina eval` names a block of some kind; null where
+/// Returns an argument whose key is also the name by which `patina eval` calls a kind; null where
 /// there is none.
 const ArgumentField* takenKey(const BlockKind& kind) {
     for (const BlockFunction& function : kind.functions) {

@@ -7,8 +7,9 @@
 
 namespace patina {
 
-/// Returns what a row of the table of kinds asks for that nothing can give: the double-precision
-/// code and `patina eval` call one function of `Directions`, that without a suffix. Empty: nothing.
+/// Returns what is wrong with a row of the table of kinds, or an empty text. The double-precision
+/// code and `patina eval` can call only one function of `Directions`, the one without a suffix, and
+/// no argument may have the key of a kind.
 std::string kindMistake(const BlockKind& kind);
 
 } // namespace patina

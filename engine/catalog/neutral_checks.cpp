@@ -15,7 +15,7 @@ namespace {
 
 using Pointer = nlohmann::json::json_pointer;
 
-/// What has to hold for a case, in an order of its own: equality has none.
+/// Holds the conditions of a case as a set, because their order does not matter.
 using Conditions = std::set<std::pair<std::string, std::string>>;
 
 bool canBeZero(const Parameter& parameter) {
@@ -50,7 +50,7 @@ class NeutralChecker : DescriptorChecker {
         DescriptorChecker::add(place.to_string(), std::move(problem), std::move(expected));
     }
 
-    /// The values of an enum or an accuracy choice; null for a number.
+    /// Returns the values of an enum or an accuracy choice; null for a number.
     const std::vector<EnumValue>* choiceOf(const std::string& id) const {
         if (const AccuracyChoice* choice = block_.accuracyChoice(id)) {
             return &choice->values;
@@ -114,7 +114,7 @@ class NeutralChecker : DescriptorChecker {
         return conditions;
     }
 
-    /// A case for which another one is enough changes nothing; of equal ones the later.
+    /// Reports cases that another case includes; of equal ones it reports the later.
     void checkRepeats() {
         for (std::size_t i = 0; i < block_.neutral.size(); ++i) {
             const Conditions all = conditionsOf(block_.neutral[i]);
@@ -130,7 +130,7 @@ class NeutralChecker : DescriptorChecker {
         }
     }
 
-    /// One of a choice's values is always chosen.
+    /// Reports an enum all of whose values are cases by themselves: one of them is always chosen.
     void checkChoices() {
         std::map<std::string, std::set<std::string>> chosen;
         for (std::size_t i = 0; i < block_.neutral.size(); ++i) {

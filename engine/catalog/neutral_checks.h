@@ -5,9 +5,9 @@
 
 namespace patina {
 
-/// Every mistake in what a descriptor says of when its block does nothing (NeutralCase), each at
-/// its place: what names nothing, what always holds, so that the block were never there, and what
-/// is said twice.
+/// Returns every mistake in the conditions under which a descriptor's block does nothing
+/// (NeutralCase), each at its place: ids that do not exist, conditions that always hold, and
+/// repeated ones.
 Errors neutralMistakes(const Descriptor& descriptor);
 
 } // namespace patina

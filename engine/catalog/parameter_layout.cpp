@@ -15,7 +15,7 @@ std::size_t roundedUp(std::size_t floats) {
     return (floats + floatsPerVec4 - 1) / floatsPerVec4 * floatsPerVec4;
 }
 
-/// The place of the next field.
+/// Returns the offset of the next field, and advances `floats` past it.
 std::size_t placed(std::size_t& floats, int components) {
     const auto size = static_cast<std::size_t>(components);
     if (floats % floatsPerVec4 + size > floatsPerVec4) {
@@ -26,8 +26,8 @@ std::size_t placed(std::size_t& floats, int components) {
     return offset;
 }
 
-/// Calls `ofParameter` and `ofChoice` for the fields in their order, with the place and size of
-/// each, and gives the size of all.
+/// Calls `ofParameter` and `ofChoice` for the fields in their order, with the offset and size of
+/// each, and returns the size of all.
 template <class OfParameter, class OfChoice>
 std::size_t eachField(const Block& block, OfParameter ofParameter, OfChoice ofChoice) {
     std::size_t floats = 0;

@@ -9,15 +9,15 @@
 
 namespace patina {
 
-/// Says where the values of a block lie when they are packed into vec4s, the one layout that the
-/// uniform blocks, `patina eval`'s data texture and the double-precision reference share.
-/// A parameter never straddles two vec4s, but one that takes more begins with one. Compiled enums
-/// and bools have no place in it when the program holds them, but the reference packs them too, so
-/// every parameter has a field.
+/// Says where a value of a block lies when the values are packed into vec4s. The uniform blocks,
+/// `patina eval`'s data texture and the double-precision reference share this layout. A parameter
+/// never straddles two vec4s; one that takes more begins with one. Compiled enums and bools have no
+/// place in the uniform block, but the reference packs them too, so every parameter but a shorthand
+/// or an image has a field.
 struct ParameterField {
     const Parameter* parameter = nullptr; ///< null for an accuracy choice
     const AccuracyChoice* choice = nullptr;
-    std::string name;       ///< field name in GLSL and C++
+    std::string name;       ///< name in GLSL and C++
     std::size_t offset = 0; ///< in floats from the start of the block's data
     int components = 1;
 };
@@ -27,14 +27,16 @@ struct ParameterLayout {
     std::size_t floats = 0;             ///< a multiple of four
 };
 
-/// The layout of one block. It points into `block`, which must outlive it.
+/// Returns the layout of one block. It points into `block`, which must outlive it.
 ParameterLayout layoutOf(const Block& block);
 
-/// Which level of each accuracy choice is used: choice id -> level id. Missing: exact.
+/// Says which level of each accuracy choice is used: choice id -> level id. A missing choice is
+/// exact.
 using AccuracyLevels = std::map<std::string, std::string, std::less<>>;
 
-/// The values packed by the layout: angles in radians, directions unit, enums and accuracy levels
-/// as the index of the chosen value, bools as 0 or 1. Missing or ill-typed values give the default.
+/// Returns the values packed by the layout: angles in radians, directions unit, enums and accuracy
+/// levels as the index of the chosen value, bools as 0 or 1. Missing or ill-typed values give the
+/// default.
 std::vector<double> packed(const Block& block, const Values& values, const AccuracyLevels& levels);
 
 } // namespace patina

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rows of types whose values are a number or three, a word, a choice.
+// This file has the rows of types whose values are one to three numbers, a bool, a choice or a
+// file.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -34,8 +35,8 @@ bool areNumbers(const Json& json, std::size_t count) {
            });
 }
 
-/// Into the range; a number that is the same float as an end of it, as 0.01 read back from a float
-/// is, stays as it is.
+/// Clamps to the range. A number that rounds to the same float as an end of it, as 0.01 read back
+/// from a float does, stays as it is.
 double clampedNumber(const Parameter& parameter, double x) {
     const double near = std::clamp(x, parameter.min, parameter.max);
     const bool sameFloat = static_cast<float>(near) == static_cast<float>(x);
@@ -46,7 +47,7 @@ std::string limitsText(const Parameter& parameter) {
     return fmt::format("{} .. {}", parameter.min, parameter.max);
 }
 
-/// The range as lists have it, with the unit and what components are called.
+/// Returns the range as lists show it, with the unit and the names of the components.
 std::string listedRange(const Parameter& parameter) {
     const std::vector<std::string>& names = parameter.components;
     return fmt::format("{} .. {}{}{}{}", shortestFloatText(parameter.min),
@@ -242,7 +243,7 @@ Value conformedVector(const Parameter& parameter, const Value& value) {
     return vectorOf<Vector>(numbers);
 }
 
-/// Equal components, and mixtures of the ends with what is between.
+/// Returns vectors of equal components, and mixtures of the ends with what is between.
 template <class Vector>
 std::vector<Value> edgeCaseVectors(const Parameter&, Numbers numbers) {
     std::vector<Value> values;

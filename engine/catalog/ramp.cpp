@@ -23,7 +23,7 @@ using Json = nlohmann::json;
 constexpr std::string_view rampWord = "ramp";
 constexpr std::array<std::string_view, 3> interpolationWords{"linear", "smooth", "constant"};
 constexpr std::size_t numbersPerStop = 4;
-constexpr std::size_t firstStop = 4;             ///< behind a vec4 that says how to interpolate
+constexpr std::size_t firstStop = 4;             ///< skips the vec4 that says how to interpolate
 constexpr std::size_t places = maxRampStops + 1; ///< the last one is beyond every x
 constexpr const char* rampForm = R"({"stops": [{"at": 0, "color": [0, 0, 0]}, )"
                                  R"({"at": 1, "color": [1, 1, 1]}], "interpolation": "smooth"})";
@@ -36,8 +36,8 @@ std::size_t indexOfInterpolation(double number) {
     return static_cast<std::size_t>(std::clamp(std::round(number), 0.0, 2.0));
 }
 
-/// The stops that a list has in use: in the range, by rising place and not too close. None where it
-/// is no ramp.
+/// Returns the stops that a list uses: in the range, by rising place and not too close. There are
+/// none where it is no ramp.
 Stops stopsOf(const Parameter& parameter, const NumberList& list) {
     Stops stops;
     const std::size_t size = list.numbers.size();
@@ -58,7 +58,7 @@ Stops stopsOf(const Parameter& parameter, const NumberList& list) {
     return stops;
 }
 
-/// The stops of a value, else of the default, else black.
+/// Returns the stops of a value, else of the default, else one that is black.
 Stops usableStops(const Parameter& parameter, const Value& value) {
     for (const Value* given : {&value, &parameter.defaultValue}) {
         const auto* list = std::get_if<NumberList>(given);
@@ -100,7 +100,7 @@ constexpr std::string_view rampBody = R"(    x = clamp(x, 0.0, 1.0);
     return u * vec3(from.y, from.z, from.w) + t * vec3(to.y, to.z, to.w);
 )";
 
-// The row
+// The table's row of the type.
 
 bool isFiniteNumber(const Json& json) {
     return json.is_number() && std::isfinite(json.get<double>());
@@ -143,7 +143,7 @@ tl::expected<RampStop, ValueError> stopFromJson(const std::vector<RampStop>& bef
     return stop;
 }
 
-/// The members of a ramp, and no others.
+/// Returns the interpolation of a ramp, and refuses members that a ramp does not have.
 tl::expected<RampInterpolation, ValueError> interpolationFromJson(const Json& json) {
     for (const auto& [key, member] : json.items()) {
         if (key != "stops" && key != "interpolation") {
@@ -199,7 +199,7 @@ nlohmann::json rampJson(const NumberList& list) {
     return {{"interpolation", wordOf(ramp.interpolation)}, {"stops", std::move(stops)}};
 }
 
-/// "0.5:#ff8800" or "0.5:0.8,0.2,0.1".
+/// Parses a stop: "0.5:#ff8800" or "0.5:0.8,0.2,0.1".
 std::optional<RampStop> stopFromText(std::string_view text) {
     const std::size_t colon = text.find(':');
     if (colon == std::string_view::npos) {
@@ -287,7 +287,8 @@ void packRamp(const Parameter& parameter, const Value& value, double* out) {
     }
 }
 
-/// One colour, both ends, edges and as many stops as there can be, in every interpolation.
+/// Returns ramps of one colour, of both ends, with edges and with as many stops as are possible,
+/// the latter three in every interpolation.
 std::vector<Value> edgeCaseRamps(const Parameter& parameter, std::span<const double> numbers) {
     const glm::dvec3 low(parameter.min);
     const glm::dvec3 high(parameter.max);

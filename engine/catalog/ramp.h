@@ -10,14 +10,14 @@
 
 namespace patina {
 
-/// Tells how a ramp comes from one stop to the next, in linear light.
+/// Tells how a ramp interpolates between two stops, in linear light.
 enum class RampInterpolation {
-    Linear,  ///< evenly
-    Smooth,  ///< slowly at both stops (smoothstep)
-    Constant ///< in a step at the next stop, a thousandth wide
+    Linear,  ///< mixes linearly
+    Smooth,  ///< mixes by smoothstep: slowly at both stops
+    Constant ///< keeps the colour up to a step at the next stop, which is a thousandth wide
 };
 
-/// A colour at a place from 0 to 1.
+/// Is a colour at a place from 0 to 1.
 struct RampStop {
     double at = 0.0;
     glm::dvec3 color{0.0}; ///< linear Rec. 709
@@ -25,12 +25,12 @@ struct RampStop {
     friend bool operator==(const RampStop&, const RampStop&) = default;
 };
 
-/// Colours along a line. Before the first stop and after the last it stays as they are.
+/// Holds colours along a line. Before the first stop and after the last the colour is constant.
 struct Ramp {
     RampInterpolation interpolation = RampInterpolation::Linear;
-    std::vector<RampStop> stops{}; ///< by rising place
+    std::vector<RampStop> stops{}; ///< sorted by rising place
 
-    /// The colour at a place, as the shader has it. Black without a stop.
+    /// Returns the colour at a place, as the shader computes it. It is black without a stop.
     glm::dvec3 at(double x) const;
 
     friend bool operator==(const Ramp&, const Ramp&) = default;
@@ -38,15 +38,15 @@ struct Ramp {
 
 inline constexpr std::size_t maxRampStops = 16;
 
-/// How far apart two stops are at least.
+/// Is the smallest distance between two stops.
 inline constexpr double minRampGap = 0.001;
 
-/// The ramp that a value holds; without stops where it is none.
+/// Returns the ramp that a value holds; it has no stops where the value is no ramp.
 Ramp rampOf(const Value& value);
 
 Value rampValue(const Ramp& ramp);
 
-/// "smooth", as files have it.
+/// Returns the word that files use: "smooth".
 std::string_view wordOf(RampInterpolation interpolation);
 
 } // namespace patina

@@ -13,7 +13,7 @@ bool isDrawn(const Parameter& parameter) {
            !parameter.emission;
 }
 
-/// The number that stands at a share of the slider's length.
+/// Returns the number at a share of the slider's length, 0 .. 1.
 double alongSlider(const Parameter& parameter, double share) {
     const double low = parameter.softMin;
     const double high = parameter.softMax;

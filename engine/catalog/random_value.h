@@ -9,8 +9,8 @@
 namespace patina {
 
 /// Returns a value that the parameter's slider reaches, made of numbers from 0 to 1 that `next`
-/// gives; evenly along the slider, so where it is logarithmic as well. Nothing for choices, files,
-/// curves, ramps, and for what glows: a look is not made of those by chance.
+/// gives. It is evenly distributed along the slider, also where that is logarithmic. Choices,
+/// files, curves, ramps and emission give nothing: a look is not made of those by chance.
 std::optional<Value> randomValue(const Parameter& parameter, const std::function<double()>& next);
 
 } // namespace patina

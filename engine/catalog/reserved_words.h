@@ -5,8 +5,8 @@
 
 namespace patina {
 
-/// Words that cannot name a field because GLSL (4.10 specification, section 3.6) or C++ has taken
-/// them. Only words that a parameter id can make are listed: letters and digits.
+/// Tells whether a word cannot name a field because GLSL (4.10 specification, section 3.6) or C++
+/// has taken it. Only words that a parameter id can make are listed: letters and digits.
 bool isReservedWord(std::string_view word);
 
 } // namespace patina

@@ -12,7 +12,7 @@ namespace patina {
 
 namespace {
 
-/// Empty when the parameter may be a share that passes.
+/// Says why the parameter cannot be a transmitted share; empty when it can.
 std::string transparencyMistake(const Parameter& parameter) {
     if (parameter.type != ParameterType::Float || parameter.min < 0.0 || parameter.max > 1.0) {
         return "only a float from 0 to 1 can be a share that passes";

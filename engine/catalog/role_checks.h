@@ -5,9 +5,9 @@
 
 namespace patina {
 
-/// Returns what keeps parameters from what the keys `transparency` (a share of the light, the same
-/// wherever on the surface), `highlight` and `role` make of them, and the roles that the block
-/// lacks.
+/// Returns the mistakes in the keys `transparency` (a share of the light, the same everywhere on
+/// the surface), `highlight` and `role` of the parameters, and the needed roles that no parameter
+/// has.
 Errors roleMistakes(const Descriptor& descriptor);
 
 } // namespace patina

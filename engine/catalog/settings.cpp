@@ -69,7 +69,7 @@ class SettingsReader {
         return Value(std::move(value));
     }
 
-    /// No setting is a pair, a curve or a ramp.
+    /// Gives nothing, because no setting is a pair, a curve or a ramp.
     static std::optional<Value> given(JsonReader&, const std::string&, const glm::dvec2&) {
         return std::nullopt;
     }
@@ -77,7 +77,8 @@ class SettingsReader {
         return std::nullopt;
     }
 
-    /// What the file has, or the default in place of another type; nothing where it has none.
+    /// Returns what the file has, or the default where that is of another type; nothing where the
+    /// file has no value.
     std::optional<Value> valueIn(JsonReader& reader, const std::string& key,
                                  const Parameter& parameter) {
         return std::visit([&](const auto& usual) { return given(reader, key, usual); },
@@ -107,7 +108,8 @@ class SettingsReader {
                            static_cast<float>(parameter.max));
     }
 
-    /// Where the range alone does not say what may stand there, as no factor of a scale may be 0.
+    /// Gives an example where the range alone does not say what is allowed: no factor of a scale
+    /// may be 0.
     static std::string likeHeld(const Value& held) {
         std::string text = writeJson(toJson(held));
         text.pop_back(); // the end of the line

@@ -20,9 +20,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t maxBytes = 1u << 20; // of a file of these folders
+constexpr std::uintmax_t maxBytes = 1u << 20; // limits the size of a file of these folders
 
-/// A function of the same name would hide them all, whatever its arguments.
+/// Tells whether GLSL has a function of this name. A function of the same name would hide all of
+/// its overloads, whatever the arguments.
 bool isFunctionOfGlsl(std::string_view name) {
     constexpr auto names = std::to_array<std::string_view>(
         {"abs",           "acos",         "acosh",         "all",           "any",
@@ -45,7 +46,7 @@ bool isFunctionOfGlsl(std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Calls `take(word, rest of the line after it)` for each word before a remark.
+/// Calls `take(word, rest of the line after it)` for each word before a comment.
 template <class Take>
 void forEachWord(std::string_view line, const Take& take) {
     line = line.substr(0, line.find("//"));
@@ -60,7 +61,8 @@ void forEachWord(std::string_view line, const Take& take) {
     }
 }
 
-/// A declaration of a library file starts its line; what is inside braces is indented.
+/// Adds the name that a line of a library file declares. A declaration starts its line; what is
+/// inside braces is indented.
 void addDeclaration(ShaderNames& names, std::string_view line) {
     if (line.empty() || !isNameCharacter(line.front())) {
         return;

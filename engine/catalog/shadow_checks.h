@@ -5,8 +5,8 @@
 
 namespace patina {
 
-/// Returns what is missing for the shadows that a descriptor promises: a map looks from somewhere,
-/// some way, and reaches to an angle.
+/// Returns what a light with shadows is missing in its descriptor: a shadow map needs a position, a
+/// direction or an angle, depending on its projection.
 Errors shadowMistakes(const Descriptor& descriptor);
 
 } // namespace patina

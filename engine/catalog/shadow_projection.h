@@ -3,12 +3,12 @@
 
 namespace patina {
 
-/// Tells how the rays of a light run, which is how its depth map looks at the scene.
+/// Tells how the rays of a light run, which is how its shadow map projects the scene.
 enum class ShadowProjection {
-    None,     ///< it casts no shadows
-    Parallel, ///< along its direction, from very far away
-    Cone,     ///< from its position about its direction, as far as its widest angle
-    Sphere    ///< from its position everywhere
+    None,     ///< the light casts no shadows
+    Parallel, ///< along the light's direction, from very far away
+    Cone,     ///< from its position about its direction, up to its widest angle
+    Sphere    ///< from its position in all directions
 };
 
 } // namespace patina

@@ -7,7 +7,7 @@
 
 namespace patina {
 
-/// Holds as many points of a curve, or stops of a ramp, as there may be, without a heap.
+/// Holds the points of a curve, or the stops of a ramp, without allocating memory.
 template <class Item, std::size_t capacity>
 class SpacedList {
   public:
@@ -16,7 +16,7 @@ class SpacedList {
     void add(const Item& item) { items_[size_++] = item; }
 
     /// Sorts by `place`, then drops each item that is nearer than `gap` to the one before it.
-    /// Places that were rounded to floats may be nearer by that.
+    /// Places may be nearer by as much as rounding to floats moves them.
     void space(double Item::*place, double gap) {
         const auto end = items_.begin() + static_cast<std::ptrdiff_t>(size_);
         std::sort(items_.begin(), end,

@@ -8,8 +8,8 @@
 namespace patina {
 namespace {
 
-/// Damerau's distance (1964) in its restricted form: the fewest letters to add, drop or change, or
-/// neighbours to exchange.
+/// Returns Damerau's distance (1964) in its restricted form: the smallest number of letters to add,
+/// drop or change, or of neighbours to exchange.
 std::size_t distance(std::string_view a, std::string_view b) {
     std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
     for (std::size_t i = 0; i <= a.size(); ++i) {

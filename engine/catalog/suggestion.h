@@ -7,11 +7,11 @@
 
 namespace patina {
 
-/// Returns what the user may have meant by `word`: the nearest candidate when it is near enough (at
-/// most a third of its letters differ), else "".
+/// Returns what the user may have meant by `word`: the most similar candidate (at most a third of
+/// the letters of `word` differ), else "".
 std::string nearest(std::string_view word, std::span<const std::string> candidates);
 
-/// "one of a, b, c", or "'b' (or one of a, c)" when one of them is near to `word`.
+/// Returns "one of a, b, c", or "'b', or one of a, b, c" when one of them is similar to `word`.
 std::string oneOf(std::string_view word, std::span<const std::string> candidates);
 
 } // namespace patina

@@ -5,7 +5,8 @@
 
 namespace patina {
 
-/// Every mistake in the tables of a descriptor and in which levels read them, each at its place.
+/// Returns every mistake in the tables of a descriptor and in the levels that read them, each at
+/// its place.
 Errors tableMistakes(const Descriptor& descriptor);
 
 } // namespace patina

@@ -12,8 +12,8 @@ std::string signature(const Block& block, const BlockTable& table) {
     return fmt::format("vec3 {}(vec2 x, {} p)", tableFunction(block, table), structName(block));
 }
 
-/// One coordinate's place among the entries, as statements: {0} is x or y, {1} the last entry's
-/// number, {2} the last but one's.
+/// Is the source of one coordinate's position among the entries: {0} is x or y, {1} the last
+/// entry's index, {2} the last but one's.
 constexpr const char* placeSource =
     "    float {0}At = clamp(x.{0}, 0.0, 1.0) * {1}.0;\n"
     "    float {0}Low = min(floor({0}At), {2}.0);\n";
@@ -22,8 +22,8 @@ std::string place(const char* axis, int entries) {
     return fmt::format(fmt::runtime(placeSource), axis, entries - 1, entries - 2);
 }
 
-/// The mean of two entries along the first axis; {0} the entry's function, {1} the number of the
-/// last one, {2} the place along the second axis, {3} the name of the result.
+/// Is the source of the mean of two entries along the first axis: {0} is the entry's function, {1}
+/// the index of the last one, {2} the position along the second axis, {3} the name of the result.
 constexpr const char* rowSource =
     "    vec3 {3} = mix({0}(vec2(xLow / {1}.0, {2}), p),\n"
     "                   {0}(vec2((xLow + 1.0) / {1}.0, {2}), p), xAt - xLow);\n";

@@ -9,7 +9,8 @@
 
 namespace patina {
 
-/// Why JSON holds no value of a parameter. Like every Error of a value it has no place in a file.
+/// Says why JSON holds no value of a parameter. Like every Error of a value it has no place in a
+/// file.
 struct ValueError : Error {
     ValueError(Error error, std::string inside = {})
         : Error(std::move(error)), within(std::move(inside)) {}
@@ -17,20 +18,20 @@ struct ValueError : Error {
     std::string within; ///< JSON pointer from the value to the mistake; empty: the value itself
 };
 
-/// A value as JSON has it, or why there is none.
+/// Holds a value as JSON has it, or why there is none.
 using ValueReading = tl::expected<Value, ValueError>;
 
-/// Shorthand for a ValueError within a value.
+/// Is short for a ValueError at a place within a value.
 inline tl::unexpected<ValueError> failureWithin(std::string pointer, std::string problem,
                                                 std::string expected) {
     return tl::unexpected(
         ValueError({{}, 0, 0, std::move(problem), std::move(expected)}, std::move(pointer)));
 }
 
-/// One of the many things that a value is made of: a point, a stop.
+/// Names one of the parts that a value is made of: a point, a stop.
 struct ValuePart {
     std::string name;    ///< "point 3"; empty: the whole value
-    std::string pointer; ///< from the value to it, in JSON
+    std::string pointer; ///< JSON pointer from the value to the part
 };
 
 } // namespace patina

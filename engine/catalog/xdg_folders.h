@@ -6,9 +6,9 @@
 
 namespace patina {
 
-/// $XDG_DATA_HOME/patina and $XDG_CACHE_HOME/patina, or what the XDG Base Directory Specification
-/// puts in their place below $HOME. Paths that are not absolute are ignored, as it says; nothing
-/// when no other is left.
+/// Return $XDG_DATA_HOME/patina and $XDG_CACHE_HOME/patina, or the defaults of the XDG Base
+/// Directory Specification below $HOME. Paths that are not absolute are ignored, as it demands; the
+/// result is empty when no other is left.
 std::optional<std::filesystem::path> xdgDataFolder();
 std::optional<std::filesystem::path> xdgCacheFolder();
 
