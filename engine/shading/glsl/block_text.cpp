@@ -26,7 +26,7 @@ bool isConditional(const GlslToken& token) {
     return directiveName(token).starts_with("if");
 }
 
-/// What opens, closes or stands between, in order; an error for what has no partner.
+/// Reports conditionals without an end, and #else, #elif and #endif without an #if.
 Errors conditionalMistakes(const Block& block, const GlslTokens& tokens) {
     Errors errors;
     std::vector<GlslToken> open;
@@ -47,7 +47,8 @@ Errors conditionalMistakes(const Block& block, const GlslTokens& tokens) {
     return errors;
 }
 
-/// The program says these once, before everything else; Patina counts the lines.
+/// Reports directives that the program has once, before everything else; Patina adds the line
+/// numbers.
 Errors foreignDirectives(const Block& block, const GlslTokens& tokens) {
     Errors errors;
     for (const GlslToken& token : tokens) {
@@ -61,7 +62,7 @@ Errors foreignDirectives(const Block& block, const GlslTokens& tokens) {
     return errors;
 }
 
-/// Braces need not match where conditionals choose between them.
+/// Reports braces without a partner; not where conditionals may choose between them.
 Errors braceMistakes(const Block& block, const GlslTokens& tokens) {
     std::vector<GlslToken> open;
     if (std::any_of(tokens.begin(), tokens.end(), isConditional)) {
@@ -81,7 +82,7 @@ Errors braceMistakes(const Block& block, const GlslTokens& tokens) {
                                          "} before the end of the file")};
 }
 
-/// What stands last at the end of the file would go on in the text that follows it.
+/// Reports a last declaration without an end: it would continue in the text that follows the file.
 Errors endMistakes(const Block& block, const GlslTokens& tokens) {
     const auto last = std::find_if_not(tokens.rbegin(), tokens.rend(),
                                        [](const GlslToken& token) { return token.isDirective(); });
@@ -92,7 +93,7 @@ Errors endMistakes(const Block& block, const GlslTokens& tokens) {
                     "; or } before the end of the file")};
 }
 
-/// One call of a block of some kind, looked for in what its file defines.
+/// Is a function that calls of a block need, which is searched among those its file defines.
 class Wanted {
   public:
     Wanted(const Block& block, const BlockFunction& call)
@@ -114,7 +115,8 @@ class Wanted {
         return function.name.text == name_ && function.result == call_.result && takes(function);
     }
 
-    /// What was meant to be it: of its name, or nearly, or else with its arguments.
+    /// Returns the function that was probably meant: one with the same or a similar name, else one
+    /// with the same arguments; null where there is none.
     const GlslFunction* meant(const std::vector<GlslFunction>& functions) const {
         std::vector<std::string> names;
         for (const GlslFunction& function : functions) {
@@ -146,10 +148,10 @@ class Wanted {
     BlockFunction call_;
     std::string struct_;
     std::string name_;
-    std::vector<std::string> arguments_; ///< their types
+    std::vector<std::string> arguments_; ///< types of the arguments
 };
 
-/// By which the functions of the entries of tables are named.
+/// Returns what the names of the entry functions of tables add to the block's function name.
 std::vector<std::string> entrySuffixes(const Block& block) {
     std::vector<std::string> suffixes;
     for (const BlockTable& table : block.tables) {

@@ -8,9 +8,10 @@
 
 namespace patina {
 
-/// Returns what a driver would blame on the text around a block's: the functions that its kind is
-/// called by (docs/design/blocks.md lists them) and that it lacks, what it opens and does not
-/// close, and directives that are the whole program's. `glsl` is the block's file without comments.
+/// Returns the mistakes in a block's text that a driver would report in the text around it:
+/// functions that calls of its kind need (docs/design/blocks.md lists them) and that are missing,
+/// brackets and conditionals without an end, and directives that only the whole program may have.
+/// `glsl` is the block's file without comments.
 Errors blockTextMistakes(const Block& block, std::string_view glsl);
 
 } // namespace patina

@@ -9,7 +9,7 @@
 namespace patina {
 namespace {
 
-/// Groups: source string, line, column (Mesa only), message.
+/// Returns the forms of errors. Their groups are: source string, line, column (Mesa only), message.
 const std::array<std::regex, 3>& forms() {
     static const std::array<std::regex, 3> all{
         std::regex(R"(^(\d+):(\d+)\((\d+)\): (?:preprocessor )?error: (.*)$)"),
@@ -50,7 +50,8 @@ std::string trimmed(std::string_view text) {
     return std::string(text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1));
 }
 
-/// Mesa follows "no matching function" with a line for each overload, indented.
+/// Tells whether an error lists an overload: Mesa follows "no matching function" with an indented
+/// line for each.
 bool isOverload(const Error& error) {
     return error.problem.starts_with("  ");
 }

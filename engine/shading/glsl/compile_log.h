@@ -8,9 +8,10 @@
 
 namespace patina {
 
-/// The errors of a driver's log at the files and lines of `source`. Reads the forms of Mesa
-/// ("1:12(5): error: ..."), NVIDIA ("1(12) : error C0000: ...") and AMD and Apple
-/// ("ERROR: 1:12: ..."). Warnings are left out. A log in no known form is one error, whole.
+/// Returns the errors of a driver's log at the files and lines of `source`. It reads the forms of
+/// Mesa ("1:12(5): error: ..."), NVIDIA ("1(12) : error C0000: ...") and AMD and Apple ("ERROR:
+/// 1:12: ..."). Warnings are left out. A log without any known form is one error, with the whole
+/// log as its text.
 Errors compileErrors(std::string_view log, const ShaderSource& source);
 
 } // namespace patina

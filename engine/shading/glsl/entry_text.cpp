@@ -13,7 +13,7 @@ namespace {
 
 using TokenSpan = std::span<const GlslToken>;
 
-/// The body of a function, between its braces; empty where there is none.
+/// Returns the body of a function, between its braces; empty where there is none.
 TokenSpan bodyOf(TokenSpan tokens, std::string_view function) {
     int depth = 0;
     std::size_t begin = 0;
@@ -30,7 +30,8 @@ TokenSpan bodyOf(TokenSpan tokens, std::string_view function) {
     return {};
 }
 
-/// What a program holds as a constant the program that fills its tables holds, too.
+/// Tells whether a field is a constant of the program: the program that fills its tables has the
+/// same constant.
 bool isCompiled(const Block& block, std::string_view field) {
     return std::ranges::any_of(block.parameters,
                                [field](const Parameter& parameter) {

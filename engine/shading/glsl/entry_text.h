@@ -10,7 +10,7 @@
 namespace patina {
 
 /// Returns where the text of a block computes an entry of a table from more than the parameters
-/// that the table names: its tables would not be filled anew when those change.
+/// that the table names: its tables would not be updated when the others change.
 Errors entryMistakes(const Block& block, std::span<const GlslToken> tokens);
 
 } // namespace patina

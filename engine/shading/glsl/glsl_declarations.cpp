@@ -6,7 +6,7 @@
 namespace patina {
 namespace {
 
-/// By index of a parenthesis or brace that opens: the index of that which closes it, or the end.
+/// Maps the index of an opening parenthesis or brace to that of the closing one, or to the end.
 std::vector<std::size_t> closings(const GlslTokens& tokens, std::string_view opening,
                                   std::string_view closing) {
     std::vector<std::size_t> closedAt(tokens.size(), tokens.size());
@@ -22,7 +22,7 @@ std::vector<std::size_t> closings(const GlslTokens& tokens, std::string_view ope
     return closedAt;
 }
 
-/// "type", "type name" or "OUT(type) name", with qualifiers before it and anything behind.
+/// Reads "type", "type name" or "OUT(type) name", with qualifiers before it and anything behind it.
 GlslVariable variableOf(std::span<const GlslToken> tokens) {
     while (!tokens.empty() && isQualifier(tokens.front().text)) {
         tokens = tokens.subspan(1);
@@ -37,7 +37,7 @@ GlslVariable variableOf(std::span<const GlslToken> tokens) {
             isOut};
 }
 
-/// What stands between separators from `first` to before `last`.
+/// Reads the variables between separators from `first` to before `last`.
 std::vector<GlslVariable> variablesOf(const GlslTokens& tokens, std::size_t first, std::size_t last,
                                       std::string_view separator) {
     std::vector<GlslVariable> variables;

@@ -8,14 +8,14 @@
 
 namespace patina {
 
-/// An argument of a function or a field of a struct. All declarations point into the text.
+/// Is an argument of a function or a field of a struct. All declarations point into the text.
 struct GlslVariable {
     std::string_view type;
-    std::string_view name; ///< empty: it has none
-    bool isOut = false;    ///< declared OUT(type)
+    std::string_view name; ///< empty: the argument has none
+    bool isOut = false;    ///< the argument is declared OUT(type)
 };
 
-/// Names a function that a text defines.
+/// Is a function that a text defines.
 struct GlslFunction {
     GlslToken name;
     std::string_view result;
@@ -27,7 +27,7 @@ struct GlslStruct {
     std::vector<GlslVariable> fields;
 };
 
-/// All that is defined outside of braces.
+/// Return everything that is defined outside of braces.
 std::vector<GlslFunction> functionsIn(const GlslTokens& tokens);
 std::vector<GlslStruct> structsIn(const GlslTokens& tokens);
 

@@ -17,18 +17,19 @@ namespace {
 
 using Names = std::set<std::string_view>;
 
-/// By name: the types that functions of the name take, "(float,vec3)"; empty for what is none.
+/// Maps a name to the argument types of its functions, "(float,vec3)"; empty for anything that is
+/// no function.
 using Declared = std::map<std::string_view, std::set<std::string>>;
 
-/// What a stretch of a program, from one declaration to another, has in it.
+/// Says what a part of a program declares and uses.
 struct Stretch {
     Declared declared;
     Names macros;
-    Names fields; ///< whatever stands behind a point
+    Names fields; ///< names that follow a dot
     Names words;
 };
 
-/// Words of directives too.
+/// Adds the words of all tokens, those of directives too.
 void addWords(Stretch& stretch, const GlslTokens& tokens) {
     std::string_view before;
     for (const GlslToken& token : opened(tokens)) {
@@ -42,13 +43,14 @@ void addWords(Stretch& stretch, const GlslTokens& tokens) {
     }
 }
 
-/// The macro that "#  define NAME..." defines; empty: it is another directive.
+/// Returns the macro that "#  define NAME..." defines; empty for any other directive.
 std::string_view definedMacro(const GlslToken& directive) {
     const GlslTokens tokens = directiveTokens(directive);
     return tokens.size() > 1 && tokens[0].text == "define" ? tokens[1].text : std::string_view();
 }
 
-/// A name outside of braces and parentheses, between a type (or comma) and what follows a name.
+/// Tells whether token `i` is a declared name: one after a type (or comma) and before a sign that
+/// ends a name. The caller looks only outside of braces and parentheses.
 bool declares(const GlslTokens& tokens, std::size_t i) {
     if (i == 0 || i + 1 >= tokens.size() || !tokens[i].isName()) {
         return false;
@@ -61,7 +63,8 @@ bool declares(const GlslTokens& tokens, std::size_t i) {
            ends.find(next) != std::string_view::npos;
 }
 
-/// "(float,vec3)" of what is declared at `i`, when that is a function.
+/// Returns the argument types of what is declared at `i`, "(float,vec3)"; empty when it is no
+/// function.
 std::string argumentsOf(const GlslTokens& tokens, std::size_t i) {
     std::string arguments;
     int depth = 0;
@@ -102,7 +105,7 @@ Stretch stretchOf(std::string_view text) {
     return stretch;
 }
 
-/// Lines to put before and after a block.
+/// Holds lines to put before and after a block.
 struct Frame {
     std::vector<std::string> before;
     std::vector<std::string> after;
@@ -154,8 +157,8 @@ class Framer {
         return false;
     }
 
-    /// By Patina's own text; a function that takes other types may stand beside one of its name,
-    /// and the block may call either.
+    /// Tells whether Patina's own text declares the name, too. A function with other argument types
+    /// may have the same name, and the block may call either.
     bool isDoubled(std::string_view name, const std::set<std::string>& kinds) const {
         return std::ranges::any_of(around_, [&](const Stretch& stretch) {
             const auto found = stretch.declared.find(name);
@@ -177,7 +180,8 @@ class Framer {
         return std::ranges::any_of(around_, uses);
     }
 
-    /// A macro of Patina's own: to define it again is a mistake, and shall be told as one.
+    /// Tells whether Patina's own text has a macro of this name: to define it again is a mistake,
+    /// and is left for the driver to report.
     bool isAround(std::string_view name) const {
         return std::ranges::any_of(
             around_, [&](const Stretch& stretch) { return stretch.macros.contains(name); });
@@ -185,10 +189,10 @@ class Framer {
 
     std::span<const BlockPart> parts_;
     std::vector<Stretch> own_;
-    std::vector<Stretch> around_; ///< before, between and after the parts
+    std::vector<Stretch> around_; ///< the text before, between and after the parts
 };
 
-/// Copies lines and counts those that no file holds anew.
+/// Copies lines, and renumbers those that are in no file.
 class Writer {
   public:
     void lines(const std::vector<std::string>& more) {

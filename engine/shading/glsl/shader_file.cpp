@@ -11,7 +11,7 @@
 namespace patina {
 namespace {
 
-/// What some editors put before text in UTF-8; to a driver it is no GLSL.
+/// Is what some editors put before text in UTF-8; a driver does not accept it as GLSL.
 constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";
 
 tl::unexpected<Error> wrong(const std::filesystem::path& file, int line, std::string problem,

@@ -9,11 +9,11 @@
 
 namespace patina {
 
-/// Far more than anybody writes, and little enough to be read in a moment.
+/// Limits the size of a shader's file: nobody writes as much, and it is still read in a moment.
 constexpr std::size_t maxShaderBytes = std::size_t(1) << 20;
 
-/// The text of a shader's file: a file, no larger than that, without a NUL byte (at which a driver
-/// takes the text to end). A byte order mark before it is left out.
+/// Reads the text of a shader's file. A file that is larger than maxShaderBytes, or has a NUL byte
+/// (at which a driver takes the text to end), is an error. A byte order mark is left out.
 Result<std::string> readShaderFile(const std::filesystem::path& file);
 
 } // namespace patina

@@ -8,7 +8,7 @@
 
 namespace patina {
 
-/// Text for the driver that knows where its parts came from. `#line N S` says that what follows
+/// Is text for the driver that knows where its parts came from. `#line N S` says that what follows
 /// comes from files[S]; N is the line in that file plus S * linesPerFile, because Mesa forgets S
 /// for errors inside expressions. files[0] is "generated": its lines are those of `text` itself.
 struct ShaderSource {
@@ -16,7 +16,7 @@ struct ShaderSource {
 
     std::string text;
     std::vector<std::string> files{"generated"};
-    std::vector<StrangerBlock> strangers{}; ///< blocks in the text that did not ship
+    std::vector<StrangerBlock> strangers{}; ///< blocks in the text that did not ship with Patina
 
     friend bool operator==(const ShaderSource&, const ShaderSource&) = default;
 };

@@ -17,7 +17,7 @@
 namespace patina {
 namespace {
 
-/// Nobody reads more of them.
+/// Limits the errors of one text: nobody reads more.
 constexpr std::size_t maxErrors = 100;
 
 std::string_view nextLine(std::string_view& rest) {
@@ -35,7 +35,7 @@ bool leavesRoot(const std::string& name) {
     return path.is_absolute() || path.empty() || *path.begin() == "..";
 }
 
-/// Covers all that a program may take from the block.
+/// Returns the hash of all that a program may take from the block.
 std::string hashOf(const Block& block, const std::string& code) {
     const boost::uuids::name_generator_sha1 generate(boost::uuids::ns::oid());
     constexpr auto replace = nlohmann::json::error_handler_t::replace;

@@ -14,43 +14,43 @@
 
 namespace patina {
 
-/// Puts the text of one shader stage together. Files go in without their comments, with their
-/// includes before them, each file once.
+/// Assembles the text of one shader stage. Files are added without their comments, after their
+/// includes, each file once.
 class SourceBuilder {
   public:
-    /// `root` is the folder that `#include "lib/..."` counts from.
+    /// Resolves `#include "lib/..."` relative to `root`.
     explicit SourceBuilder(std::filesystem::path root);
 
-    /// Text that no file holds. Ends it with a newline when it has none.
+    /// Adds text that is in no file. It ends the text with a newline when there is none.
     void add(std::string_view generated);
 
-    /// Adds a file, absolute or below the root.
+    /// Adds a file, by its full path or relative to the root.
     void addFile(const std::filesystem::path& file);
 
-    /// The file of a block, with an error for what would be wrong only in the text around it (see
-    /// blockTextMistakes). What a user's defines for itself may have any name (see
-    /// withPrivateNames).
+    /// Adds the file of a block, and an error for each mistake that a driver would report only in
+    /// the text around it (see blockTextMistakes). What a user's block defines for itself may have
+    /// any name (see withPrivateNames).
     void addBlock(const Block& block);
 
-    /// Returns what was put together; or every file that could not be read (with the place of its
-    /// include), and the blocks' mistakes.
+    /// Returns the assembled text; or an error for every file that could not be read (at its
+    /// include) and for every mistake of a block.
     Checked<ShaderSource> finish() const;
 
   private:
-    /// Says where a file is included from; nowhere: it was asked for.
+    /// Says where a file is included from; empty when the caller added it.
     struct Place {
         std::string file;
         int line = 0;
     };
     void addIncluded(const std::string& name, const Place& includer, const Block* block = nullptr);
-    /// The byte where the file itself begins, behind what it includes.
+    /// Returns the offset where the file itself begins, after what it includes.
     std::size_t addText(const std::string& file, std::string_view text);
     void append(std::string_view line);
 
     std::filesystem::path root_;
     ShaderSource source_;
     std::set<std::filesystem::path> taken_;
-    std::vector<BlockPart> parts_; ///< the users' blocks
+    std::vector<BlockPart> parts_; ///< parts of blocks that did not ship
     Errors errors_;
     int lines_ = 0;
 };

@@ -6,14 +6,14 @@
 
 namespace patina {
 
-/// A block that did not ship with Patina, as it stands in the text of a program.
+/// Identifies a block that did not ship with Patina and is in the text of a program.
 struct StrangerBlock {
     std::string kind;
     std::string id;
-    std::filesystem::path file;    ///< its GLSL, for messages
-    std::filesystem::path shaders; ///< the shipped folder of blocks it was read beside
-    std::filesystem::path own;     ///< the folder that its kind's folder lies in
-    std::string hash;              ///< of its descriptor and its text
+    std::filesystem::path file;    ///< its GLSL file, for messages
+    std::filesystem::path shaders; ///< the shipped folder of blocks that was loaded with it
+    std::filesystem::path own;     ///< the user's folder, in which the folder of its kind is
+    std::string hash;              ///< hash of its descriptor and its text
 
     friend bool operator==(const StrangerBlock&, const StrangerBlock&) = default;
 };

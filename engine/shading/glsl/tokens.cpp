@@ -9,7 +9,7 @@
 namespace patina {
 namespace {
 
-/// The end of the line, and of those that a backslash joins to it.
+/// Returns the end of the line, or of the last line that a backslash joins to it.
 std::size_t directiveEnd(std::string_view text, std::size_t at) {
     std::size_t end = text.find('\n', at);
     while (end != std::string_view::npos) {

@@ -20,24 +20,24 @@ namespace {
 constexpr std::string_view lineWord = "#line ";
 constexpr std::string_view entryPoint = "main";
 
-/// A line and where it says it comes from.
+/// Is a line of the text, with the file and line number that `#line` gives it.
 struct Line {
     std::string_view text;
-    int number = 0; ///< as a compiler counts it
+    int number = 0; ///< number as a compiler counts it
     std::size_t file = 0;
-    std::span<const GlslToken> tokens{}; ///< that begin in it
+    std::span<const GlslToken> tokens{}; ///< the tokens that begin in the line
 };
 
-/// What stands for itself at the top of a shader: a function, a declaration, a macro.
+/// Is an independent part at the top level of a shader: a function, a declaration, a macro.
 struct Item {
-    std::size_t first = 0; ///< of its lines
+    std::size_t first = 0; ///< index of its first line
     std::size_t last = 0;
-    std::string_view name; ///< empty: it is always needed
+    std::string_view name; ///< name that it declares; empty: it is always needed
     std::vector<std::string_view> words;
     bool isNeeded = false;
 };
 
-/// The lines but for those that only say where others come from.
+/// Returns the lines, without those of `#line`.
 std::vector<Line> linesOf(std::string_view text, std::span<const GlslToken> tokens) {
     std::vector<Line> lines;
     Line next{{}, 1, 0};
@@ -68,20 +68,20 @@ bool isOneOf(std::string_view token, std::string_view signs) {
     return token.size() == 1 && signs.find(token.front()) != std::string_view::npos;
 }
 
-/// The first of some signs.
+/// Returns the first token that is one of some signs.
 GlslTokens::const_iterator firstOf(const GlslTokens& tokens, std::string_view signs) {
     return std::ranges::find_if(
         tokens, [signs](const GlslToken& token) { return isOneOf(token.text, signs); });
 }
 
-/// The last name before a place; empty where there is none.
+/// Returns the last name before a place; empty where there is none.
 std::string_view nameBefore(const GlslTokens& tokens, GlslTokens::const_iterator place) {
     const auto found = std::find_if(std::make_reverse_iterator(place), tokens.rend(),
                                     [](const GlslToken& token) { return token.isName(); });
     return found == tokens.rend() ? std::string_view() : found->text;
 }
 
-/// What a directive defines.
+/// Returns the macro that a directive defines or undefines; empty for any other directive.
 std::string_view definedOrDroppedMacro(const GlslToken& directive) {
     const GlslTokens tokens = directiveTokens(directive);
     const bool isMacro =
@@ -89,7 +89,7 @@ std::string_view definedOrDroppedMacro(const GlslToken& directive) {
     return isMacro ? tokens[1].text : std::string_view();
 }
 
-/// What a declaration or definition declares; empty where it is more than a name for what follows.
+/// Returns the name that a declaration or definition declares; empty where it must be kept anyway.
 std::string_view nameOf(const GlslTokens& head) {
     const auto end = firstOf(head, "(={;[");
     const auto names = std::count_if(head.begin(), firstOf(head, "({=;"),
@@ -110,7 +110,7 @@ std::string_view nameOf(const GlslTokens& head) {
     return isFunction && !isInterface ? nameBefore(head, end) : std::string_view();
 }
 
-/// Cuts the text into items; nothing where its brackets do not match.
+/// Splits the text into items; gives nothing where its brackets do not match.
 class ItemReader {
   public:
     explicit ItemReader(const std::vector<Line>& lines) : lines_(lines) {}
@@ -190,12 +190,12 @@ class ItemReader {
     const std::vector<Line>& lines_;
     std::vector<Item> items_;
     Item item_;
-    GlslTokens head_; ///< its tokens so far
+    GlslTokens head_; ///< tokens of the item so far
     int depth_ = 0;
     int parentheses_ = 0;
     bool hasParenthesis_ = false;
     bool hasBrace_ = false;
-    bool bracesFollowParenthesis_ = false; ///< the head's first ones
+    bool bracesFollowParenthesis_ = false; ///< the first braces of the item follow a parenthesis
     bool isEnded_ = false;
 };
 
@@ -224,7 +224,7 @@ void markNeeded(std::vector<Item>& items) {
     }
 }
 
-/// Lines of text, each with its own number.
+/// Writes lines of text, with `#line` where a number does not follow from the line before.
 class LineWriter {
   public:
     void write(const Line& line) {
@@ -246,7 +246,7 @@ class LineWriter {
     std::string text_;
     int written_ = 0;
     std::size_t file_ = 0;
-    int number_ = 1; ///< of the next line of a file
+    int number_ = 1; ///< number of the file's next line
 };
 
 } // namespace

@@ -5,9 +5,9 @@
 
 namespace patina {
 
-/// The source without the functions, structs, constants and macros that main() does not reach: a
-/// library file brings only what is called. Lines keep their numbers through `#line`. A text
-/// without a main(), or whose braces do not match, stays as it is.
+/// Returns the source without the functions, structs, constants and macros that main() does not
+/// reach, so that a library file adds only what is called. Lines keep their numbers through
+/// `#line`. A text without a main(), or whose braces do not match, stays as it is.
 ShaderSource withoutUnused(ShaderSource source);
 
 } // namespace patina

@@ -29,7 +29,7 @@ std::string constantName(const Block& block, const ParameterField& field, std::s
                        constantCase(value));
 }
 
-/// "d2.y", "d2.xyz": where the field lies in the vec4s that were read.
+/// Returns where the field lies in the vec4s that were read: "d2.y", "d2.xyz".
 std::string placeOf(const ParameterField& field) {
     constexpr std::string_view names = "xyzw";
     return fmt::format("d{}.{}", field.offset / 4,
@@ -44,7 +44,8 @@ std::string readSource(const ParameterField& field) {
     return type == "bool" ? fmt::format("{} != 0.0", placeOf(field)) : placeOf(field);
 }
 
-/// The name of the field that says whether this one is the same as another; empty: none does.
+/// Returns the name of the bool that says whether this field equals another; empty where there is
+/// none.
 std::string equalField(const ParameterField& field) {
     const bool compared =
         field.parameter != nullptr && field.parameter->compiled == Compiled::WhenEqual;
@@ -67,7 +68,7 @@ bool isPlain(const ParameterField& field, std::span<const CompiledValue> compile
            found->value == infoOf(field.parameter->type).stateWord(*field.parameter, 0);
 }
 
-/// "p.curve = base + 3;", and whether the function is the plain one.
+/// Writes "p.curve = base + 3;", and whether the function is the plain one.
 std::string unpackFunction(const ParameterField& field, const UnpackRequest& request) {
     const std::size_t first = field.offset / 4;
     std::string text = fmt::format("    p.{} = base + {};\n", field.name, first);
@@ -91,7 +92,7 @@ std::string compiledText(const Block& block, const ParameterField& field,
                                     : constantName(block, field, compiled.value);
 }
 
-/// "MODEL_DISTRIBUTION" for the field `distribution` of `unpackModel`.
+/// Returns the macro of a field: "COMPILED_MODEL_DISTRIBUTION" for `distribution` of `unpackModel`.
 std::string defineName(const ParameterField& field, const UnpackRequest& request) {
     std::string_view owner = request.function;
     if (owner.starts_with("unpack")) {
@@ -100,7 +101,7 @@ std::string defineName(const ParameterField& field, const UnpackRequest& request
     return fmt::format("COMPILED_{}_{}", constantCase(owner), constantCase(field.name));
 }
 
-/// "p.roughnessYEqual = true;", as the program was made, or by a look at both values.
+/// Writes "p.roughnessYEqual = true;", as the program was compiled, or a comparison of both values.
 std::string unpackEqual(const ParameterField& field, const UnpackRequest& request) {
     const std::string equal = equalField(field);
     const auto found =
@@ -113,7 +114,8 @@ std::string unpackEqual(const ParameterField& field, const UnpackRequest& reques
                        fieldName(field.parameter->equalTo));
 }
 
-/// Tells whether a field lies in this vec4; what a function reads is no field.
+/// Tells whether a field may lie in this vec4: what the functions of curves and ramps read is no
+/// field.
 bool isReadByField(const ParameterLayout& layout, std::size_t vec4) {
     return std::ranges::none_of(layout.fields, [vec4](const ParameterField& field) {
         const std::size_t first = field.offset / 4;

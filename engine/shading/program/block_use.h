@@ -12,38 +12,39 @@
 
 namespace patina {
 
-/// A choice that is part of the program instead of its data. Points into the block.
+/// Is a choice that is part of the program instead of its data. It points into the block.
 struct CompiledValue {
-    std::string_view id;    ///< of the parameter or the accuracy choice
+    std::string_view id;    ///< id of the parameter or the accuracy choice
     std::string_view value; ///< id of the enum value or level; "true", "false"; "zero", "nonzero";
                             ///< "equal", "unequal"
 
     friend bool operator==(const CompiledValue&, const CompiledValue&) = default;
 };
 
-/// A block that a program is made of, with what of its values is compiled. Copies of it allocate
-/// nothing unless there is more of that than in any block that ships.
+/// Is a block in a program, with its compiled values. Copies allocate nothing unless it has more
+/// compiled values than any block that ships.
 class BlockUse {
   public:
-    /// Keeps a pointer to the block, and nothing of the values.
+    /// Keeps a pointer to the block, which must outlive it, but none to the values.
     BlockUse(const Block& block, const Values& values, const AccuracyLevels& levels = {});
 
     const Block& block() const { return *block_; }
 
-    /// The compiled parameters, then the accuracy choices, in the descriptor's order.
+    /// Returns the compiled parameters, then the accuracy choices, in the descriptor's order.
     std::vector<CompiledValue> compiled() const;
 
-    /// Returns the level of an accuracy choice of the block.
+    /// Returns the chosen level of an accuracy choice of the block.
     const EnumValue& level(const AccuracyChoice& choice) const;
 
-    /// Tells whether two compiled floats are taken to be the same everywhere.
+    /// Tells whether the program assumes that the parameter and its `equalTo` are equal everywhere.
     bool isEqual(const Parameter& parameter) const;
 
-    /// Makes them differ; makes a level the exact one.
+    /// Makes the program assume nothing about them; setExact chooses the exact level.
     void setUnequal(const Parameter& parameter);
     void setExact(const AccuracyChoice& choice);
 
-    /// Compiled states by place: a state says the same of two uses of one block.
+    /// Lists the compiled states in the order of compiled(). For two uses of one block, equal
+    /// states mean the same.
     using States = boost::container::small_vector<std::uint16_t, 16>;
     const States& states() const { return states_; }
 

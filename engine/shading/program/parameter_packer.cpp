@@ -27,7 +27,7 @@ glm::dvec3 inWorld(const Parameter& parameter, const glm::dvec3& value,
 
 using Numbers = std::array<double, maxComponents>;
 
-/// The numbers of a field from the first; the others stay.
+/// Writes the numbers of a field from the first; the others stay.
 void write(Numbers& numbers, const ParameterField& field, const Values& values,
            const AccuracyLevels& levels, const glm::dmat4& cameraToWorld) {
     if (field.parameter == nullptr) {
@@ -43,7 +43,7 @@ void write(Numbers& numbers, const ParameterField& field, const Values& values,
     }
 }
 
-/// Never beyond what a float holds.
+/// Limits a number to what a float holds.
 float narrowed(double number) {
     constexpr double maxFloat = std::numeric_limits<float>::max();
     return static_cast<float>(std::clamp(number, -maxFloat, maxFloat));

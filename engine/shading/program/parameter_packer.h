@@ -10,8 +10,8 @@
 
 namespace patina {
 
-/// Writes the values of a block as packed() does, in floats and without allocating, with what is
-/// given in camera space turned into world space. `out` holds at least layout.floats / 4 vec4s.
+/// Writes the values of a block as packed() does, but as floats, without allocating, and with
+/// camera space transformed to world space. `out` holds at least layout.floats / 4 vec4s.
 /// `cameraToWorld` is a rigid transform.
 void packInto(std::span<glm::vec4> out, const ParameterLayout& layout, const Values& values,
               const AccuracyLevels& levels, const glm::dmat4& cameraToWorld);

@@ -13,7 +13,7 @@ namespace patina {
 
 namespace {
 
-/// Nothing where the program has no such stage.
+/// Compiles the geometry stage; gives nothing where the program has none.
 Checked<std::optional<gl::Shader>> geometryOf(const ProgramSource& source) {
     if (!source.geometry) {
         return std::nullopt;

@@ -12,19 +12,19 @@
 
 namespace patina {
 
-/// Programs by the hash of their text, in memory and as binaries in a folder. Belongs to one
-/// context. Nothing is compiled twice, also not what did not compile.
+/// Finds programs by the hash of their text, in memory and as binaries in a folder. It belongs to
+/// one context. Nothing is compiled twice, not even what did not compile.
 class ProgramCache {
   public:
     struct Found {
         std::shared_ptr<const gl::Program> program; ///< null when it does not compile
-        Errors errors;                              ///< then: why, at the files' own lines
-        bool compiled = false;                      ///< this call had to compile it
+        Errors errors;         ///< say why it does not compile, at the files' own lines
+        bool compiled = false; ///< this call compiled it
         bool isFinal = true; ///< false: a block in it is still being tried (see BlockGate)
     };
 
-    /// `folder` is made when it is not there; empty: nothing is kept on disk. A folder that cannot
-    /// be written to costs nothing but the time to compile.
+    /// Keeps binaries in `folder`, which is created when it is missing; when it is empty, nothing
+    /// is kept on disk. A folder that cannot be written to costs only the time to compile.
     explicit ProgramCache(std::filesystem::path folder);
 
     Found get(const ProgramSource& source);
@@ -32,7 +32,8 @@ class ProgramCache {
     /// Returns how many programs were compiled since the start.
     int compiledCount() const { return compiledCount_; }
 
-    /// Returns how many were compiled or loaded from the disk since the start.
+    /// Returns how many programs were built since the start: compiled, also without success, or
+    /// loaded from the disk.
     int builtCount() const { return static_cast<int>(found_.size()); }
 
   private:
@@ -43,7 +44,7 @@ class ProgramCache {
     int compiledCount_ = 0;
 };
 
-/// Compiles and links; the errors are at the files' own lines.
+/// Compiles and links a program; the errors are at the files' own lines.
 Checked<gl::Program> compileProgram(const ProgramSource& source);
 
 } // namespace patina

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t maxFiles = 1000;
 constexpr std::uintmax_t maxBytes = 64u << 20;
 
-/// What precedes the binary: the key, then this.
+/// Is what lies between the key and the binary.
 struct Header {
     std::uint32_t format = 0;
     std::uint32_t checksum = 0;

@@ -9,18 +9,18 @@
 
 namespace patina {
 
-/// One program binary on disk. The file is named after the program's hash and the current
+/// Is one program binary on disk. The file is named after the program's hash and the current
 /// context's driver, repeats both, and carries a checksum; one that is truncated, damaged or from
-/// another driver reads as if it were not there.
+/// another driver reads as if it were missing.
 class ProgramFile {
   public:
-    /// `folder` empty: never there, never written.
+    /// Names the file of a program. With an empty `folder` nothing is ever read or written.
     ProgramFile(const std::filesystem::path& folder, const std::string& hash);
 
     std::optional<gl::ProgramBinary> read() const;
 
-    /// Atomic. Fails silently: the program is compiled again next time. The oldest files go when
-    /// the folder holds more than 1000.
+    /// Writes the file atomically. It fails silently: the program is compiled again next time. The
+    /// oldest files are removed when the folder holds more than 1000.
     void write(const gl::ProgramBinary& binary) const;
 
     const std::filesystem::path& path() const { return path_; }

@@ -12,13 +12,15 @@
 
 namespace patina {
 
-/// The text of a whole program. Uniform blocks are called ViewBlock, SceneBlock and ObjectBlock.
+/// Holds the text of a whole program. Uniform blocks are called ViewBlock, SceneBlock and
+/// ObjectBlock.
 struct ProgramSource {
     ShaderSource vertex;
     ShaderSource fragment;
-    std::optional<ShaderSource> geometry{}; ///< what makes lines from the edges of a mesh has one
+    /// Only programs that make lines from the edges of a mesh have one.
+    std::optional<ShaderSource> geometry{};
 
-    /// A name-based UUID (128 bits of SHA-1, by Boost.Uuid) of all texts.
+    /// Returns a name-based UUID (128 bits of SHA-1, by Boost.Uuid) of all texts.
     std::string hash() const;
 };
 
@@ -31,10 +33,10 @@ Checked<ProgramSource> program(const Catalog& catalog, const StageWriter& writeV
                                const StageWriter& writeFragment,
                                const StageWriter& writeGeometry = {});
 
-/// A program that covers the target; `write` adds its fragment stage.
+/// Assembles a program that covers the target; `write` adds its fragment stage.
 Checked<ProgramSource> screenProgram(const Catalog& catalog, const StageWriter& write);
 
-/// A program made of files of the shader folder alone.
+/// Assembles a program from files of the shader folder alone.
 Checked<ProgramSource> passProgram(const Catalog& catalog, const std::string& vertexFile,
                                    std::span<const std::string> fragmentFiles);
 

@@ -9,13 +9,12 @@
 
 namespace patina {
 
-/// Returns a channel of light as a picture can hold it: finite, not negative, at most what a half
-/// can say.
+/// Returns a channel of light as a half-float image can hold it: finite, 0 .. 65504.
 inline float storable(double channel) {
     return std::isfinite(channel) ? static_cast<float>(std::clamp(channel, 0.0, 65504.0)) : 0.0f;
 }
 
-/// Returns all channels so; w is 0.
+/// Returns all channels as images can hold them; w is 0.
 inline glm::vec4 storable(const glm::dvec3& light) {
     return {storable(light.x), storable(light.y), storable(light.z), 0.0f};
 }

@@ -7,13 +7,14 @@
 
 namespace patina {
 
-/// Tells what a program writes that is made from a set of effects.
+/// Tells what a program writes that is assembled from a set of effects.
 enum class SurfaceOutput {
-    Picture,     ///< the light that the surface sends to the viewer
-    Inspection,  ///< its luminance, what is wrong with its numbers, and the numbers themselves
-    Buffer,      ///< what it is shaded from: place, directions, what images and shadows give it
-    Tables,      ///< what blocks read in place of computing: an atlas of their tables
-    LobeSamples, ///< what the model reflects, to be taken apart into lobes
+    Picture, ///< the light that the surface sends to the viewer
+    /// Writes the luminance, what is wrong with its numbers, and the numbers themselves.
+    Inspection,
+    Buffer,      ///< the inputs of shading: position, directions, what images and shadows give
+    Tables,      ///< the tables of the blocks, in one atlas
+    LobeSamples, ///< samples of the model's reflectance, from which lobes are fitted
     AlbedoTable, ///< the model's albedo by the viewer's direction, without mesh, lights or fog
 };
 
@@ -23,33 +24,35 @@ inline bool isTable(SurfaceOutput output) {
            output == SurfaceOutput::LobeSamples;
 }
 
-/// Says how finely a table of albedos is made.
+/// Says how finely a table of albedos samples directions.
 struct AlbedoTableShape {
-    glm::ivec2 size{24, 16}; ///< roots of n.v, azimuths of the viewer
-    int sectors = 48;        ///< directions of light in each ring around the mirror direction
+    glm::ivec2 size{24, 16}; ///< number of square roots of n.v, number of azimuths of the viewer
+    int sectors = 48; ///< number of light directions in each ring around the mirror direction
 
     friend bool operator==(const AlbedoTableShape&, const AlbedoTableShape&) = default;
 };
 
-/// A model that claims to be isotropic has one azimuth and needs fewer directions.
+/// Returns the shape for a model. One that claims to be isotropic has one azimuth and needs fewer
+/// directions.
 AlbedoTableShape albedoTableShape(const Block& model);
 
-/// Says how finely a model's reflectance is taken apart into lobes, as passes/lobe_directions.glsl
-/// has it.
+/// Says how finely a model's reflectance is sampled for fitting lobes; passes/lobe_directions.glsl
+/// uses the same numbers.
 struct LobeTableShape {
-    int viewers = 16;  ///< roots of n.v
-    int azimuths = 16; ///< of the viewer
-    int sectors = 16;  ///< directions of light in each ring around the mirror direction
+    int viewers = 16;  ///< number of square roots of n.v
+    int azimuths = 16; ///< number of azimuths of the viewer
+    int sectors = 16;  ///< number of light directions in each ring around the mirror direction
 
     static constexpr int rings = 44;
-    static constexpr int fittedWidth = 8; ///< of the target of fits, which stand row by row in it
-    static constexpr int steps = 8;       ///< of the table from one viewer to the next
+    static constexpr int fittedWidth = 8; ///< width of the target of fits, which fill it row by row
+    static constexpr int steps = 8;       ///< steps of the table from one viewer to the next
 
     glm::ivec2 fitted() const { return {fittedWidth, viewers * azimuths / fittedWidth}; }
     glm::ivec2 table() const {
         return {(viewers - 1) * steps + 1, azimuths > 1 ? azimuths * steps : 1};
     }
-    int layers() const { return azimuths > 1 ? 5 : 4; } ///< as lobe_fit.glsl writes them
+    /// Must agree with what lobe_fit.glsl writes.
+    int layers() const { return azimuths > 1 ? 5 : 4; }
     glm::ivec2 samples() const { return {rings * sectors, viewers * azimuths}; }
 
     friend bool operator==(const LobeTableShape&, const LobeTableShape&) = default;

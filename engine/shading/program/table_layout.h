@@ -11,27 +11,28 @@
 
 namespace patina {
 
-/// Says as which part of a program a block reads a table.
+/// Tells in which part of a program a block reads a table.
 enum class TableReader { Model, Slot, Blend };
 
-/// A table that a program reads, and where it lies in the texture of the material's tables.
+/// Says where a table that a program reads lies in the texture of the material's tables.
 struct TablePlace {
     const Block* block = nullptr;
     const BlockTable* table = nullptr;
     TableReader reader = TableReader::Model;
     int first = 0; ///< index of the block's first vec4 in `objectData`
-    int row = 0;   ///< the first of table->size.y rows; an entry has a texel
+    int row = 0;   ///< first of table->size.y rows; each entry is a texel
 };
 
-/// Lays out all tables of a program: one above the other in one texture.
+/// Places all tables of a program one above the other in one texture.
 struct TableLayout {
     std::vector<TablePlace> places;
-    glm::ivec2 size{0};              ///< of the texture
-    std::vector<std::size_t> inputs; ///< floats of `objectData` that entries depend on
+    glm::ivec2 size{0}; ///< size of the texture, in texels
+    /// Lists the indices of the floats of `objectData` that entries depend on.
+    std::vector<std::size_t> inputs;
 
     bool empty() const { return places.empty(); }
 
-    /// Adds those that the block's levels in `use` read. It keeps pointers into the block.
+    /// Adds the tables that the block's levels in `use` read. It keeps pointers into the block.
     void add(const BlockPlace& place, const BlockUse& use, TableReader reader);
 
     /// Tells whether the program reads this table.

@@ -20,7 +20,7 @@ std::string lookUp(const TablePlace& place) {
                        tableFunction(*place.block, *place.table), structName(*place.block), call);
 }
 
-/// The values of a block that reads a table, as the program that fills it has them.
+/// Returns the call that unpacks the values of a block, in the program that fills its tables.
 std::string unpacked(const TablePlace& place) {
     switch (place.reader) {
     case TableReader::Slot:
@@ -32,7 +32,7 @@ std::string unpacked(const TablePlace& place) {
     }
 }
 
-/// Where an entry lies on the axis.
+/// Returns where an entry lies on an axis, 0 .. 1, as an expression.
 std::string coordinate(const char* axis, int first, int entries) {
     return entries < 2
                ? std::string("0.0")

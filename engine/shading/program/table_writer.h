@@ -8,17 +8,17 @@
 
 namespace patina {
 
-/// Tells whether the program looks tables of the block up (passes/block_tables.glsl); other outputs
-/// than a picture compute the entries they need.
+/// Tells whether the program reads tables of the block from the texture (passes/block_tables.glsl);
+/// other outputs than a picture compute the entries they need.
 bool looksUp(const Block& block, const TableLayout& tables, SurfaceOutput output);
 
-/// Returns what stands before a block's text and behind it, so that it can call its tables. Those
-/// that the program does not read are macros that no entry and no texture belongs to.
+/// Return the text to put before and after a block's own, so that it can call its tables. Tables
+/// that the program does not read become macros that need no entry and no texture.
 std::string textBeforeBlock(const Block& block, const TableLayout& tables, SurfaceOutput output);
 std::string textBehindBlock(const Block& block, const TableLayout& tables, SurfaceOutput output);
 
-/// Declares what a program that fills the texture writes, and its main(): each entry where it
-/// lies. `Model` and the unpack functions of all that reads a table are there.
+/// Writes the output and main() of a program that fills the texture: each entry at its place.
+/// `Model` and the unpack functions of all that reads a table must be declared before.
 std::string fillingSource(const TableLayout& tables);
 
 } // namespace patina
