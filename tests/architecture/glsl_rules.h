@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rules that let one shader text be GLSL and C++ (docs/design/blocks.md, "One source, two
-// compilers"): what would break one of the two compilers, or mean different things to them.
+// This file has the rules that let one shader text be GLSL and C++ (docs/design/blocks.md, "One
+// source, two compilers"). They find what would break one of the two compilers, or mean different
+// things to them.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +19,7 @@ struct GlslFinding {
     std::string rule;
 };
 
-/// Names of the functions that a text without comments defines.
+/// Returns the names of the functions that a text without comments defines.
 inline std::vector<std::string> glslFunctions(const std::string& text) {
     std::vector<std::string> names;
     for (const GlslFunction& function : functionsIn(glslTokens(text))) {
@@ -81,14 +82,15 @@ class GlslRules {
         }
     }
 
-    /// The text between the last ; { or } and the position.
+    /// Returns the text between the last ; { or } and the position.
     std::string statementBefore(std::size_t position) const {
         const std::size_t start = text_.find_last_of(";{}", position);
         return start == std::string::npos ? text_.substr(0, position)
                                           : text_.substr(start + 1, position - start - 1);
     }
 
-    /// Whole numbers may count: in an index, an int's declaration or the head of a loop.
+    /// Tells whether an integer is allowed at a position: in an index, an int's declaration or the
+    /// head of a loop.
     bool mayCount(std::size_t position) const {
         const std::string line = text_.substr(text_.rfind('\n', position) + 1);
         const std::string statement = statementBefore(position);

@@ -12,7 +12,7 @@
 
 namespace patina::tests {
 
-/// One text file of the project.
+/// Is one text file of the project.
 struct SourceFile {
     std::string path; ///< relative to the project's root, with forward slashes
     std::string text;
@@ -22,7 +22,7 @@ struct SourceFile {
     std::string folder() const { return std::filesystem::path(path).parent_path().string(); }
     bool endsWith(std::string_view ending) const { return path.ends_with(ending); }
 
-    /// "path:line" of an offset into the text, for messages.
+    /// Returns "path:line" of an offset into the text, for messages.
     std::string place(std::size_t offset) const {
         const auto end = text.begin() + std::ptrdiff_t(std::min(offset, text.size()));
         return path + ":" + std::to_string(std::count(text.begin(), end, '\n') + 1);
@@ -40,8 +40,8 @@ inline std::string readText(const std::filesystem::path& path) {
     return text.str();
 }
 
-/// All files under the named folders of the project, sorted by path; only those with one of the
-/// endings when any are given.
+/// Returns all files under the named folders of the project, sorted by path; only those with one of
+/// the endings when any are given.
 inline std::vector<SourceFile> filesUnder(std::initializer_list<std::string_view> folders,
                                           std::initializer_list<std::string_view> endings = {}) {
     std::vector<SourceFile> files;
@@ -66,7 +66,7 @@ inline std::vector<SourceFile> filesUnder(std::initializer_list<std::string_view
     return files;
 }
 
-/// The block descriptors that ship, without lib/ and passes/.
+/// Returns the block descriptors that ship, without lib/ and passes/.
 inline std::vector<SourceFile> blockDescriptors() {
     return filesUnder({"shaders"}, {".json"});
 }

@@ -13,7 +13,8 @@
 
 namespace patina::tests {
 
-/// The state letter and the parent in /proc/<pid>/stat; nothing when there is no such process.
+/// Holds the state letter and the parent in /proc/<pid>/stat; factsOf() gives nothing when there is
+/// no such process.
 struct ProcessFacts {
     char state = 0;
     pid_t parent = 0;
@@ -34,7 +35,7 @@ inline bool isAlive(pid_t process) {
     return facts && facts->state != 'Z';
 }
 
-/// A living child of a process.
+/// Returns a living child of a process.
 inline std::optional<pid_t> childOf(pid_t parent) {
     for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
         const pid_t process = std::atoi(entry.path().filename().c_str());
@@ -46,7 +47,7 @@ inline std::optional<pid_t> childOf(pid_t parent) {
     return std::nullopt;
 }
 
-/// Waits until something is so, at most ten seconds; false when it never was.
+/// Waits until `isSo` returns true, at most ten seconds; returns false when it never did.
 inline bool eventually(const std::function<bool()>& isSo) {
     using namespace std::chrono_literals;
     for (int i = 0; i < 2000 && !isSo(); ++i) {

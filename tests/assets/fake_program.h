@@ -8,7 +8,8 @@
 
 namespace patina::tests {
 
-/// While it lives, a files process that misbehaves in the named way; see fake_files.cpp.
+/// Makes the files process misbehave in the named manner while the object lives; see
+/// fake_files.cpp.
 class FakeProgram {
   public:
     explicit FakeProgram(const char* behaviour) { ::setenv("PATINA_FAKE", behaviour, 1); }

@@ -10,7 +10,7 @@
 
 namespace patina::tests {
 
-/// Builds GLB files piece by piece: one buffer, a view for each piece of data.
+/// Builds GLB files piece by piece: one buffer, and a view for each piece of data.
 class GlbWriter {
   public:
     GlbWriter() {
@@ -22,7 +22,7 @@ class GlbWriter {
         document["bufferViews"] = nlohmann::json::array();
     }
 
-    /// Appends data as a buffer view of its own and gives the view's number.
+    /// Appends data as a buffer view of its own and returns the view's index.
     template <class T>
     int addView(const std::vector<T>& values) {
         const std::size_t bytes = values.size() * sizeof(T);
@@ -33,7 +33,7 @@ class GlbWriter {
         return static_cast<int>(document["bufferViews"].size()) - 1;
     }
 
-    /// Describes a view (-1: none) as `count` elements and gives the accessor's number.
+    /// Describes a view (-1: none) as `count` elements and returns the accessor's index.
     int addAccessor(int view, int componentType, const char* type, std::size_t count) {
         nlohmann::json accessor{{"componentType", componentType}, {"type", type}, {"count", count}};
         if (view >= 0) {

@@ -11,10 +11,10 @@ namespace patina::tests {
 
 using LoadedMesh = Result<std::shared_ptr<const SharedMesh>>;
 
-/// Two triangles in the plane z = 0, seen from +z.
+/// Has two triangles in the plane z = 0, seen from +z.
 inline constexpr const char* squareObj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
 
-/// Writes a file with this content and loads it with these wishes.
+/// Writes a file with this content and loads it as the request says.
 inline LoadedMesh loaded(const std::string& name, const std::string& content,
                          MeshRequest request = {}) {
     const TemporaryFolder folder;
@@ -24,7 +24,7 @@ inline LoadedMesh loaded(const std::string& name, const std::string& content,
     return client.loadMesh(request);
 }
 
-/// The message of a file that must not load; "it loaded" when it did.
+/// Returns the message of a file that must not load; "it loaded" when it did.
 inline std::string complaintAbout(const std::string& name, const std::string& content) {
     const LoadedMesh mesh = loaded(name, content);
     return mesh ? "it loaded" : mesh.error().problem;

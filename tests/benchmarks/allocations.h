@@ -3,7 +3,7 @@
 
 namespace patina::benchmarks {
 
-/// How often this thread called operator new so far.
+/// Returns how often this thread called operator new so far.
 long allocations();
 
 } // namespace patina::benchmarks

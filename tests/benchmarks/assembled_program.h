@@ -10,7 +10,7 @@
 
 namespace patina::benchmarks {
 
-/// The program that the engine puts together for the first object of a scene, with its data.
+/// Is the program that the engine assembles for the first object of a scene, with its data.
 class AssembledProgram {
   public:
     AssembledProgram(const std::shared_ptr<const Catalog>& catalog, const Scene& scene,

@@ -10,19 +10,20 @@
 
 namespace patina::benchmarks {
 
-/// What an assembled program may take of the one that is written by hand, and half of them.
+/// Limit the time of an assembled program relative to the one written by hand: of each, and of half
+/// of them.
 inline constexpr double maxAssembled = 1.05;
 inline constexpr double maxAssembledMedian = 1.02;
 
-/// Models with a file in minimal/.
+/// Lists the models that have a file in minimal/.
 inline constexpr std::array minimalModels{
     "lambert",    "phong", "blinn-phong",     "gaussian", "schlick",      "minnaert",
     "oren-nayar", "gooch", "lommel-seeliger", "toon",     "cook-torrance"};
 
-/// What of minimal/ the model is drawn in.
+/// Returns the surroundings of minimal/ in which the model is drawn.
 std::vector<std::string> surroundingsOf(const Catalog& catalog, const std::string& model);
 
-/// The scene for which minimal/<surrounding>.frag is written.
+/// Returns the scene for which minimal/<surrounding>.frag is written.
 Scene sceneOf(const Catalog& catalog, const std::string& model, const std::string& surrounding);
 
 } // namespace patina::benchmarks

@@ -15,7 +15,8 @@
 
 namespace patina::benchmarks {
 
-/// A ball that fills most of a square target with one sample per pixel. What draws it says how.
+/// Draws a ball that fills most of a square target, with one sample per pixel. The caller provides
+/// the program.
 class BallStage {
   public:
     static constexpr int usualSize = 512;
@@ -23,7 +24,7 @@ class BallStage {
     /// `size` is the target's width in pixels.
     explicit BallStage(int size = usualSize);
 
-    /// Makes a program and what it reads the current ones.
+    /// Makes a program and what it reads current.
     using Use = std::function<void()>;
 
     double secondsPerFrame(const Use& use);

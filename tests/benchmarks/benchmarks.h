@@ -3,7 +3,7 @@
 
 namespace patina::benchmarks {
 
-/// Each prints its rows and says whether all targets were kept.
+/// Each prints its rows and returns whether all targets were kept.
 bool startup();
 bool idle();
 bool sliderTick();
@@ -24,7 +24,8 @@ bool assembly();
 bool switches();
 bool offEffects();
 
-/// Leaves the driver without its cache and talking: nothing is measured after it.
+/// Counts with the driver's cache off and its log on, which stay so: nothing can be measured after
+/// it.
 bool assemblyCount();
 
 } // namespace patina::benchmarks

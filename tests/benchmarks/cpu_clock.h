@@ -7,8 +7,8 @@
 
 namespace patina::benchmarks {
 
-/// On a device that is the CPU, the time that all our threads worked: what else runs on the machine
-/// hardly changes it. A clock on the wall otherwise.
+/// Returns seconds. On a device that is the CPU this is the time that all our threads worked, since
+/// other programs on the machine hardly change it; otherwise it is wall time.
 inline double workSeconds() {
     static const bool isSoftware = gl::isSoftware();
     timespec now{};

@@ -12,19 +12,22 @@ namespace patina::benchmarks {
 /// Does steps in the editor's window one after the other, with a heartbeat on its event loop.
 class EditorCourse {
   public:
-    /// What a step cost, in milliseconds.
+    /// Says what a step cost, in milliseconds.
     struct Cost {
-        double gap = -1.0; ///< the longest between two beats; negative: not done in time
-        double time = 0.0; ///< until its picture was on the screen
+        /// Longest time between two beats; negative: the step did not end in time.
+        double gap = -1.0;
+        double time = 0.0; ///< time until its picture was on the screen
     };
 
     explicit EditorCourse(MainWindow& window);
 
-    /// From `begin` until `done` and a picture drawn after that is on the screen.
+    /// Takes a step, from `begin` until `done` and until a picture drawn after that is on the
+    /// screen.
     Cost take(const std::string& name, const std::function<void()>& begin,
               const std::function<bool()>& done);
 
-    /// The same, printed as a line "gap time name"; false: not done in time.
+    /// Does the same, and prints it as a line "gap time name". Returns false when it did not end in
+    /// time.
     bool step(const std::string& name, const std::function<void()>& begin,
               const std::function<bool()>& done);
 
@@ -41,7 +44,7 @@ class EditorCourse {
     int swaps_ = 0;
 };
 
-/// As step() prints it.
+/// Prints a step as step() does.
 void printStep(const EditorCourse::Cost& cost, const std::string& name);
 
 } // namespace patina::benchmarks

@@ -8,17 +8,18 @@
 namespace patina::benchmarks {
 
 /// Counts the instructions that the software driver's compiler makes of fragment shaders, by the
-/// remarks of LLVM's assembly printer. A process has at most one, from which on LLVM writes remarks
-/// to the standard error stream until the process ends.
+/// remarks of LLVM's assembly printer. A process has at most one object; once it is made, LLVM
+/// writes remarks to the standard error stream until the process ends.
 class FragmentCode {
   public:
-    /// With the context current whose driver is asked, and that has no cache of its own: what comes
-    /// from there is not compiled. Fails where no LLVM compiles shaders, or it takes no options.
+    /// Needs a current context of the driver in question, without a cache of its own: programs from
+    /// a cache are not compiled. It fails where LLVM does not compile the shaders, or takes no
+    /// options.
     static Result<FragmentCode> create();
 
-    /// Instructions of all fragment functions that are compiled while `work` runs, those of the
-    /// loop over a block's pixels twice: eight of its sixteen are computed at once. 0: there were
-    /// none.
+    /// Returns the instructions of all fragment functions that are compiled while `work` runs.
+    /// Those of the loop over a block's pixels count twice, because eight of its sixteen are
+    /// computed at once. 0: none were compiled.
     long instructionsOf(const std::function<void()>& work) const;
 
   private:

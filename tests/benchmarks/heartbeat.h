@@ -6,16 +6,16 @@
 
 namespace patina::benchmarks {
 
-/// A timer that should fire every few milliseconds, and the longest it was kept waiting: that long
-/// the window answered nothing.
+/// Is a timer that should fire every few milliseconds. It measures the longest time it had to wait,
+/// in which the window did not answer.
 class Heartbeat {
   public:
     Heartbeat();
 
-    /// Forgets what was before.
+    /// Forgets all gaps so far.
     void start();
 
-    /// Milliseconds between two beats, the one that is still missing included.
+    /// Returns the longest time between two beats in milliseconds, up to now for the next one.
     double longestGap() const;
 
   private:

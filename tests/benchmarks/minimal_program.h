@@ -9,12 +9,13 @@
 
 namespace patina::benchmarks {
 
-/// A program of the files in minimal/, written by hand for one model and one surrounding: a main()
-/// with its lights one after the other, and a uniform for each value by its name. Of the engine it
-/// has only functions of shaders/lib.
+/// Is a program of the files in minimal/, written by hand for one model and one surrounding: a
+/// main() with its lights one after the other, and a uniform for each value by its name. It uses
+/// nothing of the engine's shaders but functions of shaders/lib.
 class MinimalProgram {
   public:
-    /// "phong" and "studio" of minimal/phong.glsl and minimal/studio.frag.
+    /// Takes the names of the files: "phong" and "studio" for minimal/phong.glsl and
+    /// minimal/studio.frag.
     MinimalProgram(const Catalog& catalog, const std::string& model,
                    const std::string& surrounding, const Scene& scene, const BallStage& stage);
 

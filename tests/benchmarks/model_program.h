@@ -10,8 +10,8 @@
 
 namespace patina::benchmarks {
 
-/// A model, with values in place of its defaults, levels in place of the exact ones, and what fills
-/// its first slot in place of the slot's own.
+/// Chooses a model, and replaces its defaults by values, its exact levels by others, and the
+/// default of its first slot by a filler.
 struct ModelChoice {
     const Block* model = nullptr;
     Values values;
@@ -19,19 +19,19 @@ struct ModelChoice {
     const Block* filler = nullptr;
 };
 
-/// A program that shades a target with one model and nothing else. Its
-/// context must be current whenever it is made, used or destroyed.
+/// Is a program that shades a target with one model and nothing else. Its context must be current
+/// whenever it is made, used or destroyed.
 class ModelProgram {
   public:
-    /// With the model's own file, or with `textbook` in its place: the same function, written as
-    /// books print it, from the global vectors N, T, B, L and V.
+    /// Links a program with the model's own file, or with `textbook` instead: the same function,
+    /// written as books print it, from the global vectors N, T, B, L and V.
     static Checked<ModelProgram> link(const Catalog& catalog, const ModelChoice& choice,
                                       const std::filesystem::path& textbook = {});
 
-    /// The vectors alone: what every other program pays as well.
+    /// Links a program that computes only the vectors, which every other program does as well.
     static Checked<ModelProgram> linkEmpty(const Catalog& catalog);
 
-    /// Seconds per pixel of the bound framebuffer, by the clock around glFinish.
+    /// Returns seconds per pixel of the bound framebuffer, by the clock around glFinish.
     double secondsPerPixel(int frames) const;
 
     static constexpr int targetSize = 512;

@@ -8,22 +8,22 @@
 
 namespace patina::benchmarks {
 
-/// A program that runs until the object is destroyed, and what the system says about it.
+/// Runs a program until the object is destroyed, and reports what the system says about it.
 class ObservedProgram {
   public:
     explicit ObservedProgram(const std::filesystem::path& program,
                              const std::vector<std::string>& arguments = {});
     ~ObservedProgram();
 
-    /// Seconds from the start until the program printed "first frame" on standard error, or a
-    /// negative number when it ended or `limitSeconds` passed without that.
+    /// Returns the seconds from the start until the program printed "first frame" on standard
+    /// error, or a negative number when it ended or `limitSeconds` passed before.
     double secondsToFirstFrame(double limitSeconds = 30.0);
 
-    /// As secondsToFirstFrame(), until there was a "sketch" or a first frame, whichever came first.
+    /// Returns the same until it printed "sketch" or "first frame", whichever came first.
     double secondsToFirstPicture(double limitSeconds = 30.0);
 
     double residentMegabytes() const;
-    long cpuTicks() const; ///< user and system time so far
+    long cpuTicks() const; ///< clock ticks, user and system time so far
 
   private:
     class Implementation;

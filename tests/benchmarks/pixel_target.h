@@ -8,7 +8,7 @@
 
 namespace patina::benchmarks {
 
-/// A square target to draw to, bound as long as it lives.
+/// Is a square target to draw to, bound as long as it lives.
 class PixelTarget {
   public:
     explicit PixelTarget(int size)

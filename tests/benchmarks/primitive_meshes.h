@@ -9,10 +9,10 @@
 
 namespace patina::benchmarks {
 
-/// The built-in meshes that objects name ("builtin:<name>"), made when they are asked for.
+/// Holds the built-in meshes that objects name ("builtin:<name>"), each made when it is asked for.
 class PrimitiveMeshes {
   public:
-    /// This must stay.
+    /// Returns a function that needs this object.
     MeshSource source() {
         return [this](const Object& object) {
             const std::string name = object.mesh.substr(object.mesh.find(':') + 1);

@@ -23,7 +23,8 @@ inline double wallSeconds() {
     return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
 }
 
-/// The scene of three lights with one sphere, a renderer without programs on disk, and a target.
+/// Holds the scene of three lights with one sphere, a renderer without programs on disk, and a
+/// target.
 class Stage {
   public:
     explicit Stage(glm::ivec2 size)
@@ -63,7 +64,7 @@ class Stage {
             target_.name());
     }
 
-    /// Wall time of a frame until the GPU is done with it.
+    /// Returns the wall time of a frame until the GPU has finished it, in seconds.
     double frameSeconds() { return frameSeconds(scene); }
 
     double frameSeconds(const Scene& another) {
@@ -73,7 +74,7 @@ class Stage {
         return wallSeconds() - began;
     }
 
-    /// A renderer in the same context.
+    /// Makes another renderer in the same context.
     static std::unique_ptr<Renderer> rendererOf(std::shared_ptr<const Catalog> catalog) {
         std::unique_ptr<Renderer> made = Renderer::create({}).value();
         made->setCatalog(std::move(catalog));
@@ -88,7 +89,7 @@ class Stage {
 
     Scene scene;
     View view;
-    std::map<std::string, Mesh> meshes; ///< by what an object calls them
+    std::map<std::string, Mesh> meshes; ///< meshes by the names that objects use
 
   private:
     tests::TemporaryFolder folder_;

@@ -9,16 +9,16 @@
 
 namespace patina::benchmarks {
 
-/// What programs on the stage read beside numbers, on the texture units that the engine has for it:
-/// an image (binding::firstTexture) and the map of the first light (binding::shadowMaps), in which
-/// a board stands before half of the ball.
+/// Holds the images that programs on the stage read, on the texture units that the engine uses for
+/// them: an image (binding::firstTexture) and the shadow map of the first light
+/// (binding::shadowMaps), in which a board hides half of the ball.
 class StagePictures {
   public:
     StagePictures();
 
     void bind() const;
 
-    /// How the map looks at a ball of radius 1.
+    /// Returns the projection of the shadow map for a ball of radius 1.
     ShadowView shadowView(const Catalog& catalog, const Light& light,
                           const glm::dmat4& cameraToWorld) const;
 

@@ -10,7 +10,7 @@
 
 namespace patina::benchmarks {
 
-/// Middle value and the range that holds the middle half.
+/// Holds the median and the range of the middle half.
 struct Spread {
     double median = 0.0;
     double lower = 0.0;
@@ -25,7 +25,7 @@ inline Spread spreadOf(std::vector<double> samples) {
     return {at(0.5), at(0.25), at(0.75)};
 }
 
-/// How straight a line through the points is: the coefficient of determination of y over x.
+/// Says how well a line fits the points: returns the coefficient of determination of y over x.
 inline double straightness(const std::vector<double>& x, const std::vector<double>& y) {
     const double n = double(x.size());
     const double meanX = std::accumulate(x.begin(), x.end(), 0.0) / n;
@@ -41,13 +41,13 @@ inline double straightness(const std::vector<double>& x, const std::vector<doubl
     return xy * xy / (xx * yy);
 }
 
-/// "12.3 ms (11.9 .. 13.0)"
+/// Returns a text such as "12.3 ms (11.9 .. 13.0)".
 inline std::string text(const Spread& spread, double scale, const std::string& unit) {
     return fmt::format("{:.3g} {} ({:.3g} .. {:.3g})", spread.median * scale, unit,
                        spread.lower * scale, spread.upper * scale);
 }
 
-/// One printed row: what was measured, the figure, and the most it may be.
+/// Prints one row: what was measured, the figure, whether the target was kept, and the target.
 inline void report(const std::string& what, const std::string& figure, bool kept,
                    const std::string& target) {
     fmt::print("{:<44} {:<44} {:<6} {}\n", what, figure, kept ? "kept" : "MISSED", target);

@@ -12,13 +12,13 @@
 
 namespace patina::benchmarks {
 
-/// A program that can draw everything and is told by uniforms what to draw: made from the same
-/// blocks as the engine's, with a number for the kind in place of what is left out there. It has
-/// the given models, every light, Fresnel term, highlight and fog, ambient light and opacity; it
-/// has no images, no shadows and no environment.
+/// Is a program that can draw everything and is told by uniforms what to draw: it is made from the
+/// same blocks as the engine's, and selects by a number for the kind where the engine leaves code
+/// out. It has the given models, every light, Fresnel term, highlight and fog, ambient light and
+/// opacity; it has no images, no shadows and no environment.
 class SwitchedProgram {
   public:
-    /// For the first object of the scene, whose model is among these.
+    /// Makes the program for the first object of the scene, whose model must be among `models`.
     SwitchedProgram(const Catalog& catalog, const std::vector<const Block*>& models,
                     const Scene& scene, const BallStage& stage);
 

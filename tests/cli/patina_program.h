@@ -18,7 +18,8 @@ inline std::filesystem::path shipped(const std::string& path) {
 
 inline const std::string gold = shipped("presets/cook-torrance/gold.patina.json").string();
 
-/// Folder with a compiled de_DE.UTF-8 locale (decimal comma), made when the tests are built.
+/// Returns the folder of a compiled de_DE.UTF-8 locale (decimal comma), made when the tests are
+/// built.
 inline std::string localeFolder() {
     return (std::filesystem::path(PATINA_BINARY_DIR) / "locale").string();
 }
@@ -41,7 +42,7 @@ inline Outcome patina(std::vector<std::string> arguments) {
     return patina(Start{.arguments = std::move(arguments), .environment = {}, .input = {}});
 }
 
-/// Runs `patina` and interrupts it, as Ctrl-C does, a second after it listens to that.
+/// Runs `patina` and interrupts it, as Ctrl-C does, a second after it handles that signal.
 inline Outcome interrupted(std::vector<std::string> arguments) {
     constexpr const char* script = R"(
 "$@" & program=$!

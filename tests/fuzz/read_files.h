@@ -5,8 +5,8 @@
 
 namespace patina::tests {
 
-/// Feeds bytes to everything that reads JSON: the parser, presets and the schemas. Ends the
-/// program when what was read does not survive being written and read again.
+/// Feeds bytes to everything that reads JSON: the parser, presets and the schemas. It ends the
+/// program when what was read changes by being written and read again.
 void readAsFiles(std::string_view bytes);
 
 } // namespace patina::tests

@@ -12,8 +12,8 @@
 
 namespace patina {
 
-/// While it lives, `Note` hears of each call of one of OpenGL's functions, which is made all the
-/// same. `Pointer` is where the calls go through.
+/// Calls `Note` after each call of one of OpenGL's functions while the object lives. `Pointer` is
+/// the function pointer through which the calls go.
 template <auto Pointer, auto Note> class Overheard;
 
 template <class... A, void (**Pointer)(A...), void (*Note)(A...)>
@@ -39,15 +39,15 @@ class Overheard<Pointer, Note> {
     inline static void (*real_)(A...) = nullptr;
 };
 
-/// The programs that the driver really draws with, by the text that it was given. Hears of all that
-/// are made while it lives; there is one at a time.
+/// Records the programs that the driver really draws with, by the text that it was given. It knows
+/// all that are made while it lives; only one object may exist at a time.
 class BoundPrograms {
   public:
-    /// A kind of primitive, and how many corners were drawn at once.
+    /// Holds a kind of primitive, and how many corners were drawn at once.
     using Drawing = std::pair<GLenum, GLsizei>;
 
     struct Program {
-        std::string text; ///< of all stages
+        std::string text; ///< text of all stages
         std::set<Drawing> drawings;
     };
 
@@ -60,7 +60,7 @@ class BoundPrograms {
         }
     }
 
-    /// Those that have drawn a mesh since begin().
+    /// Returns the programs that have drawn a mesh since begin().
     std::vector<const Program*> drawn() const {
         std::vector<const Program*> found;
         for (const auto& [name, program] : programs_) {

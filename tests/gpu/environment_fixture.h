@@ -6,19 +6,19 @@
 
 namespace patina {
 
-/// A panorama of one colour.
+/// Makes a panorama of one colour.
 inline Image plain(float value, glm::ivec2 size = {16, 8}) {
     const std::size_t count = std::size_t(size.x) * std::size_t(size.y);
     return {size.x, size.y, 1, std::vector<float>(count, value)};
 }
 
-/// Whether a parameter is a number, or up to three, between two limits.
+/// Tells whether a parameter is one to three numbers between two limits.
 inline bool hasLimits(const Parameter& parameter) {
     const ParameterTypeInfo& info = infoOf(parameter.type);
     return parameter.type != ParameterType::Enum && info.hasRange && info.components <= 3;
 }
 
-/// A value of a parameter all of whose numbers are this one.
+/// Returns a value of a parameter with all of its numbers equal to `number`.
 inline Value allOf(const Parameter& parameter, double number) {
     if (infoOf(parameter.type).components == 3) {
         return glm::dvec3(number);
@@ -33,8 +33,8 @@ class EnvironmentTest : public GpuTest {
         makeRenderer();
     }
 
-    /// A square that faces the camera, without lights. It has two triangles: a finer mesh takes
-    /// far longer where there are hardly more pixels than triangles.
+    /// Returns a square that faces the camera. It has two triangles: a finer mesh takes far longer
+    /// where there are hardly more pixels than triangles.
     static const Mesh& squareMesh() {
         static const Mesh made = [] {
             Mesh mesh;
@@ -65,7 +65,7 @@ class EnvironmentTest : public GpuTest {
         return scene;
     }
 
-    /// The square in a panorama that is not seen behind it.
+    /// Makes a scene with the square in a panorama that is not seen behind it.
     Scene surrounded(const std::string& model, const Image& panorama) {
         image_ = EnvironmentImage::from(panorama);
         Scene scene = square(model);
@@ -98,7 +98,7 @@ class EnvironmentTest : public GpuTest {
     std::shared_ptr<const EnvironmentImage> image_;
 };
 
-/// A matte model that reflects everything.
+/// Makes a matte model reflect everything.
 inline void makeWhite(Scene& scene) {
     for (auto& [id, value] : scene.objects[0].material.model.parameters) {
         if (id == "diffuse.color") {

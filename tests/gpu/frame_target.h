@@ -10,8 +10,8 @@
 
 namespace patina {
 
-/// A square that frames are shown in, as in a window. Made, used and destroyed with one context
-/// current.
+/// Is a square that frames are shown in, as in a window. It is made, used and destroyed with one
+/// context current.
 class FrameTarget {
   public:
     explicit FrameTarget(int side)
@@ -23,7 +23,7 @@ class FrameTarget {
 
     unsigned name() const { return target_.name(); }
 
-    /// Red, green, blue and alpha of every pixel.
+    /// Returns red, green, blue and alpha of every pixel, rows from the bottom.
     std::vector<std::uint8_t> picture() const {
         std::vector<std::uint8_t> bytes(std::size_t(4) * std::size_t(side_) * std::size_t(side_));
         glBindFramebuffer(GL_READ_FRAMEBUFFER, target_.name());

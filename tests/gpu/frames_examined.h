@@ -7,9 +7,10 @@
 
 namespace patina {
 
-/// The shipped shaders with eyes. Frames hide what is wrong: a NaN is no light when it is stored,
-/// cut at 0 when lights are summed, and gone after a clamp. In this copy nothing is cut, and each
-/// pixel shows whether something was wrong on the way to it; all other pixels are black.
+/// Copies the shipped shaders and makes them show invalid numbers. Frames hide these: a NaN is
+/// stored as no light, is cut at 0 when lights are summed, and is gone after a clamp. In the copy
+/// nothing is cut, and each pixel shows whether a number that led to it was invalid; all other
+/// pixels are black.
 class ExaminedShaders {
   public:
     enum class Stage {
@@ -38,7 +39,7 @@ void main() {)");
     const std::filesystem::path& path() const { return folder_.path(); }
 
   private:
-    /// By bits: a compiler may take comparisons of a number with itself for granted.
+    /// Checks by bits: a compiler may assume the result of comparing a number with itself.
     static constexpr const char* checks = R"(
 bool finite(float x) {
     return (floatBitsToUint(x) & 0x7f800000u) != 0x7f800000u;

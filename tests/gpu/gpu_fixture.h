@@ -19,7 +19,8 @@
 
 namespace patina {
 
-/// A context for the test, the shipped catalogue and a small scene. The driver must stay silent.
+/// Provides a context for the test, the shipped catalogue and a small scene. The driver must not
+/// report anything.
 class GpuTest : public testing::Test {
   protected:
     void SetUp() override {
@@ -79,7 +80,7 @@ class GpuTest : public testing::Test {
         return made;
     }
 
-    /// A white light that shines along `direction`.
+    /// Makes a white light that shines along `direction`.
     Light sun(const glm::dvec3& direction) const {
         Light made = light("directional");
         made.block.parameters["direction"] = direction;
@@ -93,7 +94,8 @@ class GpuTest : public testing::Test {
         return made;
     }
 
-    /// One object in front of a camera that looks along -z, lit from behind the camera.
+    /// Makes a scene of one object in front of a camera that looks along -z, lit from behind the
+    /// camera.
     Scene simpleScene(const std::string& model = "lambert") const {
         Scene scene;
         scene.objects.push_back(object(model));
@@ -104,7 +106,7 @@ class GpuTest : public testing::Test {
         return scene;
     }
 
-    /// The simple scene with a white matte plate that faces the camera and the light.
+    /// Makes the simple scene with a white matte plate that faces the camera and the light.
     Scene plate() const {
         Scene scene = simpleScene("lambert");
         scene.objects[0].mesh = "builtin:plane";
@@ -145,7 +147,8 @@ class GpuTest : public testing::Test {
         return image ? *image : Image();
     }
 
-    /// Draws as a window does: false where more steps are needed. What is done is shown.
+    /// Draws as a window does, and shows the frame when it is done. Returns false where more steps
+    /// are needed.
     bool drawInWindow(const Scene& scene, const View& view, const MeshSource& source,
                       unsigned framebuffer) {
         constexpr std::chrono::milliseconds patience{40};
@@ -161,7 +164,7 @@ class GpuTest : public testing::Test {
         return renderer->job().step(patience) == FrameJob::Progress::Done;
     }
 
-    /// Whether a program had to be made.
+    /// Returns whether a program had to be made.
     bool prewarm(const Scene& scene, const View& view, const MeshSource& source) {
         FrameJob& job = renderer->begin(scene, view, source, FramePurpose::Prewarm);
         const bool isMissing = job.missingPrograms() != 0;
@@ -184,7 +187,8 @@ class GpuTest : public testing::Test {
     std::shared_ptr<const Catalog> catalog;
     std::unique_ptr<Renderer> renderer;
     std::map<std::string, Mesh> meshes;
-    std::map<std::string, std::vector<VertexOpenness>> openness; ///< of those that have it
+    /// By the name of the mesh, where a test sets it.
+    std::map<std::string, std::vector<VertexOpenness>> openness;
 };
 
 } // namespace patina

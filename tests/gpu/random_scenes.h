@@ -12,8 +12,8 @@
 
 namespace patina {
 
-/// Scenes of everything there is, in any mixture and with any values. The same number gives the
-/// same scene with the same catalogue.
+/// Makes scenes of all blocks, in any mixture and with any values. With the same catalogue the same
+/// number gives the same scene.
 class RandomScenes {
   public:
     explicit RandomScenes(const Catalog& catalog) : catalog_(catalog) {}
@@ -47,12 +47,12 @@ class RandomScenes {
         return scene;
     }
 
-    /// Numbers for what is no part of a scene, which follow those of the last one.
+    /// Draw numbers for what is not part of a scene; they follow those of the last scene.
     std::size_t below(std::size_t count) { return next() % count; }
     bool chance(double share) { return between(0.0, 1.0) < share; }
 
   private:
-    /// SplitMix64 (Steele, Lea, Flood 2014).
+    /// Returns the next number of SplitMix64 (Steele, Lea, Flood 2014).
     std::uint64_t next() {
         state_ += 0x9e3779b97f4a7c15u;
         std::uint64_t z = (state_ ^ (state_ >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -72,7 +72,7 @@ class RandomScenes {
 
     glm::dvec3 color() { return chance(0.1) ? glm::dvec3(0.0) : 0.5 * point(1.0) + 0.5; }
 
-    /// Mostly what a slider gives, sometimes an end of what a file may hold.
+    /// Returns mostly what a slider gives, sometimes a limit of what a file may hold.
     double number(const Parameter& parameter) {
         const double kind = between(0.0, 1.0);
         if (kind < 0.05) {
@@ -113,7 +113,7 @@ class RandomScenes {
         }
     }
 
-    /// A block of the kind, with most of its values left as they come.
+    /// Makes a block of the kind, with a random share of its values changed.
     BlockValues block(const std::string& kind) {
         const std::vector<const Block*> known = catalog_.ofKind(kind);
         const Block& chosen = *known[below(known.size())];

@@ -12,8 +12,8 @@
 
 namespace patina {
 
-/// Clear bodies in known surroundings, seen by a camera that looks along -z, and what a ray of such
-/// a pixel meets, in double precision.
+/// Draws clear bodies in known surroundings, seen by a camera that looks along -z. Tests compute in
+/// double precision what the ray of a pixel meets.
 class RefractionTest : public GpuTest {
   protected:
     void SetUp() override {
@@ -25,7 +25,7 @@ class RefractionTest : public GpuTest {
         scene_.background = glm::dvec3(0.25, 0.5, 0.125);
     }
 
-    /// Of which nothing is seen but what passes and what it mirrors.
+    /// Makes an object that shows only what it transmits and what it mirrors.
     Object clear(const std::string& mesh, const std::string& kind, double index) const {
         Object made = object("lambert", mesh);
         made.material.model.parameters["diffuse.color"] = glm::dvec3(0.0);
@@ -40,7 +40,7 @@ class RefractionTest : public GpuTest {
         object.material.parts.at("refraction").parameters[id] = value;
     }
 
-    /// A square from -1 to 1 that faces the camera and glows.
+    /// Makes a square from -1 to 1 that faces the camera and glows.
     Object glowing(const glm::dvec3& color, const glm::dvec3& at) const {
         Object made = object("lambert", "plane");
         made.material.model.parameters["diffuse.color"] = glm::dvec3(0.0);
@@ -50,10 +50,10 @@ class RefractionTest : public GpuTest {
         return made;
     }
 
-    /// What arrives from a unit direction.
+    /// Returns the light that arrives from a unit direction.
     static glm::dvec3 smooth(const glm::dvec3& d) { return 0.5 + 0.4 * d; }
 
-    /// Surroundings that send that, or everywhere 1.
+    /// Makes surroundings that send smooth(), or 1 everywhere.
     void surround(bool isWhite) {
         constexpr int height = 256;
         Image panorama{2 * height, height, 3, {}};
@@ -73,7 +73,7 @@ class RefractionTest : public GpuTest {
         scene_.part(kinds::environment)->parameters["image"] = std::string("panorama.hdr");
     }
 
-    /// A sphere of the radius 1, of so many triangles that its corners count for little.
+    /// Returns a sphere of radius 1, of so many triangles that their edges hardly matter.
     static const Mesh& ball() {
         static const Mesh made = [] {
             constexpr int rings = 300;
@@ -113,7 +113,7 @@ class RefractionTest : public GpuTest {
         return image ? *image : Image();
     }
 
-    /// The unit direction of the ray through a pixel's middle.
+    /// Returns the unit direction of the ray through a pixel's centre.
     glm::dvec3 rayThrough(int x, int y, int size) const {
         const double up = std::tan(0.5 * glm::radians(scene_.camera.fieldOfView));
         const double half = 0.5 * size;

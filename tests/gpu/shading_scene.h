@@ -14,7 +14,7 @@
 
 namespace patina {
 
-/// The shipped catalogue without a context: what program text is made from.
+/// Provides the shipped catalogue without a context, from which program text is made.
 class ShadingTest : public testing::Test {
   protected:
     static const Catalog& catalog() {
@@ -41,8 +41,8 @@ class ShadingTest : public testing::Test {
         return defaultMaterial(*catalog().find("models", model));
     }
 
-    /// What a program for the material, or every one in the scene, does not have, and why: but for
-    /// the ground, which has one of its own.
+    /// Return what a program for the material, or every one in the scene, leaves out, and why. The
+    /// ground is not listed, because it has a program of its own.
     static std::vector<EffectLine> leftOutOf(const Scene& scene) {
         std::vector<EffectLine> lines =
             leftOut(sceneEffects(scene, catalog()), {nullptr, scene, catalog(), {}});

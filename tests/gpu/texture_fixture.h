@@ -11,14 +11,14 @@
 
 namespace patina {
 
-/// Of what a texel says; the target's half floats round a number by up to a step more.
+/// Is the tolerance of a texel's value; the target's half floats add up to one step of rounding.
 inline constexpr float texelTolerance = 1e-4f;
 inline constexpr float halfFloatStep = 1.0f / 1024.0f;
 
-/// What white Lambert sends; dividing by it rounds nothing.
+/// Is what white Lambert sends; dividing by it rounds nothing.
 inline constexpr float brightness = 0.125f;
 
-/// A quad that fills the view, seen and lit from the front; u runs to the right, v up.
+/// Draws a quad that fills the view, seen and lit from the front; u runs to the right, v up.
 class TextureTest : public GpuTest {
   protected:
     void SetUp() override {
@@ -53,7 +53,7 @@ class TextureTest : public GpuTest {
         scene.objects.front().material.model.parameters["diffuse.color"] = value;
     }
 
-    /// `texels` by rows from the top.
+    /// Adds a file; `texels` are rows from the top.
     void file(const std::string& name, glm::ivec2 size, int channels, std::vector<float> texels,
               int bits = 0) {
         files[name] = {{size.x, size.y, channels, std::move(texels)}, bits};
@@ -73,7 +73,7 @@ class TextureTest : public GpuTest {
         return image ? *image : Image();
     }
 
-    /// What the surface shows at (u, v), as a share of the light.
+    /// Returns what the surface shows at (u, v), as a share of the light.
     glm::vec3 at(const Image& image, double u, double v) {
         return pixel(image, int(u * image.width), int((1.0 - v) * image.height)) / brightness;
     }

@@ -15,15 +15,15 @@
 
 namespace patina {
 
-/// Where a ray through a pixel meets a glowing sheet.
+/// Says where a ray through a pixel meets a glowing sheet.
 struct Crossing {
-    double depth = 0.0; ///< along the view
+    double depth = 0.0; ///< distance along the view
     glm::dvec3 color{0.0};
     double opacity = 0.0;
 };
 
-/// Glowing sheets behind each other, seen by a camera that looks along -z, and what a pixel of them
-/// is by hand, in double precision.
+/// Draws glowing sheets behind each other, seen by a camera that looks along -z, and computes their
+/// pixels on the CPU in double precision.
 class TransparencyTest : public GpuTest {
   protected:
     void SetUp() override {
@@ -48,7 +48,7 @@ class TransparencyTest : public GpuTest {
         scene_.setPart(kinds::transparency, block("transparency", id));
     }
 
-    /// Sheets at random places, turned so that many of them cross.
+    /// Adds sheets at random places, turned so that many of them cross.
     void addRandomSheets(int count, unsigned seed, double maxTurn = 50.0) {
         std::mt19937 random(seed);
         std::uniform_real_distribution<double> share(0.0, 1.0);
@@ -62,7 +62,8 @@ class TransparencyTest : public GpuTest {
         }
     }
 
-    /// From the nearest on. False where an edge, or two sheets, are so near that rounding decides.
+    /// Finds what the ray of a pixel meets, from the nearest on. Returns false where an edge, or
+    /// two sheets, are so near that rounding decides.
     bool crossings(glm::ivec2 pixel, int size, std::vector<Crossing>& out) const {
         const glm::dvec3 origin = eye(scene_.camera);
         const double up = std::tan(0.5 * glm::radians(scene_.camera.fieldOfView));
@@ -91,7 +92,7 @@ class TransparencyTest : public GpuTest {
         return isClear;
     }
 
-    /// At most so many of the nearest, each over what is behind it.
+    /// Returns the light of the nearest `layers` crossings, each over what is behind it.
     glm::dvec3 inOrder(const std::vector<Crossing>& crossings, std::size_t layers) const {
         glm::dvec3 light(0.0);
         double left = 1.0;

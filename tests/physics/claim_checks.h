@@ -13,30 +13,31 @@
 #include "measure/stability/hemisphere_rule.h"
 #include "random_cases.h"
 
-/// What a descriptor may claim, as experiments that can show it to be false.
+/// This file has what a descriptor may claim, as experiments that can show it to be false.
 namespace patina::physics {
 
 using Numbers = std::vector<double>;
 
-/// A block with values, and the places that are looked at together.
+/// Is a block with values, and the places that are evaluated together.
 struct Trial {
     EvalCase request;
     std::vector<EvalPlace> places;
 };
 
-/// Evaluates trials, one place after the other. What a model returns is not cut at 0.
+/// Evaluates trials, one place after the other. Values of a model are not cut at 0.
 using Evaluate = std::function<std::vector<Numbers>(const std::vector<Trial>&)>;
 
-/// What a claim allows for: the rounding of what is evaluated, and how often it is tried.
+/// Says how much rounding a claim allows for, and how often it is tried.
 struct Care {
-    double rounding = 1e-10; ///< relative, of two values that should be equal
-    double step = 1e-15;     ///< absolute, that a value may be beyond one that bounds it
+    double rounding = 1e-10; ///< relative difference of two values that should be equal
+    double step = 1e-15;     ///< absolute amount by which a value may exceed one that bounds it
     int edgeCaseTrials = 100000;
     int ordinaryTrials = 20000;
-    std::size_t casesAtATime = 1 << 8; ///< few stay in the processor's cache, a device wants many
+    /// Few cases stay in the processor's cache, a device wants many.
+    std::size_t casesAtATime = 1 << 8;
 };
 
-/// Trials of one claim, and what judges their values.
+/// Makes trials of one claim, and judges their values.
 struct Experiment {
     int trials = 0;
     std::size_t casesAtATime = 1;
@@ -44,7 +45,7 @@ struct Experiment {
     std::function<bool(const Trial&, std::span<const Numbers>)> holds;
 };
 
-/// The first trial that fails, described.
+/// Returns the first trial that fails, described.
 inline std::optional<std::string> counterexample(const Experiment& experiment,
                                                  const Evaluate& evaluate) {
     int done = 0;
@@ -71,7 +72,7 @@ inline std::optional<std::string> counterexample(const Experiment& experiment,
     return std::nullopt;
 }
 
-/// What says a direction has no sign.
+/// Returns the values that must not be negative: a direction's may be.
 inline std::span<const double> signedPart(const EvalCase& request, const Numbers& values) {
     return std::span(values).subspan(signedResultsOf(request));
 }
@@ -114,7 +115,7 @@ inline Experiment zeroBelowHorizon(const Block& block, const Care& care) {
     });
 }
 
-/// f(l, v) = f(v, l), with f = value / (n.l).
+/// Checks that f(l, v) = f(v, l), with f = value / (n.l).
 inline Experiment reciprocal(const Block& block, const Care& care) {
     auto ordinary = ordinaryCases(block);
     return {care.ordinaryTrials, care.casesAtATime,
@@ -136,7 +137,8 @@ inline glm::dvec3 turned(const glm::dvec3& v, double angle) {
             v.x * std::sin(angle) + v.y * std::cos(angle), v.z};
 }
 
-/// The value does not change when light and viewer are turned together about the normal.
+/// Checks that the value does not change when light and viewer are turned together about the
+/// normal.
 inline Experiment isotropic(const Block& block, const Care& care) {
     auto ordinary = ordinaryCases(block);
     auto turn = std::make_shared<double>(0.7);
@@ -155,10 +157,10 @@ inline Experiment isotropic(const Block& block, const Care& care) {
             }};
 }
 
-/// What finds lobes as sharp as sliders make them and what gathers at the horizon, within 1e-3.
+/// Finds lobes as sharp as sliders make them, and what gathers at the horizon, within 1e-3.
 inline constexpr HemisphereRuleSize albedoRule{3, 0.5};
 
-/// The case for viewers all over the hemisphere.
+/// Makes a trial of the case for viewers all over the hemisphere.
 inline Trial fromEverywhere(const EvalCase& request) {
     Trial trial{request, {}};
     EvalPlace place = request;
@@ -169,7 +171,7 @@ inline Trial fromEverywhere(const EvalCase& request) {
     return trial;
 }
 
-/// The directional albedo by the values of fromEverywhere().
+/// Returns the directional albedo by the values of fromEverywhere().
 inline double albedo(const Trial& trial, std::span<const Numbers> values) {
     const auto rule = hemisphereRule(trial.request.l, albedoRule);
     double sum = 0.0;
@@ -179,7 +181,7 @@ inline double albedo(const Trial& trial, std::span<const Numbers> values) {
     return sum / glm::normalize(trial.request.l).z;
 }
 
-/// No more comes back than arrives: the albedo is at most 1, and so is a share.
+/// Checks that no more light comes back than arrives: the albedo is at most 1, and so is a share.
 inline Experiment energyConserving(const Block& block, const Care& care) {
     if (block.kind != "models" && block.kind != "specular") {
         return ofEdgeCases(block, care,
@@ -192,7 +194,8 @@ inline Experiment energyConserving(const Block& block, const Care& care) {
         [](const Trial& trial, const auto& values) { return albedo(trial, values) <= 1.0 + 1e-3; }};
 }
 
-/// At 1e-7 rad above the horizon at most a thousandth of what the same light gives higher up.
+/// Checks that at 1e-7 rad above the horizon the value is at most a thousandth of what the same
+/// light gives higher up.
 inline Experiment continuousAtHorizon(const Block& block, const Care& care) {
     auto ordinary = ordinaryCases(block);
     auto turn = std::make_shared<double>(0.0);
@@ -218,7 +221,7 @@ inline Experiment continuousAtHorizon(const Block& block, const Care& care) {
             }};
 }
 
-/// Of a Fresnel block: what is reflected does not fall as light gets flatter.
+/// Checks a Fresnel block: what is reflected does not fall as light becomes more grazing.
 inline Experiment monotonic(const Block& block, const Care& care) {
     auto cases = std::make_shared<EdgeCases>(block);
     return {care.edgeCaseTrials / 100, care.casesAtATime,

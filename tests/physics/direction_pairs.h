@@ -5,10 +5,10 @@
 
 #include "physics_cases.h"
 
-/// The six pairs of directions for which tables were computed.
+/// This file has the six pairs of directions for which tables were computed.
 namespace patina::physics {
 
-/// The tables have 15 digits of each value.
+/// Is the tolerance of the tables, which have 15 digits of each value.
 inline constexpr double relativeRounding = 2e-13;
 
 inline reference::Geometry pairOfDirections(const std::string& name) {
@@ -28,7 +28,7 @@ void expectRow(const nlohmann::json& row, F&& value) {
     }
 }
 
-/// The fields of Directions in their order.
+/// Returns the fields of Directions in their order.
 inline std::vector<double> projections(const reference::Geometry& g) {
     std::vector<double> numbers;
     for (const glm::dvec3& u : {g.n, g.t, g.b, g.l, g.v}) {

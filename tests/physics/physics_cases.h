@@ -26,7 +26,7 @@ inline const Catalog& catalog() {
     return loaded;
 }
 
-/// A published or independently computed table of tests/physics/data.
+/// Reads a published or independently computed table of tests/physics/data.
 inline nlohmann::json table(const std::string& name) {
     std::ifstream stream(std::filesystem::path(PATINA_SOURCE_DIR) / "tests/physics/data" / name);
     return nlohmann::json::parse(stream);
@@ -42,7 +42,7 @@ inline reference::Geometry geometry(const glm::dvec3& l, const glm::dvec3& v) {
     return reference::geometry({0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, l, v);
 }
 
-/// A block of the catalogue, its compiled code and a set of values for it.
+/// Is a block of the catalogue, its compiled code and a set of values for it.
 struct Subject {
     const Block* block;
     const reference::Block* code;
@@ -65,12 +65,13 @@ struct Subject {
     double reflectance(double c) const { return code->fresnel(c, 1.0 - c, parameters).x; }
 };
 
-/// What fills a model's slot so that it reflects f0 facing the surface, rising by Schlick's power.
+/// Makes a filler for a model's slot that reflects f0 at normal incidence, rising by Schlick's
+/// power.
 inline Subject schlickFrom(double f0) {
     return Subject("fresnel", "schlick", {{"f0", glm::dvec3(f0)}});
 }
 
-/// The results of a function of the shader library.
+/// Returns the results of a function of the shader library.
 inline std::vector<double> call(const std::string& name, const std::vector<double>& arguments) {
     const reference::Function* function = reference::findFunction(name);
     if (function == nullptr || function->arguments != arguments.size()) {

@@ -12,8 +12,8 @@
 
 namespace patina::physics {
 
-/// Random numbers by seed. What was drawn is kept: making a generator ready takes longer than a
-/// case, and few seeds are used again and again.
+/// Draws random numbers by seed. It keeps what was drawn: initialising a generator takes longer
+/// than a case, and few seeds are used again and again.
 class SeededDraws {
   public:
     void seed(std::size_t seed) {
@@ -41,7 +41,7 @@ class SeededDraws {
     std::size_t next_ = 0;
 };
 
-/// Random values of a block and random geometry, all exact in float.
+/// Makes random values of a block and random geometry, all exact in float.
 class RandomCases {
   public:
     explicit RandomCases(const Block& block)
@@ -70,7 +70,8 @@ class RandomCases {
         return request;
     }
 
-    /// What a model claims it claims by itself; what may be put into its slot makes its own claims.
+    /// Keeps optional slots empty: a model's claims are its own, and what may fill its slot makes
+    /// its own claims.
     void leaveOptionalSlotsEmpty() { fillsOptionalSlots_ = false; }
 
   protected:
@@ -162,7 +163,7 @@ class RandomCases {
         }
     }
 
-    /// How many combinations of choices are drawn: each is a program of its own on the GPU.
+    /// Is how many combinations of choices are drawn: each is a program of its own on the GPU.
     static constexpr std::size_t programs = 64;
 
     const Block& block_;
@@ -172,8 +173,8 @@ class RandomCases {
     SeededDraws choices_;
 };
 
-/// What artists do: cosines of at least 0.05, one viewer in three near the mirror direction, and
-/// values that a slider reaches.
+/// Makes cases as artists do: cosines of at least 0.05, one viewer in three near the mirror
+/// direction, and values that a slider reaches.
 class OrdinaryCases : public RandomCases {
   public:
     using RandomCases::RandomCases;
@@ -188,7 +189,7 @@ class OrdinaryCases : public RandomCases {
     double cosine() override { return uniform(0.05, 1.0); }
     double coordinate() override { return uniform(-5.0, 5.0); }
 
-    /// A unit direction with a cosine of at least 0.05.
+    /// Returns a unit direction with a cosine of at least 0.05.
     glm::dvec3 upperDirection() {
         const double c = cosine();
         const double s = std::sqrt(1.0 - c * c);
@@ -196,7 +197,7 @@ class OrdinaryCases : public RandomCases {
         return inFloat({s * std::cos(phi), s * std::sin(phi), c});
     }
 
-    /// Where l is mirrored to, up to 0.1 off in each component.
+    /// Returns the mirror direction of l, up to 0.1 off in x and y.
     glm::dvec3 nearMirror(const glm::dvec3& l) {
         const glm::dvec3 off{uniform(-0.1, 0.1), uniform(-0.1, 0.1), 0.0};
         return inFloat(reference::geometry({0, 0, 1}, {1, 0, 0}, l,
@@ -212,9 +213,9 @@ class OrdinaryCases : public RandomCases {
     }
 };
 
-/// What breaks formulas: cosines down to 1e-8 and up to 1, azimuths and mirror directions that are
-/// off by little or nothing, opposite and parallel directions, and values at the ends of the ranges
-/// that a file may hold.
+/// Makes cases that break formulas: cosines down to 1e-8 and up to 1, azimuths and mirror
+/// directions that are off by little or nothing, opposite and parallel directions, and values at
+/// the ends of the ranges that a file may hold.
 class EdgeCases : public RandomCases {
   public:
     using RandomCases::RandomCases;
@@ -271,7 +272,7 @@ class EdgeCases : public RandomCases {
         return (any(2) == 0 ? -1.0 : 1.0) * steps[any(std::size(steps))];
     }
 
-    /// One in ten is below the horizon.
+    /// Returns a direction, one in ten of which is below the horizon.
     glm::dvec3 edgeCaseDirection() {
         const double c = cosine() * (any(10) == 0 ? -1.0 : 1.0);
         const double s = std::sqrt(std::max(0.0, 1.0 - c * c));
@@ -302,7 +303,7 @@ inline std::string described(const EvalCase& request, const std::vector<double>&
     return text;
 }
 
-/// "models/..." of every block in the catalogue that can be evaluated alone.
+/// Returns "models/..." of every block in the catalogue that can be evaluated alone.
 inline std::vector<std::string> blockNames() {
     std::vector<std::string> names;
     for (const Block& block : catalog().blocks) {
@@ -322,7 +323,7 @@ inline const Block& blockNamed(const std::string& name) {
     return *block;
 }
 
-/// A name as test names must be.
+/// Replaces the characters that a test's name must not have by underscores.
 inline std::string testName(std::string name) {
     for (char& c : name) {
         c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';

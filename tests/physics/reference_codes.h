@@ -8,8 +8,8 @@
 
 namespace patina::physics {
 
-/// The double-precision code of cases. That of a block is looked up once, which takes as long as
-/// evaluating it.
+/// Finds the double-precision code of cases. It looks up that of a block once, which takes as long
+/// as evaluating it.
 class ReferenceCodes {
   public:
     const ReferenceCode& of(const EvalCase& request) {

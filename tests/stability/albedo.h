@@ -13,20 +13,20 @@
 
 namespace patina::stability {
 
-/// Light from `degrees` off the normal.
+/// Returns the direction of light from `degrees` off the normal.
 inline glm::dvec3 lightAt(double degrees) {
     const double theta = degrees * std::numbers::pi / 180.0;
     return {std::sin(theta), 0.0, std::cos(theta)};
 }
 
-/// What a viewer sees of light from one direction, and the viewer's weight.
+/// Is the geometry of light from one direction and one viewer, and the viewer's weight.
 struct WeightedGeometry {
     reference::Geometry geometry;
     double weight = 0.0;
 };
 
-/// Viewers all over the hemisphere for light from there. They are the same for every model, and
-/// making them takes as long as a simple one.
+/// Returns viewers all over the hemisphere, for light from `degrees` off the normal. They are the
+/// same for every model, and making them takes as long as evaluating a simple one.
 inline const std::vector<WeightedGeometry>& viewersFor(double degrees,
                                                        const HemisphereRuleSize& size) {
     static std::map<std::tuple<double, int, double>, std::vector<WeightedGeometry>> made;
@@ -42,8 +42,8 @@ inline const std::vector<WeightedGeometry>& viewersFor(double degrees,
     return viewers;
 }
 
-/// The share of the light from there that comes back in all directions together, by the first
-/// channel in double precision.
+/// Returns the directional albedo for light from `degrees` off the normal, by the first channel in
+/// double precision.
 inline double albedo(const EvalCase& request, double degrees, const HemisphereRuleSize& size = {}) {
     const ReferenceCase model(ReferenceCode::find(request).value(), request.block.packedValues(),
                               request.slot.block == nullptr ? std::vector<double>()

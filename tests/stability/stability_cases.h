@@ -29,7 +29,7 @@ inline std::vector<const Block*> evaluatedBlocks() {
     return blocks;
 }
 
-/// Test names are letters, digits and underscores.
+/// Returns a test's name, which may have only letters, digits and underscores.
 inline std::string nameOf(const testing::TestParamInfo<const Block*>& tested) {
     std::string name = tested.param->kind + '_' + tested.param->id;
     std::replace(name.begin(), name.end(), '-', '_');

@@ -7,8 +7,8 @@
 
 namespace patina::tests {
 
-/// How many points of a chart's front are on that of another chart of the same, or are shown
-/// there as ties of it.
+/// Counts how many points of a chart's front are also on the front of another chart of the same
+/// material, or tie with that front there.
 struct FrontShare {
     std::size_t same = 0;
     std::size_t points = 0;

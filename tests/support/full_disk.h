@@ -7,7 +7,7 @@
 
 namespace patina::tests {
 
-/// Files cannot grow beyond this while the object lives, as on a disk that is full.
+/// Keeps files from growing beyond `bytes` while the object lives, as a full disk does.
 class FullDisk {
   public:
     explicit FullDisk(rlim_t bytes) {

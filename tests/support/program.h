@@ -8,7 +8,7 @@
 
 namespace patina::tests {
 
-/// What a program did.
+/// Says what a program did.
 struct Outcome {
     int exitCode = 0; ///< 128 + n when signal n ended it, -1 when it ran out of time
     std::string out;
@@ -16,18 +16,18 @@ struct Outcome {
     double seconds = 0.0;
 };
 
-/// How to start a program.
+/// Says how to start a program.
 struct Start {
     std::vector<std::string> arguments;
-    std::map<std::string, std::string> environment; ///< set on top of our own; "" removes
-    std::string input;                              ///< standard input
+    std::map<std::string, std::string> environment; ///< added to our own; "" removes a variable
+    std::string input;                              ///< text of the standard input
     double timeLimitSeconds = 60.0;
 };
 
-/// Runs a program to its end and collects what it wrote.
+/// Runs a program until it ends or its time is over, and collects what it wrote.
 Outcome run(const std::filesystem::path& program, const Start& start);
 
-/// A new, empty folder that is removed with the object.
+/// Makes a new, empty folder, which is removed with the object.
 class TemporaryFolder {
   public:
     TemporaryFolder();
@@ -42,8 +42,8 @@ class TemporaryFolder {
     std::filesystem::path path_;
 };
 
-/// Makes a user's cache folder that keeps the openness of meshes where those of all tests do:
-/// finding the default mesh' takes as long as the rest of a short test.
+/// Makes a user's cache folder that shares the openness of meshes with all tests: finding that of
+/// the default mesh takes as long as the rest of a short test.
 void makeCacheFolder(const std::filesystem::path& cache);
 
 std::string readFile(const std::filesystem::path& path);

@@ -57,7 +57,7 @@ vec3 burning(Directions d, Burning p) {
 }
 )";
 
-/// The dock of what accuracy costs, with a user's model whose work and errors are known.
+/// Shows the dock of what accuracy costs, with a user's model whose work and errors are known.
 class AccuracyPanel : public WindowFixture {
   protected:
     AccuracyPanel() {
@@ -83,7 +83,7 @@ class AccuracyPanel : public WindowFixture {
     CostList& list() { return *dock().findChild<CostList*>(); }
     CostPlot& plot() { return *dock().findChild<CostPlot*>(); }
     BudgetRow& budget() { return *dock().findChild<BudgetRow*>(); }
-    /// A field of the budget, which is turned on.
+    /// Turns a field of the budget on and returns it.
     BoundBox& bound(const char* name) {
         const bool isTime = QLatin1String(name) == QLatin1String("milliseconds");
         const auto asked = budget().findChildren<QCheckBox*>();
@@ -97,7 +97,7 @@ class AccuracyPanel : public WindowFixture {
     }
     QString state() { return dock().findChild<QLabel*>("state")->text(); }
 
-    /// Few small frames: what is tested here is not the instrument.
+    /// Measures few small frames: the measurement itself is not tested here.
     void start(int size = 48) {
         CostSweep::Options options;
         options.size = {size, size};
@@ -116,8 +116,8 @@ class AccuracyPanel : public WindowFixture {
         return waitForEnd() && dock().shown() != nullptr && dock().shown()->complete;
     }
 
-    /// Measures until a level is known to be faster than the exact way: whoever else is busy on the
-    /// machine may blur one measurement, what is wrong with the instrument would blur all of them.
+    /// Measures until a level is known to be faster than the exact one: other programs on the
+    /// machine may blur one measurement, an error in measuring would blur all of them.
     bool measureUntilFaster(const std::string& level) {
         constexpr int attempts = 4;
         for (int i = 0; i < attempts; ++i) {
@@ -133,7 +133,7 @@ class AccuracyPanel : public WindowFixture {
         return false;
     }
 
-    /// The point with a level; -1: none.
+    /// Returns the index of the point with a level; -1 when there is none.
     int pointOf(const std::string& level) {
         const std::vector<CostPoint>& points = dock().chart().points;
         const auto found = std::find_if(points.begin(), points.end(), [&](const CostPoint& point) {
@@ -155,7 +155,7 @@ class AccuracyPanel : public WindowFixture {
         return errorOf(dock().chart().points.at(std::size_t(pointOf(level))));
     }
 
-    /// What the material has; empty: exact.
+    /// Returns the material's level; empty: exact.
     std::string level(Side side = Side::A) {
         const AccuracyLevels& levels = document().material(side)->accuracy;
         const auto found = levels.find("work");

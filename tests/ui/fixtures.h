@@ -11,15 +11,15 @@
 
 namespace patina::tests {
 
-/// A folder of blocks written for the tests: two models that share some parameters, one Fresnel
-/// block, two lights and a fog. Their names mean nothing to the editor, as it should be.
+/// Is a folder of blocks written for the tests: two models that share some parameters, one Fresnel
+/// block, two lights and a fog. The editor must not treat any of their names specially.
 class FixtureBlocks {
   public:
     FixtureBlocks();
 
     const std::shared_ptr<const Catalog>& catalog() const { return catalog_; }
     std::filesystem::path folder() const { return folder_.path(); }
-    /// Writes a descriptor and its shader, and reads everything anew.
+    /// Writes a descriptor and its shader, and reads all blocks again.
     void add(const std::string& kind, const std::string& id, const std::string& descriptor,
              const std::string& glsl);
 
@@ -32,10 +32,10 @@ class FixtureBlocks {
     std::shared_ptr<const Catalog> catalog_;
 };
 
-/// A scene with one object that has the first model, and one light.
+/// Makes a scene with one object that has the first model, and one light.
 Scene fixtureScene(const Catalog& catalog);
 
-/// A document of that scene.
+/// Holds a document of that scene.
 struct FixtureDocument {
     FixtureBlocks blocks;
     Document document{blocks.catalog()};

@@ -16,7 +16,7 @@
 
 namespace patina::tests {
 
-/// The form of the current model in a window of its own, ready for real events.
+/// Shows the form of the current model in a window of its own, ready for real events.
 struct Form : testing::Test {
     FixtureDocument fixture;
     Document& document = fixture.document;
@@ -42,7 +42,7 @@ struct Form : testing::Test {
         return {static_cast<int>(share * (widget.width() - 1)), widget.height() / 2};
     }
 
-    /// Presses on the slider, moves in small steps as a hand does, and lets go.
+    /// Presses on the slider, moves in small steps as a hand does, and releases it.
     void drag(ValueSlider* target, double from, double to,
               Qt::KeyboardModifiers modifiers = Qt::NoModifier) const {
         press(target, from, modifiers);

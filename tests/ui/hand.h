@@ -15,7 +15,7 @@
 namespace patina::tests {
 
 /// Does what an artist's hand does, and counts it. Events go to the window, which finds what is
-/// under the pointer or has the keys: what is covered, or out of sight, is not reached.
+/// under the pointer or has the focus: what is covered, or out of sight, is not reached.
 class Hand {
   public:
     void click(QWidget& target, QPoint at, Qt::KeyboardModifiers modifiers = {},
@@ -47,7 +47,7 @@ class Hand {
         ++drags_;
     }
 
-    /// A key for whatever has the focus in the window of `near`.
+    /// Presses a key for whatever has the focus in the window of `near`.
     void key(QWidget& near, Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
         QTest::keyClick(windowOf(near), key, modifiers);
         ++keys_;
@@ -59,7 +59,7 @@ class Hand {
         }
     }
 
-    /// Clicks through menus; names are parts of what the items say.
+    /// Clicks through menus; names are parts of the items' texts.
     void choose(QMenuBar& bar, const QStringList& names) {
         QAction* action = itemOf(bar.actions(), names.front());
         ASSERT_NE(action, nullptr) << names.front().toStdString();
@@ -84,7 +84,7 @@ class Hand {
         ++wheels_;
     }
 
-    /// The same in the menu that opens next, which keeps whoever opens it waiting.
+    /// Does the same in the menu that opens next, which blocks its caller.
     void chooseInNextPopup(const QStringList& names) {
         auto* timer = new QTimer(qApp);
         QObject::connect(timer, &QTimer::timeout, [this, timer, names] {
@@ -115,7 +115,7 @@ class Hand {
         return nullptr;
     }
 
-    /// Turns the wheel over the lists and forms around a place until it is in sight.
+    /// Turns the wheel over the scroll areas around a place until it is in sight.
     void reach(QWidget& target, QPoint at) {
         constexpr int maxNotches = 200;
         for (QWidget* around = &target; !around->isWindow();) {

@@ -11,7 +11,7 @@
 
 namespace patina::tests {
 
-/// The window with its presets read, and what a user does to them.
+/// Shows the window with its presets read, and does to them what a user does.
 class PresetWindow : public WindowFixture {
   protected:
     explicit PresetWindow(Size size = Size::Small) : WindowFixture(size) {}
@@ -30,7 +30,7 @@ class PresetWindow : public WindowFixture {
     int count() { return view().model()->rowCount(); }
     QString shown(int row) { return view().model()->index(row, 0).data().toString(); }
 
-    /// Brings it into sight.
+    /// Scrolls to a row and returns a point in it.
     QPoint placeOf(int row) {
         view().scrollTo(view().model()->index(row, 0));
         return view().visualRect(view().model()->index(row, 0)).topLeft() + QPoint(30, 20);
@@ -39,7 +39,7 @@ class PresetWindow : public WindowFixture {
         QTest::mouseClick(view().viewport(), Qt::LeftButton, modifiers, placeOf(row));
     }
 
-    /// What the first view draws.
+    /// Returns the material that the first view draws.
     const Material& seen() {
         const Scene& scene = WindowFixture::view().viewed().sources().scene();
         return scene.objects.front().material;

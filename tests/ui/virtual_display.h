@@ -7,8 +7,8 @@
 
 namespace patina::tests {
 
-/// An X server of our own, without a screen, that ends with this object. It chooses a free display
-/// number itself, so that tests may run side by side.
+/// Runs an X server of our own, without a screen, until this object is destroyed. The server
+/// chooses a free display number itself, so that tests may run side by side.
 class VirtualDisplay {
   public:
     VirtualDisplay();
@@ -16,7 +16,7 @@ class VirtualDisplay {
     VirtualDisplay(const VirtualDisplay&) = delete;
     VirtualDisplay& operator=(const VirtualDisplay&) = delete;
 
-    /// ":5", or empty when no server could be started.
+    /// Returns ":5" or the like, or an empty text when no server could be started.
     const std::string& name() const { return name_; }
 
   private:

@@ -11,14 +11,15 @@
 
 namespace patina::tests {
 
-/// Returns a shipped scene without environment, ground and shadows, so that a frame takes little.
+/// Returns the file of a shipped scene without environment, ground and shadows, so that a frame
+/// takes little time.
 inline std::filesystem::path threeLightsFile() {
     return dataFolder() / "presets/three-lights.patina-scene.json";
 }
 
-/// The editor's window on the shipped blocks, with folders of its own for everything it keeps. A
-/// view of the size that a first start gives it takes a software driver long to fill; most tests
-/// are as well served by a small one.
+/// Shows the editor's window on the shipped blocks, with folders of its own for everything it
+/// keeps. A software driver needs long to fill a view of the size at a first start; for most tests
+/// a small one does as well.
 class WindowFixture : public testing::Test {
   protected:
     enum class Size { Small, AsAtFirstStart };
@@ -27,7 +28,7 @@ class WindowFixture : public testing::Test {
     ~WindowFixture() override;
 
     void open();  ///< shows a window and waits for its first frame
-    void close(); ///< takes it away without asking
+    void close(); ///< closes it without asking
 
     MainWindow& window() { return *window_; }
     Document& document() { return window_->document(); }
@@ -35,17 +36,18 @@ class WindowFixture : public testing::Test {
     Viewport& secondView() { return window_->views().second()->viewport(); }
     const Camera& camera() { return view().camera(); }
 
-    /// Frames drawn by the first view since the last call, after what was going on has settled.
+    /// Returns how many frames the first view drew since the last call, after pending work has
+    /// settled.
     int newFrames();
 
-    /// Lets every panel follow what changed: their timers are shorter than this one, so they have
-    /// fired however long a frame in between took.
+    /// Waits until every panel has followed what changed: their timers are shorter than this one,
+    /// so they have fired however long a frame in between took.
     void settle();
 
-    /// Gives the first view the keys, those of the menus too, which need an active window.
+    /// Gives the first view the keyboard focus; menus' shortcuts need an active window, too.
     void focusView();
 
-    /// A left, middle or right drag over the middle of the first view.
+    /// Drags with the left, middle or right button over the middle of the first view.
     void drag(Qt::MouseButton button, Qt::KeyboardModifiers modifiers, QPoint by);
 
     std::filesystem::path home(const std::string& name) const { return home_ / name; }
@@ -58,10 +60,10 @@ class WindowFixture : public testing::Test {
     int framesBefore_ = 0;
 };
 
-/// What a view shows, for an export.
+/// Returns what a view shows, for an export.
 PictureExport::Source pictureOf(Viewport& view);
 
-/// A preset of some other model than the one on screen.
+/// Returns a preset of another model than the one on screen.
 std::filesystem::path otherPreset(const Document& document);
 
 } // namespace patina::tests

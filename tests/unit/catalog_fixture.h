@@ -9,7 +9,7 @@
 
 namespace patina::tests {
 
-/// The least a descriptor may say, with one parameter.
+/// Returns the smallest valid descriptor, with one parameter.
 inline nlohmann::json plainDescriptor(const std::string& id) {
     return {{"id", id},
             {"version", 1},
@@ -18,7 +18,7 @@ inline nlohmann::json plainDescriptor(const std::string& id) {
              {{{"id", "gloss"}, {"label", "Gloss"}, {"type", "float"}, {"default", 0.5}}}}};
 }
 
-/// A folder of blocks that tests fill.
+/// Makes a folder of blocks that tests fill.
 class BlockFolder {
   public:
     BlockFolder() { std::filesystem::create_directories(root()); }

@@ -9,7 +9,8 @@
 
 namespace patina::tests {
 
-/// Two models, of which one alone has a sheen, a light with two in the scene, and environments.
+/// Returns a catalogue of two models, of which only one has a sheen, a light, a fog and an
+/// environment.
 inline std::shared_ptr<const Catalog> sheetCatalog() {
     static const auto made = [] {
         using nlohmann::json;
@@ -46,7 +47,7 @@ inline std::shared_ptr<const Catalog> sheetCatalog() {
     return made;
 }
 
-/// A velvet ball under two lamps in mist.
+/// Makes a scene of a velvet ball under two lamps in mist.
 inline Scene sheetScene() {
     const Catalog& catalog = *sheetCatalog();
     Scene scene;
