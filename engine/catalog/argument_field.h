@@ -26,7 +26,7 @@ struct ArgumentField {
     double max = 1.0;
     /// Is the default of each of its numbers. When it is absent, a line must give them.
     std::optional<double> usual{};
-    std::string_view member{}; ///< name of the struct's member; empty: `key`
+    std::string_view member{}; ///< names the struct's member; empty: `key` does
 
     constexpr std::string_view memberName() const { return member.empty() ? key : member; }
     constexpr std::size_t numbers() const { return isTriple() ? 3 : 1; }

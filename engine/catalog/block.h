@@ -28,7 +28,7 @@ struct AccuracyChoice {
 /// Names a kind of block that this block calls (a microfacet model calls a Fresnel block). A slot
 /// without a default may stay empty: the block's call is then not in the shader.
 struct Slot {
-    std::string kind;         ///< folder name of the kind, e.g. "fresnel"
+    std::string kind; ///< is the folder name of the kind, such as "fresnel"
     /// Is the id of the block that fills it when nothing is chosen; empty: none does.
     std::string defaultBlock;
 
@@ -60,7 +60,7 @@ struct Hiding {
 /// value is chosen.
 struct NeutralValue {
     std::string id;
-    std::string word; ///< the value that is chosen, or the id of the other parameter; empty: 0
+    std::string word; ///< is the chosen value, or the id of the other parameter; empty: 0
 
     friend bool operator==(const NeutralValue&, const NeutralValue&) = default;
 };
@@ -91,26 +91,26 @@ enum class LightsWanted {
 /// Describes a lighting model, Fresnel term, light, ...: a descriptor and a GLSL file with one
 /// stem.
 struct Block {
-    std::string kind; ///< the folder: "models", "fresnel", "specular", "lights", ...
-    std::string id;   ///< the stem of both files
-    std::vector<std::string> formerIds; ///< ids that older files still use for it
+    std::string kind; ///< is the folder: "models", "fresnel", "specular", "lights", ...
+    std::string id;   ///< is the stem of both files
+    std::vector<std::string> formerIds; ///< older files still use these for it
     int version = 1;
     std::string label;
     std::string summary;
     std::string applications;
-    std::string source; ///< paper and equation
+    std::string source; ///< names paper and equation
     std::string doc;
     std::vector<Parameter> parameters;
     std::vector<AccuracyChoice> accuracy;
-    std::vector<BlockTable> tables; ///< empty unless the kind has tables
+    std::vector<BlockTable> tables; ///< is empty unless the kind has tables
     std::vector<Slot> slots;
     std::vector<std::string> claims;
-    std::map<std::string, std::string> exemptions; ///< claim -> why it is not made
-    std::vector<std::string> gates; ///< "light", "view": horizons below which the value is 0
-    LightsWanted lighting = LightsWanted::All;                  ///< models only
-    ShadowProjection shadowProjection = ShadowProjection::None; ///< lights only
-    std::optional<Hiding> hides;                                ///< fog only
-    std::optional<Reach> reach;                                 ///< lights only
+    std::map<std::string, std::string> exemptions; ///< maps a claim to why it is not made
+    std::vector<std::string> gates; ///< names horizons ("light", "view") below which the value is 0
+    LightsWanted lighting = LightsWanted::All;                  ///< applies to models only
+    ShadowProjection shadowProjection = ShadowProjection::None; ///< applies to lights only
+    std::optional<Hiding> hides;                                ///< applies to fog only
+    std::optional<Reach> reach;                                 ///< applies to lights only
     std::vector<NeutralCase> neutral; ///< the block does nothing when one of them holds
     std::filesystem::path descriptorFile;
     std::filesystem::path shaderFile;

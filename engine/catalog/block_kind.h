@@ -17,8 +17,8 @@ enum class BlockOwner { Material, Light, Scene, Object };
 struct BlockFunction {
     std::string_view suffix;
     std::string_view result;     ///< GLSL type
-    std::string_view argument{}; ///< GLSL type of the first argument; empty: it has none
-    std::string_view name{};     ///< name of the first argument
+    std::string_view argument{}; ///< GLSL type of the first argument; empty: there is none
+    std::string_view name{};     ///< names the first argument
     bool isSigned = false;       ///< the result may be below 0: it is a direction
     /// Lists the fields of the argument, in the order of its declaration. It is empty when other
     /// code knows them, or there are none.
@@ -32,15 +32,17 @@ struct ParameterRole {
     ParameterType type = ParameterType::Float;
     bool isNeeded = false;                       ///< each block of the kind has one
     bool mayRepeat = false;                      ///< several parameters of a block may have it
-    std::span<const std::string_view> choices{}; ///< values that an enum may offer; empty: any
+    /// Lists the values that an enum may offer; empty: any.
+    std::span<const std::string_view> choices{};
 };
 
 /// Describes a kind of block: one row of the table that everything which knows kinds reads.
 struct BlockKind {
-    std::string_view folder; ///< name of the folder under shaders/; code uses it as the kind's name
-    std::string_view singular; ///< key in files and of `patina eval`, and the option's name
-    std::string_view plural;   ///< name in sentences
-    std::string_view label;    ///< text on the screen, before a block's own label
+    /// Is the folder's name under shaders/, which code uses for the kind, too.
+    std::string_view folder;
+    std::string_view singular; ///< is the key in files and of `patina eval`, and the option's name
+    std::string_view plural;   ///< is used in sentences
+    std::string_view label;    ///< is shown before a block's own label
     std::string_view word;     ///< ends the names of structs: "LinearFog"; may be empty
     BlockOwner owner = BlockOwner::Material;
     std::span<const BlockFunction> functions;
@@ -49,9 +51,10 @@ struct BlockKind {
     bool hasReference = true;     ///< it is compiled in double precision as well
     bool hasTables = false;       ///< its levels may read tables
     bool isInBlockLabels = false; ///< labels of its blocks stand alone, without that of the kind
-    std::string_view absent{};    ///< text for having none; empty: the label and "off"
+    std::string_view absent{};    ///< is shown for having none; empty: the label and "off"
     std::string_view noneWord{"none"};      ///< selects none on the command line
-    std::span<const ParameterRole> roles{}; ///< roles that parameters of its blocks may have
+    /// Lists the roles that parameters of its blocks may have.
+    std::span<const ParameterRole> roles{};
 };
 
 /// Names the kinds that some code handles specially, by their folders.
@@ -71,30 +74,30 @@ inline constexpr std::string_view tone = "tone";
 
 /// Names the roles of parameters that the program itself reads.
 namespace roles {
-inline constexpr std::string_view color = "color";             ///< the colour of a light or fog
+inline constexpr std::string_view color = "color";             ///< is the colour of a light or fog
 inline constexpr std::string_view intensity = "intensity";     ///< multiplies the colour
 inline constexpr std::string_view falloff = "falloff";         ///< "polynomial" or "inverse-square"
-inline constexpr std::string_view constant = "constant";       ///< c in 1/(c + l x + q x^2)
-inline constexpr std::string_view linear = "linear";           ///< l in the same
-inline constexpr std::string_view quadratic = "quadratic";     ///< q in the same
-inline constexpr std::string_view nearest = "nearest";         ///< smallest x in 1/x^2
-inline constexpr std::string_view index = "index";             ///< index of refraction
+inline constexpr std::string_view constant = "constant";       ///< is c in 1/(c + l x + q x^2)
+inline constexpr std::string_view linear = "linear";           ///< is l in the same
+inline constexpr std::string_view quadratic = "quadratic";     ///< is q in the same
+inline constexpr std::string_view nearest = "nearest"; ///< is the smallest x in 1/x^2, in metres
+inline constexpr std::string_view index = "index";     ///< is the index of refraction
 inline constexpr std::string_view indexFrom = "indexFrom";     ///< "surface" or "own"
-inline constexpr std::string_view indexInside = "indexInside"; ///< index below the surface
-inline constexpr std::string_view indexOutside = "indexOutside"; ///< index above the surface
-inline constexpr std::string_view f0 = "f0";                 ///< reflectance at normal incidence
+inline constexpr std::string_view indexInside = "indexInside"; ///< is the index below the surface
+inline constexpr std::string_view indexOutside = "indexOutside"; ///< is the index above the surface
+inline constexpr std::string_view f0 = "f0"; ///< is the reflectance at normal incidence
 inline constexpr std::string_view dispersion = "dispersion"; ///< 0: all wavelengths refract alike
-inline constexpr std::string_view thickness = "thickness";   ///< thickness of a pane
-inline constexpr std::string_view filter = "filter";         ///< colour of the transmitted light
-inline constexpr std::string_view width = "width";           ///< width of lines
+inline constexpr std::string_view thickness = "thickness";   ///< is the thickness of a pane
+inline constexpr std::string_view filter = "filter";         ///< multiplies the transmitted light
+inline constexpr std::string_view width = "width";           ///< is the width of lines
 inline constexpr std::string_view background = "background"; ///< "sharp", "blurred" or "hidden"
-inline constexpr std::string_view blur = "blur";             ///< blur of the background
-inline constexpr std::string_view rotate = "rotate";         ///< rotation about the vertical axis
-inline constexpr std::string_view directions = "directions"; ///< samples per pixel
-inline constexpr std::string_view limit = "limit";           ///< largest radiance of a direction
-inline constexpr std::string_view angle = "angle";           ///< angular size of a distant lamp
-inline constexpr std::string_view layers = "layers";         ///< number of layers that are sorted
-inline constexpr std::string_view samples = "samples";       ///< samples per pixel
+inline constexpr std::string_view blur = "blur";             ///< is the blur of the background
+inline constexpr std::string_view rotate = "rotate";         ///< turns about the vertical axis
+inline constexpr std::string_view directions = "directions"; ///< is a number of samples per pixel
+inline constexpr std::string_view limit = "limit";     ///< is the largest radiance of a direction
+inline constexpr std::string_view angle = "angle";     ///< is the angular size of a distant lamp
+inline constexpr std::string_view layers = "layers";   ///< is the number of layers that are sorted
+inline constexpr std::string_view samples = "samples"; ///< is the number of samples per pixel
 } // namespace roles
 
 /// Returns the kinds that Patina ships blocks of.

@@ -14,7 +14,7 @@ namespace patina {
 struct BlockTable {
     std::string id;
     glm::ivec2 size{2, 1}; ///< entries along each axis, at least 2; 1: there is no second axis
-    std::vector<std::string> of; ///< ids of the parameters that entries depend on
+    std::vector<std::string> of; ///< entries depend on the parameters with these ids
 
     friend bool operator==(const BlockTable&, const BlockTable&) = default;
 };

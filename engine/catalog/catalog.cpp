@@ -242,7 +242,7 @@ class Loader {
 
     const JsonSchema& schema_;
     std::vector<Descriptor> descriptors_;
-    ShaderNames takenNames_; ///< names that the shaders of the first root use
+    ShaderNames takenNames_; ///< are used by the shaders of the first root
     Catalog catalog_;
 };
 

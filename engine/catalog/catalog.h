@@ -23,7 +23,7 @@ struct BlockRoot {
 struct Catalog {
     /// Keeps the order of the search; lib/ and passes/ come from the first.
     std::vector<BlockRoot> roots;
-    std::vector<Block> blocks;    ///< sorted by kind, then id
+    std::vector<Block> blocks; ///< are sorted by kind, then id
     Errors errors;
 
     /// Returns the block with that id, else the one that had it before; null where there is none.

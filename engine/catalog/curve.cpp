@@ -21,7 +21,7 @@ using Json = nlohmann::json;
 constexpr std::string_view curveWord = "curve";
 /// Skips the vec4 that says whether the curve is bent.
 constexpr std::size_t firstKnot = 4;
-constexpr std::size_t knotCount = maxCurvePoints + 1; ///< the last one is beyond every x
+constexpr std::size_t knotCount = maxCurvePoints + 1; ///< counts one beyond every x, too
 constexpr const char* curveForm = R"({"points": [[0, 0], [0.5, 0.7], [1, 1]]})";
 
 using Points = SpacedList<glm::dvec2, maxCurvePoints>;
@@ -146,7 +146,7 @@ constexpr std::string_view curveBody = R"(    x = clamp(x, 0.0, 1.0);
     return clamp(y, min(from.y, to.y), max(from.y, to.y));
 )";
 
-// The table's row of the type.
+// These functions fill the table's row of the type.
 
 ValuePart curvePart(std::size_t index) {
     const std::size_t point = index / 2;

@@ -13,12 +13,12 @@
 namespace patina {
 namespace {
 
-constexpr int deepest = 32; ///< levels of parentheses and nots
+constexpr int deepest = 32; ///< counts the levels of parentheses and nots
 
 enum class Operator { Or, And, Not, Truth, Equal, Unequal, Less, LessEqual, Greater, GreaterEqual };
 
 struct Token {
-    std::string text; ///< empty at the end
+    std::string text; ///< is empty at the end
     std::size_t offset = 0;
     bool quoted = false;
 

@@ -26,7 +26,7 @@ class Expression {
     /// Is a comparison of two words; what each means depends on the parameters of the block.
     struct Comparison {
         std::string left;
-        std::string right; ///< empty when the operand stands alone
+        std::string right; ///< is empty when the operand stands alone
     };
 
     /// Returns all comparisons, for checking the words against a block's parameters.
@@ -34,7 +34,7 @@ class Expression {
 
   private:
     struct Node;
-    std::shared_ptr<const Node> root_; ///< immutable, so that copies may share it
+    std::shared_ptr<const Node> root_; ///< is immutable, so that copies may share it
 };
 
 } // namespace patina

@@ -7,7 +7,7 @@ namespace patina {
 
 /// An enum may be shorthand: choosing one of its values sets other parameters of the block (see
 /// EnumValue::fills), and a choice without fills stands for values of one's own. The functions here
-/// keep choice and values telling the same. Such an enum never reaches a shader.
+/// keep choice and values consistent. Such an enum never reaches a shader.
 
 /// Tells whether any choice of the parameter sets other parameters.
 bool isShorthand(const Parameter& parameter);

@@ -62,7 +62,7 @@ class JsonReader {
     const LocatedJson& document_;
     std::string pointer_;
     Errors& errors_;
-    const nlohmann::json* object_ = nullptr; ///< null: the reader acts as if it were empty
+    const nlohmann::json* object_ = nullptr; ///< is null when the reader acts as if it were empty
     std::set<std::string, std::less<>> known_;
 };
 

@@ -20,7 +20,7 @@ struct LocatedJson {
         int column = 0;
     };
 
-    std::string file; ///< path as the user knows it
+    std::string file; ///< is the path as the user knows it
     nlohmann::json value;
     /// Maps a JSON pointer to the start of its value.
     std::unordered_map<std::string, Place> places;

@@ -21,18 +21,18 @@ enum class Space { None, WorldPoint, WorldDirection, CameraPoint, CameraDirectio
 
 /// Tells what the shader generator does with a parameter.
 enum class Compiled {
-    No,       ///< a uniform: changing it never compiles
+    No,       ///< the value is a uniform: changing it never compiles
     Yes,      ///< the state is part of the program: a choice, a bool, whether a curve bends
-    WhenZero, ///< a float of which only whether it is zero is part of the program
-    WhenEqual ///< a float of which only whether it equals `equalTo` is part of the program
+    WhenZero, ///< the program depends only on whether a float is zero
+    WhenEqual ///< the program depends only on whether a float equals `equalTo`
 };
 
 /// Says which measure of a highlight's width a number is. Images may widen highlights by it.
 enum class HighlightWidth {
-    None,     ///< no measure of a width
-    Slope,    ///< slope of the microfacets, 0 .. 1
-    Exponent, ///< exponent of n.h, 0 or more
-    Angle     ///< radians; width of a bell curve over the angle between n and h
+    None,     ///< it is no measure of a width
+    Slope,    ///< it is the slope of the microfacets, 0 .. 1
+    Exponent, ///< it is the exponent of n.h, 0 or more
+    Angle     ///< it is the width of a bell curve over the angle between n and h, in radians
 };
 
 /// Holds one choice of an enum parameter, or one level of an accuracy choice.
@@ -40,9 +40,11 @@ struct EnumValue {
     std::string id;
     std::string label;
     std::string doc;
-    bool exact = false;  ///< accuracy choices only: errors of the others are relative to this level
-    Values fills{};      ///< parameters of the same block that choosing this sets; see fills.h
-    std::string table{}; ///< accuracy choices only: id of the block's table that the level reads
+    /// Is true for the first level of an accuracy choice only: the others are compared with it.
+    bool exact = false;
+    Values fills{}; ///< choosing this sets these parameters of the same block; see fills.h
+    /// Is the id of the block's table that a level of an accuracy choice reads.
+    std::string table{};
 
     friend bool operator==(const EnumValue&, const EnumValue&) = default;
 };
@@ -58,8 +60,8 @@ struct PhysicalRange {
 
 /// Names a former id of a parameter, so that old files keep their values.
 struct Migration {
-    std::string from; ///< the id it had
-    int until = 1;    ///< the last version of the block in which it had that id
+    std::string from; ///< is the id it had
+    int until = 1;    ///< is the last version of the block in which it had that id
 
     friend bool operator==(const Migration&, const Migration&) = default;
 };
@@ -67,14 +69,15 @@ struct Migration {
 /// Declares one parameter as its descriptor does. Everything else comes from it: the GLSL struct,
 /// the C++ struct, the widget, the command line and the preset check.
 struct Parameter {
-    std::string id; ///< dotted, shared across blocks where the meaning is the same
+    std::string id; ///< is dotted, and the same across blocks where the meaning is the same
     std::string label;
-    std::string doc; ///< the tooltip, in plain words
+    std::string doc; ///< is the tooltip, in plain words
     ParameterType type = ParameterType::Float;
     Value defaultValue = 0.0;
-    double min = 0.0; ///< hard range, per component: typed values and files cannot leave it
+    /// Is the lower end of the hard range of each component: typed values and files cannot leave it.
+    double min = 0.0;
     double max = 1.0;
-    double softMin = 0.0; ///< the slider's range
+    double softMin = 0.0; ///< is the lower end of the slider's range
     double softMax = 1.0;
     double step = 0.01;
     Scale scale = Scale::Linear;
@@ -82,17 +85,18 @@ struct Parameter {
     int decimals = 3;
     std::string group;
     bool advanced = false;
-    std::string enabledWhen;       ///< expression over sibling parameters; empty: always enabled
-    std::vector<EnumValue> values; ///< enum only
+    /// Is an expression over sibling parameters; empty: it is always enabled.
+    std::string enabledWhen;
+    std::vector<EnumValue> values; ///< is empty for all types but enum
     Compiled compiled = Compiled::No;
-    std::vector<std::string> components; ///< names of a vector's numbers
-    std::string equalTo;                 ///< Compiled::WhenEqual: id of another float of the block
+    std::vector<std::string> components; ///< names a vector's numbers
+    std::string equalTo; ///< is the id of another float of the block, for Compiled::WhenEqual
     Space space = Space::None;
     bool emission = false; ///< the colour is added once per pixel, whatever the light
     /// The value is a transmitted share of the light: it lowers the opacity.
     bool transparency = false;
     HighlightWidth highlight = HighlightWidth::None;
-    std::string role; ///< what the program reads it as (ParameterRole::word); empty: no role
+    std::string role; ///< says what the program reads it as (ParameterRole::word); empty: nothing
     /// Lists the channels by which an image may drive it; empty: none may.
     std::vector<std::string> textureChannels;
     std::optional<PhysicalRange> physical;

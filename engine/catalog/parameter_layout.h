@@ -15,16 +15,17 @@ namespace patina {
 /// place in the uniform block, but the reference packs them too, so every parameter but a shorthand
 /// or an image has a field.
 struct ParameterField {
-    const Parameter* parameter = nullptr; ///< null for an accuracy choice
+    const Parameter* parameter = nullptr; ///< is null for an accuracy choice
     const AccuracyChoice* choice = nullptr;
-    std::string name;       ///< name in GLSL and C++
-    std::size_t offset = 0; ///< in floats from the start of the block's data
+    std::string name;       ///< is the name in GLSL and C++
+    std::size_t offset = 0; ///< floats from the start of the block's data
     int components = 1;
 };
 
 struct ParameterLayout {
-    std::vector<ParameterField> fields; ///< parameters in descriptor order, then accuracy choices
-    std::size_t floats = 0;             ///< a multiple of four
+    /// Holds the parameters in the descriptor's order, then the accuracy choices.
+    std::vector<ParameterField> fields;
+    std::size_t floats = 0; ///< is a multiple of four
 };
 
 /// Returns the layout of one block. It points into `block`, which must outlive it.

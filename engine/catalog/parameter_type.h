@@ -51,9 +51,9 @@ struct ShaderFunction {
 /// here.
 struct ParameterTypeInfo {
     std::string_view word;           ///< names the type in descriptors
-    int components = 1;              ///< numbers of a value in a shader's data; may be 0
-    std::string_view glsl = "float"; ///< GLSL type of the field that holds it
-    std::string_view cpp = "double"; ///< C++ type of the same field in the reference
+    int components = 1;              ///< counts the numbers of a value in a shader's data; may be 0
+    std::string_view glsl = "float"; ///< is the GLSL type of the field that holds it
+    std::string_view cpp = "double"; ///< is the C++ type of the same field in the reference
     bool hasRange = true;            ///< a value is made of numbers, which have limits
     bool needsRange = true;          ///< a descriptor must give the limits
     bool isContinuous = true;        ///< a small change of a number changes the picture slightly
@@ -99,7 +99,7 @@ struct ParameterTypeInfo {
     /// Returns the word of a state. It points into the parameter, or to static data.
     std::string_view (*stateWord)(const Parameter&, std::size_t state) = nullptr;
 
-    const ShaderFunction* function = nullptr; ///< null: a field holds the value itself
+    const ShaderFunction* function = nullptr; ///< is null when a field holds the value itself
 };
 
 #define PATINA_DECLARATION(name) const ParameterTypeInfo& infoOf##name();

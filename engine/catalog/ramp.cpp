@@ -24,7 +24,7 @@ constexpr std::string_view rampWord = "ramp";
 constexpr std::array<std::string_view, 3> interpolationWords{"linear", "smooth", "constant"};
 constexpr std::size_t numbersPerStop = 4;
 constexpr std::size_t firstStop = 4;             ///< skips the vec4 that says how to interpolate
-constexpr std::size_t places = maxRampStops + 1; ///< the last one is beyond every x
+constexpr std::size_t places = maxRampStops + 1; ///< counts one beyond every x, too
 constexpr const char* rampForm = R"({"stops": [{"at": 0, "color": [0, 0, 0]}, )"
                                  R"({"at": 1, "color": [1, 1, 1]}], "interpolation": "smooth"})";
 
@@ -100,7 +100,7 @@ constexpr std::string_view rampBody = R"(    x = clamp(x, 0.0, 1.0);
     return u * vec3(from.y, from.z, from.w) + t * vec3(to.y, to.z, to.w);
 )";
 
-// The table's row of the type.
+// These functions fill the table's row of the type.
 
 bool isFiniteNumber(const Json& json) {
     return json.is_number() && std::isfinite(json.get<double>());

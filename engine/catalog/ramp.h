@@ -28,7 +28,7 @@ struct RampStop {
 /// Holds colours along a line. Before the first stop and after the last the colour is constant.
 struct Ramp {
     RampInterpolation interpolation = RampInterpolation::Linear;
-    std::vector<RampStop> stops{}; ///< sorted by rising place
+    std::vector<RampStop> stops{}; ///< are sorted by rising place
 
     /// Returns the colour at a place, as the shader computes it. It is black without a stop.
     glm::dvec3 at(double x) const;

@@ -87,7 +87,7 @@ void addWords(ShaderNames& names, std::string_view line) {
 
 void addFiles(ShaderNames& names, const fs::path& folder,
               void (*add)(ShaderNames&, std::string_view)) {
-    std::error_code status; // what cannot be read is said where it is needed
+    std::error_code status; // a file that cannot be read is reported where it is used
     for (fs::directory_iterator at(folder, status), end; !status && at != end;
          at.increment(status)) {
         std::istringstream file(readFile(at->path(), maxBytes).value_or(std::string()));

@@ -15,7 +15,7 @@ struct ValueError : Error {
     ValueError(Error error, std::string inside = {})
         : Error(std::move(error)), within(std::move(inside)) {}
 
-    std::string within; ///< JSON pointer from the value to the mistake; empty: the value itself
+    std::string within; ///< is the JSON pointer from the value to the mistake; may be empty
 };
 
 /// Holds a value as JSON has it, or why there is none.
@@ -30,8 +30,8 @@ inline tl::unexpected<ValueError> failureWithin(std::string pointer, std::string
 
 /// Names one of the parts that a value is made of: a point, a stop.
 struct ValuePart {
-    std::string name;    ///< "point 3"; empty: the whole value
-    std::string pointer; ///< JSON pointer from the value to the part
+    std::string name;    ///< is a name such as "point 3"; empty: it is the whole value
+    std::string pointer; ///< is the JSON pointer from the value to the part
 };
 
 } // namespace patina

@@ -12,9 +12,9 @@ namespace patina {
 /// Describes one mistake in something a user, a driver or a disk can cause. It is returned, never
 /// thrown.
 struct Error {
-    std::string file;     ///< path as the user knows it; empty when no file is involved
-    int line = 0;         ///< 1-based; 0 when the place inside the file is unknown
-    int column = 0;       ///< 1-based, in bytes; 0 when unknown
+    std::string file;     ///< is the path as the user knows it; empty when no file is involved
+    int line = 0;         ///< is 1-based; 0 when the place inside the file is unknown
+    int column = 0;       ///< is 1-based, in bytes; 0 when unknown
     std::string problem;  ///< says what is wrong: a sentence without a final stop
     std::string expected; ///< says what would have been right; may be empty
 

@@ -29,7 +29,7 @@ struct VertexOpenness {
     std::int16_t x = 0;
     std::int16_t y = 0;
     std::int16_t z = 0;
-    std::int16_t back = 1; ///< 1 .. 32767; the share that is hidden from the back of the surface
+    std::int16_t back = 1; ///< is the share that is hidden from the back of the surface, 1 .. 32767
 
     static constexpr float unit = 1.4142136f / 32767.0f;
 
@@ -53,9 +53,11 @@ struct Bounds {
 /// process).
 struct MeshView {
     std::span<const Vertex> vertices;
-    std::span<const std::uint32_t> indices; ///< three per triangle, counter-clockwise from outside
+    /// Holds three per triangle, counter-clockwise from outside.
+    std::span<const std::uint32_t> indices;
     Bounds bounds;
-    std::span<const VertexOpenness> openness{}; ///< one per vertex; if empty, nothing is hidden
+    /// Holds one per vertex; if it is empty, nothing is hidden.
+    std::span<const VertexOpenness> openness{};
 };
 
 /// Owns a triangle list.

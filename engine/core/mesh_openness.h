@@ -14,8 +14,8 @@ namespace patina {
 struct Openness {
     /// Is the unoccluded share of light from everywhere, weighted by the cosine: 0 .. 1.
     float share = 1.0f;
-    glm::vec3 direction{0.0f}; ///< unit; the mean of the unoccluded directions
-    float back = 1.0f;         ///< 0 .. 1: the same share for the other side of the surface
+    glm::vec3 direction{0.0f}; ///< is the mean of the unoccluded directions, unit
+    float back = 1.0f;         ///< is the same share for the other side of the surface, 0 .. 1
 };
 
 /// Decodes a vertex' eight bytes. `normal` is the vertex' own.

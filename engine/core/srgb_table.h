@@ -29,8 +29,9 @@ class SrgbTable {
     static constexpr int slots = 4096;
 
     std::array<float, 256> linear_{};
-    std::array<float, 256> upper_{};          ///< the first linear value above each code's range
-    std::array<std::uint8_t, slots> first_{}; ///< the code at the start of each 1/slots of [0, 1)
+    std::array<float, 256> upper_{}; ///< holds the first linear value above each code's range
+    /// Holds the code at the start of each 1/slots of [0, 1).
+    std::array<std::uint8_t, slots> first_{};
 };
 
 } // namespace patina

@@ -25,7 +25,7 @@ std::size_t texelBytes(TexelFormat format);
 struct TexturePicture {
     struct Level {
         glm::ivec2 size{0};
-        std::size_t offset = 0; ///< in bytes
+        std::size_t offset = 0; ///< bytes from the start of `bytes`
     };
 
     TexelFormat format = TexelFormat::Color8;

@@ -30,10 +30,11 @@ class TriangleTree {
     /// directly.
     struct Node {
         glm::vec3 lower;
-        std::uint32_t other = 0; ///< the second child, or the first triangle of a leaf
+        /// Is the index of the second child, or of a leaf's first triangle.
+        std::uint32_t other = 0;
         glm::vec3 upper;
-        std::uint32_t count = 0; ///< number of triangles of a leaf; 0: the node has children
-        int axis = 0;            ///< axis along which the children lie
+        std::uint32_t count = 0; ///< counts the triangles of a leaf; 0: the node has children
+        int axis = 0;            ///< is the axis along which the children lie
     };
 
     void build(std::vector<std::uint32_t>& order, std::uint32_t first, std::uint32_t last);

@@ -14,7 +14,7 @@ namespace patina {
 
 /// Holds a value of a type that is any number of numbers: a curve's points, a ramp's stops.
 struct NumberList {
-    std::string_view type; ///< the type's word, which lives as long as the program
+    std::string_view type; ///< is the type's word, which lives as long as the program
     std::vector<double> numbers{};
 
     friend bool operator==(const NumberList&, const NumberList&) = default;

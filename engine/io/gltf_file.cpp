@@ -44,7 +44,7 @@ void appendWord(std::string& bytes, std::size_t word) {
 struct Parts {
     bool binary = false;
     std::string_view json;
-    std::string_view chunks; ///< the chunks after the first, with their headers
+    std::string_view chunks; ///< are the chunks after the first, with their headers
 };
 
 Result<Parts> taken(std::string_view bytes) {

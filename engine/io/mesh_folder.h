@@ -13,7 +13,7 @@ namespace patina {
 /// Says what may be read outside a mesh's folder: the user agreed to it.
 struct LinkRights {
     bool everything = false;
-    std::vector<std::string> files{}; ///< full paths, links followed
+    std::vector<std::string> files{}; ///< are full paths, links followed
 };
 
 /// Holds a mesh file and opens all that may be read for it: what lies in its folder or below,
@@ -31,8 +31,8 @@ class MeshFolder {
 
     /// Names a file that was asked for and exists, but lies outside and is not allowed.
     struct Refused {
-        std::string path;  ///< the path that was asked for
-        std::string place; ///< the full path of the file, links followed
+        std::string path;  ///< is the path that was asked for
+        std::string place; ///< is the full path of the file, links followed
     };
     const std::vector<Refused>& refused() const { return refused_; } ///< each path is listed once
 

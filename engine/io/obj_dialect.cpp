@@ -13,7 +13,7 @@ constexpr std::string_view blanks = " \t\r";
 /// Says what a line may consist of after its keyword.
 struct Statement {
     std::string_view keyword;
-    std::string_view characters; ///< empty: all are allowed
+    std::string_view characters; ///< is empty when all are allowed
     std::size_t minWords = 0;
     std::size_t maxWords = std::string_view::npos;
 };

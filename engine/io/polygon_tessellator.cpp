@@ -15,7 +15,7 @@ namespace {
 /// Collects what GLU's callbacks report. GLU knows points by the addresses of their numbers.
 struct Work {
     Polygon& polygon;
-    std::deque<std::uint32_t> numbers; ///< a deque, because the addresses must stay valid
+    std::deque<std::uint32_t> numbers; ///< is a deque, because the addresses must stay valid
     Tessellation made;
     bool failed = false;
 

@@ -20,8 +20,8 @@ struct RawMesh {
     std::vector<glm::vec3> normals;
     std::vector<glm::vec4> tangents;
     std::vector<glm::vec2> uvs;
-    std::vector<std::uint32_t> indices; ///< three per triangle, each below positions.size()
-    std::size_t pointsAndLines = 0;     ///< number of points and lines, which are not read
+    std::vector<std::uint32_t> indices; ///< has three per triangle, each below positions.size()
+    std::size_t pointsAndLines = 0;     ///< counts points and lines, which are not read
     std::shared_ptr<void> leftovers; ///< keeps the reader's data alive; freeing it may take a while
 
     /// Moves the vertices from `first` on, and the triangles from `firstIndex` on, by an affine

@@ -26,7 +26,7 @@ glm::vec3 aroundAxis(const glm::vec3& n) {
 
 struct FaceTangent {
     glm::vec3 direction{0.0f}; ///< unit; zero when the texture coordinates have no area
-    /// +1, or -1 where the texture is mirrored; 0 when the texture coordinates have no area.
+    /// Is +1, or -1 where the texture is mirrored; 0 when the texture coordinates have no area.
     float side = 0.0f;
 };
 

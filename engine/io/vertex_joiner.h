@@ -14,7 +14,7 @@ void joinVertices(RawMesh& mesh);
 /// Numbers the places of the vertices: vertices at the same position share one. Places are numbered
 /// from zero without gaps.
 struct Places {
-    std::vector<std::uint32_t> ofVertex; ///< empty when every vertex has a place of its own
+    std::vector<std::uint32_t> ofVertex; ///< is empty when every vertex has a place of its own
     std::size_t count = 0;
 };
 Places placesOf(const RawMesh& mesh);

@@ -14,7 +14,7 @@ namespace patina::tests {
 
 /// Is one text file of the project.
 struct SourceFile {
-    std::string path; ///< relative to the project's root, with forward slashes
+    std::string path; ///< is relative to the project's root, with forward slashes
     std::string text;
 
     std::string name() const { return std::filesystem::path(path).filename().string(); }

@@ -14,9 +14,9 @@ class EditorCourse {
   public:
     /// Says what a step cost, in milliseconds.
     struct Cost {
-        /// Longest time between two beats; negative: the step did not end in time.
+        /// Is the longest time between two beats; negative: the step did not end in time.
         double gap = -1.0;
-        double time = 0.0; ///< time until its picture was on the screen
+        double time = 0.0; ///< is the time until its picture was on the screen
     };
 
     explicit EditorCourse(MainWindow& window);

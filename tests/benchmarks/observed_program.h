@@ -23,7 +23,7 @@ class ObservedProgram {
     double secondsToFirstPicture(double limitSeconds = 30.0);
 
     double residentMegabytes() const;
-    long cpuTicks() const; ///< clock ticks, user and system time so far
+    long cpuTicks() const; ///< returns user and system time so far, in clock ticks
 
   private:
     class Implementation;

@@ -89,7 +89,7 @@ class Stage {
 
     Scene scene;
     View view;
-    std::map<std::string, Mesh> meshes; ///< meshes by the names that objects use
+    std::map<std::string, Mesh> meshes; ///< holds meshes by the names that objects use
 
   private:
     tests::TemporaryFolder folder_;

@@ -47,7 +47,7 @@ class BoundPrograms {
     using Drawing = std::pair<GLenum, GLsizei>;
 
     struct Program {
-        std::string text; ///< text of all stages
+        std::string text; ///< is the text of all stages
         std::set<Drawing> drawings;
     };
 

@@ -14,10 +14,11 @@ namespace patina {
 class ExaminedShaders {
   public:
     enum class Stage {
-        Surface, ///< red: a colour that is not finite, green: a negative one, blue: a point or a
-                 ///< light that is not finite, or a normal that is not unit or does not face
-                 ///< the eye by half of MIN_NV: slivers blend normals to more than length 1
-        Display  ///< white: what the tone mapping gives is not finite or negative
+        /// Shows red for a colour that is not finite, green for a negative one, blue for a point or
+        /// a light that is not finite, or for a normal that is not unit or does not face the eye by
+        /// half of MIN_NV: slivers blend normals to more than length 1.
+        Surface,
+        Display ///< shows white where the tone mapping gives what is not finite or negative
     };
 
     explicit ExaminedShaders(Stage stage) {

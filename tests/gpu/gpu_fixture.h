@@ -187,7 +187,7 @@ class GpuTest : public testing::Test {
     std::shared_ptr<const Catalog> catalog;
     std::unique_ptr<Renderer> renderer;
     std::map<std::string, Mesh> meshes;
-    /// By the name of the mesh, where a test sets it.
+    /// Holds what tests set, by the name of the mesh; other meshes hide nothing.
     std::map<std::string, std::vector<VertexOpenness>> openness;
 };
 

@@ -17,7 +17,7 @@ namespace patina {
 
 /// Says where a ray through a pixel meets a glowing sheet.
 struct Crossing {
-    double depth = 0.0; ///< distance along the view
+    double depth = 0.0; ///< is the distance along the view
     glm::dvec3 color{0.0};
     double opacity = 0.0;
 };

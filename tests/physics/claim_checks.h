@@ -29,8 +29,8 @@ using Evaluate = std::function<std::vector<Numbers>(const std::vector<Trial>&)>;
 
 /// Says how much rounding a claim allows for, and how often it is tried.
 struct Care {
-    double rounding = 1e-10; ///< relative difference of two values that should be equal
-    double step = 1e-15;     ///< absolute amount by which a value may exceed one that bounds it
+    double rounding = 1e-10; ///< is the relative difference of two values that should be equal
+    double step = 1e-15;     ///< is the absolute amount by which a value may exceed its bound
     int edgeCaseTrials = 100000;
     int ordinaryTrials = 20000;
     /// Few cases stay in the processor's cache, a device wants many.

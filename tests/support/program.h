@@ -10,7 +10,7 @@ namespace patina::tests {
 
 /// Says what a program did.
 struct Outcome {
-    int exitCode = 0; ///< 128 + n when signal n ended it, -1 when it ran out of time
+    int exitCode = 0; ///< is 128 + n when signal n ended it, -1 when it ran out of time
     std::string out;
     std::string err;
     double seconds = 0.0;
@@ -19,8 +19,8 @@ struct Outcome {
 /// Says how to start a program.
 struct Start {
     std::vector<std::string> arguments;
-    std::map<std::string, std::string> environment; ///< added to our own; "" removes a variable
-    std::string input;                              ///< text of the standard input
+    std::map<std::string, std::string> environment; ///< is added to our own; "" removes a variable
+    std::string input;                              ///< is given on the standard input
     double timeLimitSeconds = 60.0;
 };
 

@@ -101,7 +101,7 @@ class AccuracyPanel : public WindowFixture {
     void start(int size = 48) {
         CostSweep::Options options;
         options.size = {size, size};
-        options.pairs.min = 7; // fewer let a noisy neighbour turn the order of two ways
+        options.pairs.min = 7; // fewer let noise swap two points
         options.pairs.max = 9;
         options.combinations = false;
         dock().measure(options);

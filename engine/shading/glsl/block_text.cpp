@@ -148,7 +148,7 @@ class Wanted {
     BlockFunction call_;
     std::string struct_;
     std::string name_;
-    std::vector<std::string> arguments_; ///< types of the arguments
+    std::vector<std::string> arguments_; ///< are the arguments' types
 };
 
 /// Returns what the names of the entry functions of tables add to the block's function name.

@@ -11,7 +11,7 @@ namespace patina {
 /// Is an argument of a function or a field of a struct. All declarations point into the text.
 struct GlslVariable {
     std::string_view type;
-    std::string_view name; ///< empty: the argument has none
+    std::string_view name; ///< is empty when the argument has none
     bool isOut = false;    ///< the argument is declared OUT(type)
 };
 

@@ -25,7 +25,7 @@ using Declared = std::map<std::string_view, std::set<std::string>>;
 struct Stretch {
     Declared declared;
     Names macros;
-    Names fields; ///< names that follow a dot
+    Names fields; ///< are the names that follow a dot
     Names words;
 };
 
@@ -189,7 +189,7 @@ class Framer {
 
     std::span<const BlockPart> parts_;
     std::vector<Stretch> own_;
-    std::vector<Stretch> around_; ///< the text before, between and after the parts
+    std::vector<Stretch> around_; ///< is the text before, between and after the parts
 };
 
 /// Copies lines, and renumbers those that are in no file.

@@ -11,8 +11,8 @@ namespace patina {
 
 /// Says where the text of a user's block is within a program's.
 struct BlockPart {
-    std::size_t first = 0; ///< offset of its first byte, where a line begins
-    std::size_t last = 0;  ///< offset behind its last byte
+    std::size_t first = 0; ///< is the offset of its first byte, where a line begins
+    std::size_t last = 0;  ///< is the offset behind its last byte
     std::string structName;
     std::string functionName;
 };

@@ -16,7 +16,7 @@ struct ShaderSource {
 
     std::string text;
     std::vector<std::string> files{"generated"};
-    std::vector<StrangerBlock> strangers{}; ///< blocks in the text that did not ship with Patina
+    std::vector<StrangerBlock> strangers{}; ///< are the blocks in the text that did not ship
 
     friend bool operator==(const ShaderSource&, const ShaderSource&) = default;
 };

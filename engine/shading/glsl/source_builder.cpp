@@ -129,7 +129,7 @@ std::size_t SourceBuilder::addText(const std::string& file, std::string_view tex
     const std::size_t index = source_.files.size();
     source_.files.push_back(file);
     number = 0;
-    bool gap = true; // the next line that is kept needs its number said
+    bool gap = true; // the next line that is kept needs a #line
     while (!text.empty()) {
         const std::string_view line = nextLine(text);
         ++number;

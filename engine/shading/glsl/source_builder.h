@@ -50,7 +50,7 @@ class SourceBuilder {
     std::filesystem::path root_;
     ShaderSource source_;
     std::set<std::filesystem::path> taken_;
-    std::vector<BlockPart> parts_; ///< parts of blocks that did not ship
+    std::vector<BlockPart> parts_; ///< are the parts of blocks that did not ship
     Errors errors_;
     int lines_ = 0;
 };

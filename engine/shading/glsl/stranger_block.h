@@ -10,10 +10,10 @@ namespace patina {
 struct StrangerBlock {
     std::string kind;
     std::string id;
-    std::filesystem::path file;    ///< its GLSL file, for messages
-    std::filesystem::path shaders; ///< the shipped folder of blocks that was loaded with it
-    std::filesystem::path own;     ///< the user's folder, in which the folder of its kind is
-    std::string hash;              ///< hash of its descriptor and its text
+    std::filesystem::path file;    ///< is its GLSL file, for messages
+    std::filesystem::path shaders; ///< is the shipped folder of blocks that was loaded with it
+    std::filesystem::path own;     ///< is the user's folder, which has the folder of its kind
+    std::string hash;              ///< covers its descriptor and its text
 
     friend bool operator==(const StrangerBlock&, const StrangerBlock&) = default;
 };

@@ -67,7 +67,7 @@ GlslTokens glslTokens(std::string_view text) {
     tokens.reserve(text.size() / 4);
     int line = 1;
     std::size_t lineStart = 0;
-    std::size_t counted = 0; // so far `line` has taken newlines in
+    std::size_t counted = 0; // offset up to which `line` has counted newlines
     for (std::size_t at = text.find_first_not_of(" \t\r\n"); at != std::string_view::npos;
          at = text.find_first_not_of(" \t\r\n", at)) {
         for (; counted < at; ++counted) {

@@ -23,16 +23,16 @@ constexpr std::string_view entryPoint = "main";
 /// Is a line of the text, with the file and line number that `#line` gives it.
 struct Line {
     std::string_view text;
-    int number = 0; ///< number as a compiler counts it
+    int number = 0; ///< is the number as a compiler counts it
     std::size_t file = 0;
-    std::span<const GlslToken> tokens{}; ///< the tokens that begin in the line
+    std::span<const GlslToken> tokens{}; ///< begin in the line
 };
 
 /// Is an independent part at the top level of a shader: a function, a declaration, a macro.
 struct Item {
-    std::size_t first = 0; ///< index of its first line
+    std::size_t first = 0; ///< is the index of its first line
     std::size_t last = 0;
-    std::string_view name; ///< name that it declares; empty: it is always needed
+    std::string_view name; ///< is the name that it declares; empty: it is always needed
     std::vector<std::string_view> words;
     bool isNeeded = false;
 };
@@ -190,7 +190,7 @@ class ItemReader {
     const std::vector<Line>& lines_;
     std::vector<Item> items_;
     Item item_;
-    GlslTokens head_; ///< tokens of the item so far
+    GlslTokens head_; ///< are the tokens of the item so far
     int depth_ = 0;
     int parentheses_ = 0;
     bool hasParenthesis_ = false;
@@ -246,7 +246,7 @@ class LineWriter {
     std::string text_;
     int written_ = 0;
     std::size_t file_ = 0;
-    int number_ = 1; ///< number of the file's next line
+    int number_ = 1; ///< is the number of the file's next line
 };
 
 } // namespace

@@ -16,7 +16,7 @@ struct ProgramSource;
 class BlockGate {
   public:
     struct Answer {
-        Errors mistakes;     ///< errors of blocks that must not be compiled here
+        Errors mistakes;     ///< are about blocks that must not be compiled here
         bool isFinal = true; ///< false: some blocks were not tried yet, and `mistakes` says so
     };
 

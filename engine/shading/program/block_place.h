@@ -10,7 +10,7 @@ namespace patina {
 struct BlockPlace {
     const Block* block = nullptr;
     ParameterLayout layout;
-    int first = 0; ///< index of the block's first vec4
+    int first = 0; ///< is the index of the block's first vec4
 
     int vec4s() const { return static_cast<int>(layout.floats / 4); }
 };

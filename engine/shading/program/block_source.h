@@ -26,9 +26,9 @@ struct SlotFill {
 
 /// Says how an unpack function is written.
 struct UnpackRequest {
-    std::string function;                      ///< name of the function, "unpackModel"
+    std::string function;                      ///< is the function's name, such as "unpackModel"
     std::span<const CompiledValue> compiled{}; ///< are assigned from a #define instead of read
-    std::span<const SlotFill> slots{};         ///< the filled slots; the others stay empty
+    std::span<const SlotFill> slots{};         ///< are the filled slots; the others stay empty
 };
 
 /// Writes `<Struct> <function>(int base)`. It reads `PARAMETER_DATA(i)`, a vec4, for i from 0; the

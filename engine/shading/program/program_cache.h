@@ -17,7 +17,7 @@ namespace patina {
 class ProgramCache {
   public:
     struct Found {
-        std::shared_ptr<const gl::Program> program; ///< null when it does not compile
+        std::shared_ptr<const gl::Program> program; ///< is null when it does not compile
         Errors errors;         ///< say why it does not compile, at the files' own lines
         bool compiled = false; ///< this call compiled it
         bool isFinal = true; ///< false: a block in it is still being tried (see BlockGate)

@@ -9,13 +9,14 @@ namespace patina {
 
 /// Tells what a program writes that is assembled from a set of effects.
 enum class SurfaceOutput {
-    Picture, ///< the light that the surface sends to the viewer
+    Picture, ///< writes the light that the surface sends to the viewer
     /// Writes the luminance, what is wrong with its numbers, and the numbers themselves.
     Inspection,
-    Buffer,      ///< the inputs of shading: position, directions, what images and shadows give
-    Tables,      ///< the tables of the blocks, in one atlas
-    LobeSamples, ///< samples of the model's reflectance, from which lobes are fitted
-    AlbedoTable, ///< the model's albedo by the viewer's direction, without mesh, lights or fog
+    Buffer, ///< writes the inputs of shading: position, directions, what images and shadows give
+    Tables, ///< writes the tables of the blocks, in one atlas
+    LobeSamples, ///< samples the model's reflectance, to which lobes are fitted
+    /// Writes the model's albedo by the viewer's direction, without mesh, lights or fog.
+    AlbedoTable,
 };
 
 /// Tells whether such programs draw no mesh but cover a target of their own.
@@ -26,8 +27,8 @@ inline bool isTable(SurfaceOutput output) {
 
 /// Says how finely a table of albedos samples directions.
 struct AlbedoTableShape {
-    glm::ivec2 size{24, 16}; ///< number of square roots of n.v, number of azimuths of the viewer
-    int sectors = 48; ///< number of light directions in each ring around the mirror direction
+    glm::ivec2 size{24, 16}; ///< counts square roots of n.v, and azimuths of the viewer
+    int sectors = 48;        ///< counts light directions in each ring around the mirror direction
 
     friend bool operator==(const AlbedoTableShape&, const AlbedoTableShape&) = default;
 };
@@ -39,13 +40,14 @@ AlbedoTableShape albedoTableShape(const Block& model);
 /// Says how finely a model's reflectance is sampled for fitting lobes; passes/lobe_directions.glsl
 /// uses the same numbers.
 struct LobeTableShape {
-    int viewers = 16;  ///< number of square roots of n.v
-    int azimuths = 16; ///< number of azimuths of the viewer
-    int sectors = 16;  ///< number of light directions in each ring around the mirror direction
+    int viewers = 16;  ///< counts square roots of n.v
+    int azimuths = 16; ///< counts azimuths of the viewer
+    int sectors = 16;  ///< counts light directions in each ring around the mirror direction
 
     static constexpr int rings = 44;
-    static constexpr int fittedWidth = 8; ///< width of the target of fits, which fill it row by row
-    static constexpr int steps = 8;       ///< steps of the table from one viewer to the next
+    /// Is the width of the target of fits, which fill it row by row.
+    static constexpr int fittedWidth = 8;
+    static constexpr int steps = 8; ///< counts the table's steps from one viewer to the next
 
     glm::ivec2 fitted() const { return {fittedWidth, viewers * azimuths / fittedWidth}; }
     glm::ivec2 table() const {

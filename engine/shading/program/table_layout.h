@@ -19,14 +19,14 @@ struct TablePlace {
     const Block* block = nullptr;
     const BlockTable* table = nullptr;
     TableReader reader = TableReader::Model;
-    int first = 0; ///< index of the block's first vec4 in `objectData`
-    int row = 0;   ///< first of table->size.y rows; each entry is a texel
+    int first = 0; ///< is the index of the block's first vec4 in `objectData`
+    int row = 0;   ///< is the first of table->size.y rows; each entry is a texel
 };
 
 /// Places all tables of a program one above the other in one texture.
 struct TableLayout {
     std::vector<TablePlace> places;
-    glm::ivec2 size{0}; ///< size of the texture, in texels
+    glm::ivec2 size{0}; ///< texels of the texture
     /// Lists the indices of the floats of `objectData` that entries depend on.
     std::vector<std::size_t> inputs;
 
