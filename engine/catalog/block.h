@@ -35,12 +35,12 @@ struct Slot {
     friend bool operator==(const Slot&, const Slot&) = default;
 };
 
-/// Says what share of a surface a fog hides, so that nobody has to run its shader to know: 1 -
-/// exp(-(rate x)^power) of what is x metres away, or none up to `from`, everything beyond `to`, and
-/// evenly more between them. With `base` and `thickness` the rate is constant up to the height
-/// `base` and falls above it to 1/e with each `thickness`; its mean along the ray is used then.
-/// With `center` and `size` the fog fills a box along the axes of the scene. All strings are ids of
-/// parameters.
+/// Says what share of a surface a fog hides, so that it is known without running the fog's shader.
+/// What is x metres away is hidden by the share 1 - exp(-(rate x)^power); or by none up to `from`,
+/// all beyond `to`, and linearly more between them. With `base` and `thickness` the rate is
+/// constant up to the height `base` and falls above it to 1/e with each `thickness`; its mean along
+/// the ray is used then. With `center` and `size` the fog fills a box along the axes of the scene.
+/// All strings are ids of parameters.
 struct Hiding {
     std::string rate; ///< empty: `from` and `to` are used
     double power = 1.0;

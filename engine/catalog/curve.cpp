@@ -19,7 +19,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::string_view curveWord = "curve";
-/// Skips the vec4 that says whether the curve is bent.
+/// Skips the vec4 that says whether the curve is the straight line.
 constexpr std::size_t firstKnot = 4;
 constexpr std::size_t knotCount = maxCurvePoints + 1; ///< counts one beyond every x, too
 constexpr const char* curveForm = R"({"points": [[0, 0], [0.5, 0.7], [1, 1]]})";

@@ -13,7 +13,7 @@
 namespace patina {
 namespace {
 
-constexpr int deepest = 32; ///< counts the levels of parentheses and nots
+constexpr int deepest = 32; ///< limits the levels of parentheses and nots
 
 enum class Operator { Or, And, Not, Truth, Equal, Unequal, Less, LessEqual, Greater, GreaterEqual };
 

@@ -74,7 +74,7 @@ struct Parameter {
     std::string doc; ///< is the tooltip, in plain words
     ParameterType type = ParameterType::Float;
     Value defaultValue = 0.0;
-    /// Is the lower end of the hard range of each component: typed values and files cannot leave it.
+    /// Is the lower end of each component's hard range, which typed values and files cannot leave.
     double min = 0.0;
     double max = 1.0;
     double softMin = 0.0; ///< is the lower end of the slider's range

@@ -15,9 +15,9 @@ namespace patina {
 /// Limits the size of the meshes and images that are read, in bytes.
 inline constexpr std::uintmax_t maxAssetBytes = std::uintmax_t(1) << 30;
 
-/// Is an ordinary file that is open for reading. Everything that Patina reads is opened here: a
-/// folder, a pipe, a socket or a device, behind whatever links, is never waited for, and a file
-/// larger than its limit is not read at all.
+/// Is an ordinary file that is open for reading. Everything that Patina reads is opened here: it
+/// never waits for a folder, a pipe, a socket or a device, also behind links, and does not read a
+/// file that is larger than its limit.
 class OrdinaryFile {
   public:
     /// Opens a file for reading. Errors name the file and say what it is, or which limit it

@@ -20,7 +20,7 @@ constexpr std::uint32_t leafTriangles = 4;
 /// Enlarges triangles by this part of their sides, so that no ray slips through between two.
 constexpr float overlap = 1e-5f;
 
-/// Limits the tree's depth: each level halves the triangles, of which there are less than 2^32.
+/// Limits the tree's depth: each level halves the triangles, and there are fewer than 2^32.
 constexpr std::size_t maxDepth = 40;
 
 /// One over the direction, so that it is finite where the ray runs along a side of a box.

@@ -137,8 +137,8 @@ Error outside(const std::string& uri) {
     return refusal("buffer", uri);
 }
 
-/// Refuses buffers outside the folder: whoever sent a mesh does not decide which of the user's
-/// files are read.
+/// Refuses buffers outside the folder unless the user allowed them, so that the author of a mesh
+/// does not decide which of the user's files are read.
 Result<void> checkBuffers(const json& document, MeshFolder& folder) {
     const auto buffers = document.find("buffers");
     for (std::size_t i = 0; buffers != document.end() && i < buffers->size(); ++i) {

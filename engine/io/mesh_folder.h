@@ -16,9 +16,9 @@ struct LinkRights {
     std::vector<std::string> files{}; ///< are full paths, links followed
 };
 
-/// Holds a mesh file and opens all that may be read for it: what lies in its folder or below,
-/// whatever links and names the file gives, and what the user allowed. Whoever sent a mesh does not
-/// decide which of the user's files are read.
+/// Holds a mesh file and opens what may be read for it: files in its folder or below, and those
+/// outside that the user allowed. The links and names in a mesh file change nothing, so that its
+/// author does not decide which of the user's files are read.
 class MeshFolder {
   public:
     explicit MeshFolder(std::filesystem::path file, LinkRights rights = {});

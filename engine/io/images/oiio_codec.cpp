@@ -45,8 +45,8 @@ bool hasEndingOfAMovie(const std::filesystem::path& file) {
     return ("," + endings + ",").find(ending) != std::string::npos;
 }
 
-/// Tells whether a file is a list of movies. It names other files, wherever they are, under
-/// whatever extension, and whoever opens it opens those.
+/// Tells whether a file is a list of movies. Such a list names other files in any folder, with any
+/// extension, and a library that opens the list opens those, too.
 bool isListOfMovies(std::string_view head) {
     constexpr std::array<std::string_view, 5> heads{"#EXTM3U", "ffconcat", "<?xml", "<MPD",
                                                     "[playlist]"};

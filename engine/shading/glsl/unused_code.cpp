@@ -25,7 +25,7 @@ struct Line {
     std::string_view text;
     int number = 0; ///< is the number as a compiler counts it
     std::size_t file = 0;
-    std::span<const GlslToken> tokens{}; ///< begin in the line
+    std::span<const GlslToken> tokens{}; ///< are the tokens that begin in the line
 };
 
 /// Is an independent part at the top level of a shader: a function, a declaration, a macro.
