@@ -30,8 +30,8 @@ struct BlockFunction {
 struct ParameterRole {
     std::string_view word;
     ParameterType type = ParameterType::Float;
-    bool isNeeded = false;                       ///< each block of the kind has one
-    bool mayRepeat = false;                      ///< several parameters of a block may have it
+    bool isNeeded = false;  ///< each block of the kind has one
+    bool mayRepeat = false; ///< several parameters of a block may have it
     /// Lists the values that an enum may offer; empty: any.
     std::span<const std::string_view> choices{};
 };
@@ -52,7 +52,7 @@ struct BlockKind {
     bool hasTables = false;       ///< its levels may read tables
     bool isInBlockLabels = false; ///< labels of its blocks stand alone, without that of the kind
     std::string_view absent{};    ///< is shown for having none; empty: the label and "off"
-    std::string_view noneWord{"none"};      ///< selects none on the command line
+    std::string_view noneWord{"none"}; ///< selects none on the command line
     /// Lists the roles that parameters of its blocks may have.
     std::span<const ParameterRole> roles{};
 };
@@ -74,16 +74,16 @@ inline constexpr std::string_view tone = "tone";
 
 /// Names the roles of parameters that the program itself reads.
 namespace roles {
-inline constexpr std::string_view color = "color";             ///< is the colour of a light or fog
-inline constexpr std::string_view intensity = "intensity";     ///< multiplies the colour
-inline constexpr std::string_view falloff = "falloff";         ///< "polynomial" or "inverse-square"
-inline constexpr std::string_view constant = "constant";       ///< is c in 1/(c + l x + q x^2)
-inline constexpr std::string_view linear = "linear";           ///< is l in the same
-inline constexpr std::string_view quadratic = "quadratic";     ///< is q in the same
+inline constexpr std::string_view color = "color";         ///< is the colour of a light or fog
+inline constexpr std::string_view intensity = "intensity"; ///< multiplies the colour
+inline constexpr std::string_view falloff = "falloff";     ///< "polynomial" or "inverse-square"
+inline constexpr std::string_view constant = "constant";   ///< is c in 1/(c + l x + q x^2)
+inline constexpr std::string_view linear = "linear";       ///< is l in the same
+inline constexpr std::string_view quadratic = "quadratic"; ///< is q in the same
 inline constexpr std::string_view nearest = "nearest"; ///< is the smallest x in 1/x^2, in metres
 inline constexpr std::string_view index = "index";     ///< is the index of refraction
-inline constexpr std::string_view indexFrom = "indexFrom";     ///< "surface" or "own"
-inline constexpr std::string_view indexInside = "indexInside"; ///< is the index below the surface
+inline constexpr std::string_view indexFrom = "indexFrom";       ///< "surface" or "own"
+inline constexpr std::string_view indexInside = "indexInside";   ///< is the index below the surface
 inline constexpr std::string_view indexOutside = "indexOutside"; ///< is the index above the surface
 inline constexpr std::string_view f0 = "f0"; ///< is the reflectance at normal incidence
 inline constexpr std::string_view dispersion = "dispersion"; ///< 0: all wavelengths refract alike
@@ -93,7 +93,7 @@ inline constexpr std::string_view width = "width";           ///< is the width o
 inline constexpr std::string_view background = "background"; ///< "sharp", "blurred" or "hidden"
 inline constexpr std::string_view blur = "blur";             ///< is the blur of the background
 inline constexpr std::string_view rotate = "rotate";         ///< turns about the vertical axis
-inline constexpr std::string_view directions = "directions"; ///< is the number of sampled directions
+inline constexpr std::string_view directions = "directions"; ///< counts samples per pixel
 inline constexpr std::string_view limit = "limit";     ///< is the largest radiance of a direction
 inline constexpr std::string_view angle = "angle";     ///< is the angular size of a distant lamp
 inline constexpr std::string_view layers = "layers";   ///< is the number of layers that are sorted
