@@ -14,7 +14,7 @@ namespace patina {
 
 /// Is a choice that is part of the program instead of its data. It points into the block.
 struct CompiledValue {
-    std::string_view id;    ///< is the id of the parameter or the accuracy choice
+    std::string_view id; ///< is the id of the parameter or the accuracy choice
     /// Is the id of the enum value or level; or "true", "false"; "zero", "nonzero"; "equal",
     /// "unequal".
     std::string_view value;

@@ -20,7 +20,7 @@ class ProgramCache {
         std::shared_ptr<const gl::Program> program; ///< is null when it does not compile
         Errors errors;         ///< say why it does not compile, at the files' own lines
         bool compiled = false; ///< this call compiled it
-        bool isFinal = true; ///< false: a block in it is still being tried (see BlockGate)
+        bool isFinal = true;   ///< false: a block in it is still being tried (see BlockGate)
     };
 
     /// Keeps binaries in `folder`, which is created when it is missing; when it is empty, nothing
