@@ -50,7 +50,7 @@ void AmbientEffect::listMissing(LeftOutListing& listing, const EffectSet& set) c
 void AmbientEffect::writeLight(SurfaceText& text) const {
     if (ambient && text.set.model && takesAmbient(text.set)) {
         const std::string light =
-            fmt::format("sceneData[{}].rgb{}", SceneLayout::ambient, openFactor(text));
+            fmt::format("sceneData[{}].rgb{}", SceneLayout::ambient, text.around.factor);
         text.main += fmt::format("    shaded += {} * {};\n", light, ambientShare(text));
         text.noteTerm("AMBIENT", light + " * modelled", "0.0");
     }

@@ -18,6 +18,13 @@
 //   void place(ObjectLayout& | SceneLayout&, const EffectSet&) const: where its data lie.
 //   void writeLight(SurfaceText&) const: what lights a surface.
 //   void write(SurfaceText&) const: what becomes of that light.
+//   std::string writeVertex(SourceBuilder&) const: declares what the vertices hand on, and returns
+//       the statements of their main that work it out.
+//   std::string_view whyPerPixel(const EffectSet&) const: why light cannot be worked out at
+//   vertices
+//       with it; empty: it can.
+//   int bufferValues() const, void writeBuffer(SurfaceText&, std::size_t place) const: how many
+//       values a surface buffer has of it, and what stores them from that place on.
 //   static bool dependsOnPlaces(const Scene&, const Catalog&, std::string_view kind): whether the
 //       choice depends on where things are, which values of this kind of block or settings move.
 //   static void remove(Scene&, const EffectName&, const Catalog&): the scene without it, where the

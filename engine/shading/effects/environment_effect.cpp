@@ -112,7 +112,7 @@ const char* wayText(EnvironmentWay way) {
 }
 
 void writeFitted(SurfaceText& text, const EnvironmentEffect& effect) {
-    addOpenDirections(text);
+    text.addOpenDirections();
     addEnvironment(text.out, *effect.environment, EnvironmentLayout::harmonics);
     if (effect.way == EnvironmentWay::OneLight) {
         addIrradiance(text.out, *effect.environment);
@@ -236,12 +236,17 @@ void EnvironmentEffect::writeLight(SurfaceText& text) const {
         writeFitted(text, *this);
         return;
     }
-    addOpenDirections(text);
+    text.addOpenDirections();
     addEnvironment(text.out, *environment);
     text.out.addFile("passes/environment_points.glsl");
     text.out.addFile("passes/environment_light.glsl");
     text.main += fmt::format("    shaded += environmentLight(s, unpackEnvironment({}), model);\n",
                              EnvironmentLayout::fixed);
+}
+
+std::string_view EnvironmentEffect::whyPerPixel(const EffectSet& set) const {
+    return isLitByEnvironment(set) ? "an environment's light is summed up there."
+                                   : std::string_view();
 }
 
 void EnvironmentEffect::remove(Scene& scene, const EffectName& effect, const Catalog&) {

@@ -59,6 +59,7 @@ struct EnvironmentEffect {
     void writeLight(SurfaceText& text) const;
     static void remove(Scene& scene, const EffectName& effect, const Catalog& catalog);
 
+    std::string_view whyPerPixel(const EffectSet& set) const;
     friend bool operator==(const EnvironmentEffect&, const EnvironmentEffect&) = default;
 };
 

@@ -63,8 +63,7 @@ std::string hemisphereLight(SurfaceText& text) {
     const int first = *hemisphereData(text.scene);
     return fmt::format("hemisphereLight({}, sceneData[{}].rgb, sceneData[{}].rgb, "
                        "sceneData[{}].xyz){}",
-                       text.set.isOccluded ? "facingOpen(s)" : "s", first, first + 1, first + 2,
-                       openFactor(text));
+                       text.around.surface, first, first + 1, first + 2, text.around.factor);
 }
 
 void HemisphereEffect::writeLight(SurfaceText& text) const {

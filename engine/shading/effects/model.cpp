@@ -160,6 +160,11 @@ bool isLitFromBehind(const SurfaceText& text) {
     return text.set.model && !text.set.model->block().hasGate("light");
 }
 
+std::string_view ModelEffect::whyPerPixel(const EffectSet& set) const {
+    return set.model && drawsMarks(set.model->block()) ? "the model draws marks."
+                                                       : std::string_view();
+}
+
 /// What fills its slots goes along: without a model nobody calls it.
 void ModelEffect::remove(Scene& scene, const EffectName& effect, const Catalog& catalog) {
     if (effect.kind != kinds::models) {

@@ -18,6 +18,7 @@ struct ModelEffect {
     void listMissing(LeftOutListing& listing, const EffectSet& set) const;
     void place(ObjectLayout& layout, const EffectSet& set) const;
     void writeLight(SurfaceText& text) const;
+    std::string_view whyPerPixel(const EffectSet& set) const;
     static void remove(Scene& scene, const EffectName& effect, const Catalog& catalog);
 
     friend bool operator==(const ModelEffect&, const ModelEffect&) = default;

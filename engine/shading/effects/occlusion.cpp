@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shading/effects/occlusion.h"
 
+#include <fmt/format.h>
+
 #include "shading/effects/effect_set.h"
+#include "shading/effects/surface_buffer_layout.h"
 #include "shading/effects/surface_text.h"
 
 namespace patina {
@@ -45,11 +48,26 @@ void OcclusionEffect::listMissing(LeftOutListing& listing, const EffectSet& set)
     }
 }
 
-/// First, as what lights a surface asks for it.
+/// Comes before all light from around, which it dims.
 void OcclusionEffect::writeLight(SurfaceText& text) const {
     if (isOccluded) {
         text.out.addFile("passes/openness.glsl");
         text.main += "    opened = openness(s);\n";
+        text.around = {"facingOpen(s)", " * opened.share", "passes/openness_directions.glsl"};
+    }
+}
+
+std::string_view OcclusionEffect::whyPerPixel(const EffectSet&) const {
+    return isOccluded ? "which side is seen says what the object hides." : std::string_view();
+}
+
+/// How the free directions lie off the mesh's normal, and their share.
+void OcclusionEffect::writeBuffer(SurfaceText& text, std::size_t place) const {
+    if (isOccluded) {
+        writeLight(text);
+        text.main += fmt::format("    noteValue({}, vec4(opened.direction - opened.normal, "
+                                 "opened.share));\n",
+                                 place);
     }
 }
 
@@ -72,18 +90,8 @@ bool needsOpenness(const Scene& scene, const Catalog& catalog) {
     return set.wantsOcclusion && hasHiddenLight(set);
 }
 
-std::string openFactor(const SurfaceText& text) {
-    return text.set.isOccluded ? " * opened.share" : "";
-}
-
-void addOpenDirections(SurfaceText& text) {
-    if (text.set.isOccluded) {
-        text.out.addFile("passes/openness.glsl");
-        text.out.addFile("passes/openness_directions.glsl");
-        return;
-    }
-    text.out.add("#define OPEN_TOWARDS(d, width) 1.0\n#define OPEN_SHARE 1.0\n"
-                 "#define OPEN_MEAN(n) (n)\n");
+std::optional<std::size_t> opennessValue(const EffectSet& set) {
+    return set.isOccluded ? std::optional(bufferPlace<OcclusionEffect>(set)) : std::nullopt;
 }
 
 } // namespace patina

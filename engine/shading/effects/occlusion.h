@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 
 #include "shading/effects/effect_parts.h"
@@ -23,9 +25,10 @@ struct OcclusionEffect {
         return {"occlusion", {}, "The scene's objects hide nothing from themselves."};
     }
     void writeLight(SurfaceText& text) const;
-
-    /// Declares what the vertices hand on, and returns the statement that does so.
     std::string writeVertex(SourceBuilder& vertex) const;
+    std::string_view whyPerPixel(const EffectSet& set) const;
+    int bufferValues() const { return isOccluded ? 1 : 0; }
+    void writeBuffer(SurfaceText& text, std::size_t place) const;
     static void remove(Scene& scene, const EffectName& effect, const Catalog& catalog);
 
     friend bool operator==(const OcclusionEffect&, const OcclusionEffect&) = default;
@@ -35,11 +38,8 @@ struct OcclusionEffect {
 /// the openness of its meshes is needed.
 bool needsOpenness(const Scene& scene, const Catalog& catalog);
 
-/// Returns what ambient light is multiplied by, with its operator; empty where nothing is hidden.
-std::string openFactor(const SurfaceText& text);
-
-/// Defines what the code of an environment asks for: OPEN_TOWARDS(direction, width), OPEN_SHARE and
-/// OPEN_MEAN(normal), which are 1 and the normal where nothing is hidden.
-void addOpenDirections(SurfaceText& text);
+/// Returns the value of a surface buffer that says how the free directions lie off the mesh's
+/// normal (x, y, z), and their share (w); nothing where nothing is hidden.
+std::optional<std::size_t> opennessValue(const EffectSet& set);
 
 } // namespace patina

@@ -2,6 +2,9 @@
 #include "shading/effects/picture_effect.h"
 
 #include <algorithm>
+#include <string_view>
+
+#include <fmt/format.h>
 
 #include "shading/effects/effect_set.h"
 #include "shading/effects/highlight_width.h"
@@ -9,24 +12,15 @@
 namespace patina {
 namespace {
 
-/// Null: nothing needs each pixel.
-const char* whyPerPixel(const EffectSet& set) {
-    if (!set.textures.empty()) {
-        return "Lighting stays per pixel: images change the surface between its corners.";
-    }
-    if (drawsMarks(set.model->block())) {
-        return "Lighting stays per pixel: the model draws marks.";
-    }
-    if (hasShadows(set)) {
-        return "Lighting stays per pixel: shadows have edges between the corners.";
-    }
-    if (set.isOccluded) {
-        return "Lighting stays per pixel: which side is seen says what the object hides.";
-    }
-    if (isLitByEnvironment(set)) {
-        return "Lighting stays per pixel: an environment's light is summed up there.";
-    }
-    return nullptr;
+/// Returns what the first effect says that needs each pixel; empty: none does.
+std::string_view whyPerPixel(const EffectSet& set) {
+    std::string_view why;
+    set.each([&](const auto& effect) {
+        if constexpr (requires { effect.whyPerPixel(set); }) {
+            why = why.empty() ? effect.whyPerPixel(set) : why;
+        }
+    });
+    return why;
 }
 
 /// Null: nothing needs normals of length 1.
@@ -55,7 +49,7 @@ void PictureEffect::choose(const SceneSubject& subject, const EffectSet&) {
 /// much the surface turns; vertices have none.
 void PictureEffect::adjust(const EffectSet& set) {
     const bool hasModel = set.model.has_value();
-    lightsAtVertices = hasModel && wantsVertexLight && whyPerPixel(set) == nullptr;
+    lightsAtVertices = hasModel && wantsVertexLight && whyPerPixel(set).empty();
     leavesNormals =
         hasModel && wantsBlendedNormals && !lightsAtVertices && whyUnitNormals(set) == nullptr;
     widensHighlights = hasModel && wantsWideHighlights && !lightsAtVertices && hasWidth(set);
@@ -71,8 +65,8 @@ void PictureEffect::listMissing(LeftOutListing& listing, const EffectSet& set) c
     if (!set.model) {
         return;
     }
-    if (const char* why = wantsVertexLight ? whyPerPixel(set) : nullptr) {
-        listing.add("vertex lighting", why);
+    if (const std::string_view why = whyPerPixel(set); wantsVertexLight && !why.empty()) {
+        listing.add("vertex lighting", fmt::format("Lighting stays per pixel: {}", why));
     }
     if (const char* why = wantsBlendedNormals ? whyUnitNormals(set) : nullptr) {
         listing.add("blended normals", why);

@@ -239,6 +239,10 @@ void writeShadow(SurfaceText& text, std::size_t index) {
                              unpack, place.shadow->first));
 }
 
+std::string_view ShadowsEffect::whyPerPixel(const EffectSet& set) const {
+    return hasShadows(set) ? "shadows have edges between the corners." : std::string_view();
+}
+
 void ShadowsEffect::remove(Scene& scene, const EffectName& effect, const Catalog&) {
     for (Light& light : scene.lights) {
         const BlockValues* shadow = light.part(kinds::shadows);

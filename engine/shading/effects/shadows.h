@@ -39,6 +39,7 @@ struct ShadowsEffect {
     }
     static void remove(Scene& scene, const EffectName& effect, const Catalog& catalog);
 
+    std::string_view whyPerPixel(const EffectSet& set) const;
     friend bool operator==(const ShadowsEffect&, const ShadowsEffect&) = default;
 };
 

@@ -57,22 +57,12 @@ void writeSamples(SurfaceText& text) {
         text.main += "    noteOneLight();\n";
         return;
     }
-    addOpenDirections(text);
+    text.addOpenDirections();
     addEnvironment(text.out, *text.set.environment);
     text.out.addFile("passes/environment_points.glsl");
     text.out.addFile("passes/environment_samples.glsl");
     text.main +=
         fmt::format("    noteSamples(s, unpackEnvironment({}));\n", EnvironmentLayout::fixed);
-}
-
-/// How the free directions lie off the mesh's normal, and their share.
-void writeOpenness(SurfaceText& text) {
-    text.set.OcclusionEffect::writeLight(text);
-    if (text.set.isOccluded) {
-        text.main += fmt::format("    noteValue({}, vec4(opened.direction - opened.normal, "
-                                 "opened.share));\n",
-                                 *opennessValue(text.set));
-    }
 }
 
 void writeShares(SurfaceText& text, std::size_t index) {
@@ -123,14 +113,19 @@ std::vector<std::size_t> texturedInputs(const EffectSet& set) {
     return inputs;
 }
 
-std::optional<std::size_t> opennessValue(const EffectSet& set) {
-    return set.isOccluded ? std::optional(firstShare(set) - 1) : std::nullopt;
+std::size_t firstEffectValue(const EffectSet& set) {
+    constexpr int values = SurfaceBufferLayout::samples * SurfaceBufferLayout::sampleValues;
+    return texturedInputs(set).size() + (isLitByEnvironment(set) ? values : 0);
 }
 
 std::size_t firstShare(const EffectSet& set) {
-    constexpr int values = SurfaceBufferLayout::samples * SurfaceBufferLayout::sampleValues;
-    return texturedInputs(set).size() + (isLitByEnvironment(set) ? values : 0) +
-           (set.isOccluded ? 1 : 0);
+    std::size_t place = firstEffectValue(set);
+    set.each([&place](const auto& effect) {
+        if constexpr (requires { effect.bufferValues(); }) {
+            place += static_cast<std::size_t>(effect.bufferValues());
+        }
+    });
+    return place;
 }
 
 void writeBuffer(SurfaceText& text) {
@@ -143,7 +138,13 @@ void writeBuffer(SurfaceText& text) {
     if (text.set.blend) {
         writeBlendValues(text);
     }
-    writeOpenness(text);
+    std::size_t place = firstEffectValue(text.set);
+    text.set.each([&](const auto& effect) {
+        if constexpr (requires { effect.writeBuffer(text, place); }) {
+            effect.writeBuffer(text, place);
+            place += static_cast<std::size_t>(effect.bufferValues());
+        }
+    });
     writeSamples(text);
     writeAllShares(text);
     text.set.OpacityEffect::write(text);

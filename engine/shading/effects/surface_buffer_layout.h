@@ -2,12 +2,13 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
+#include <type_traits>
 #include <vector>
+
+#include "shading/effects/effect_set.h"
 
 namespace patina {
 
-struct EffectSet;
 class SurfaceText;
 
 /// Holds what a program of SurfaceOutput::Buffer writes: place and number of the object, normal and
@@ -21,16 +22,28 @@ struct SurfaceBufferLayout {
 
 /// The images of a set that change a parameter, by their place in EffectSet::textures. Their
 /// results are the first values, in this order; behind them are the samples of an environment's
-/// light, then the openness where objects hide light from themselves, then four lights' shares
-/// share each.
+/// light, then what effects add (`writeBuffer`), then four lights' shares share each.
 std::vector<std::size_t> texturedInputs(const EffectSet& set);
 
-/// The value that says how the free directions lie off the mesh's normal (x, y, z), and their share
-/// (w); nothing where nothing is hidden.
-std::optional<std::size_t> opennessValue(const EffectSet& set);
+/// Returns the first of the values that effects add.
+std::size_t firstEffectValue(const EffectSet& set);
 
-/// The first of the values that are lights' shares.
+/// Returns the first of the values that are lights' shares.
 std::size_t firstShare(const EffectSet& set);
+
+/// Returns the first of the values that this effect adds.
+template <class Wanted>
+std::size_t bufferPlace(const EffectSet& set) {
+    std::size_t place = firstEffectValue(set);
+    bool isBefore = true;
+    set.each([&]<class Effect>(const Effect& effect) {
+        isBefore = isBefore && !std::is_same_v<Effect, Wanted>;
+        if constexpr (requires { effect.bufferValues(); }) {
+            place += isBefore ? static_cast<std::size_t>(effect.bufferValues()) : 0;
+        }
+    });
+    return place;
+}
 
 /// Writes what a surface is shaded from, in place of its shading, behind what all programs of
 /// surfaces begin with.

@@ -205,9 +205,14 @@ Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catal
         }
         addSurfaceVertex(vertex, set, object, [&](SourceBuilder& stage) {
             SurfaceText text(stage, set, object, scene);
-            const std::string openness = set.OcclusionEffect::writeVertex(stage);
-            return openness + (output == SurfaceOutput::Picture ? writeVertices(text, sceneVec4s)
-                                                                : std::string());
+            std::string statements;
+            set.each([&](const auto& effect) {
+                if constexpr (requires { effect.writeVertex(stage); }) {
+                    statements += effect.writeVertex(stage);
+                }
+            });
+            return statements + (output == SurfaceOutput::Picture ? writeVertices(text, sceneVec4s)
+                                                                  : std::string());
         });
     };
     return program(catalog, writeVertex, [&](SourceBuilder& fragment) {

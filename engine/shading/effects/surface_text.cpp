@@ -35,6 +35,15 @@ void SurfaceText::addUnpack(const BlockUse& use, const std::string& function) {
     out.add(unpackSource(use.block(), {function, use.compiled()}));
 }
 
+void SurfaceText::addOpenDirections() {
+    if (!around.directionsFile.empty()) {
+        out.addFile(around.directionsFile);
+        return;
+    }
+    out.add("#define OPEN_TOWARDS(d, width) 1.0\n#define OPEN_SHARE 1.0\n"
+            "#define OPEN_MEAN(n) (n)\n");
+}
+
 void SurfaceText::noteTerm(const std::string& term, const std::string& value,
                            const std::string& detail) {
     if (isInspected()) {

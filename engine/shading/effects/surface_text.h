@@ -38,6 +38,14 @@ class SurfaceText {
     std::string store = "store({}, {})"; ///< the colour, the opacity
     std::vector<SlotFill> filled;        ///< the model's slots
 
+    /// What becomes of light from all around before it meets the surface.
+    struct LightFromAround {
+        std::string surface = "s";    ///< an expression for the surface that ambient light falls on
+        std::string factor{};         ///< of ambient light, with its operator
+        std::string directionsFile{}; ///< defines the macros of addOpenDirections()
+    };
+    LightFromAround around;
+
     /// The inspection looks at values one by one, and nothing of it is in a picture's text.
     bool isInspected() const { return output == SurfaceOutput::Inspection; }
 
@@ -54,6 +62,10 @@ class SurfaceText {
     /// asked for.
     void addBlock(const Block& block, std::span<const CompiledValue> compiled = {});
     void addUnpack(const BlockUse& use, const std::string& function);
+
+    /// Defines what the code of an environment asks for: OPEN_TOWARDS(direction, width), OPEN_SHARE
+    /// and OPEN_MEAN(normal), which are 1 and the normal where nothing is hidden.
+    void addOpenDirections();
 
     /// Notes what a probe can read, as a statement of main behind the one that made it.
     void noteTerm(const std::string& term, const std::string& value, const std::string& detail);

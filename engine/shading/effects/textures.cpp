@@ -335,6 +335,11 @@ void TexturesEffect::place(ObjectLayout& layout, const EffectSet&) const {
                  layout.vec4s);
 }
 
+std::string_view TexturesEffect::whyPerPixel(const EffectSet&) const {
+    return !textures.empty() ? "images change the surface between its corners."
+                             : std::string_view();
+}
+
 void TexturesEffect::remove(Scene& scene, const EffectName& effect, const Catalog&) {
     if (effect.kind != "texture") {
         return;

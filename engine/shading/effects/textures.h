@@ -74,6 +74,7 @@ struct TexturesEffect {
     void place(ObjectLayout& layout, const EffectSet& set) const;
     static void remove(Scene& scene, const EffectName& effect, const Catalog& catalog);
 
+    std::string_view whyPerPixel(const EffectSet& set) const;
     friend bool operator==(const TexturesEffect&, const TexturesEffect&) = default;
 };
 
