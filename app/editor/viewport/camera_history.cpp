@@ -9,7 +9,7 @@ namespace patina {
 namespace {
 
 constexpr std::size_t maxMoves = 200;
-constexpr int betweenMovesMs = 600; ///< after which another move is another step
+constexpr int betweenMovesMs = 600; ///< a move that comes later begins a new step
 
 } // namespace
 
@@ -59,7 +59,7 @@ void CameraHistory::step(std::vector<Camera>& from, std::vector<Camera>& to) {
     const Camera wanted = from.back();
     from.pop_back();
     to.push_back(now_);
-    now_ = wanted; // so that it is no move
+    now_ = wanted; // so that follow() sees no move
     isOpen_ = false;
     document_.setCamera(wanted);
     Q_EMIT changed();

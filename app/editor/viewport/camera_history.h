@@ -10,8 +10,8 @@
 
 namespace patina {
 
-/// The undo of camera moves, apart from that of edits. A drag is one step; so are moves that follow
-/// each other at once, as turns of a wheel do.
+/// Undoes and redoes camera moves, apart from the undo of edits. A drag is one step; so are moves
+/// that quickly follow each other, such as turns of a wheel. Another scene empties it.
 class CameraHistory : public QObject {
     Q_OBJECT
 
@@ -23,7 +23,8 @@ class CameraHistory : public QObject {
     void undo() { step(undo_, redo_); }
     void redo() { step(redo_, undo_); }
 
-    /// What moves between these is one step, and none where it ends where it began.
+    /// Makes one step of all moves between these two calls, and none where the camera ends where it
+    /// began.
     void beginDrag();
     void endDrag();
 
@@ -37,10 +38,10 @@ class CameraHistory : public QObject {
 
     Document& document_;
     Camera now_;
-    std::vector<Camera> undo_; ///< the newest last
-    std::vector<Camera> redo_; ///< the next one last
+    std::vector<Camera> undo_; ///< ends with the newest
+    std::vector<Camera> redo_; ///< ends with the one that redo() takes next
     bool isDragging_ = false;
-    bool isOpen_ = false; ///< the next move belongs to the last step
+    bool isOpen_ = false; ///< the next move extends the last step
     QElapsedTimer sinceMove_;
 };
 

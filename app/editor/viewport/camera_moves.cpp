@@ -14,21 +14,22 @@ namespace {
 constexpr double shortestDistance = 1e-3;
 constexpr double longestDistance = 1e5;
 
-/// Air around a framed object, as a share of its size: it takes up 88 % of the view.
+/// Leaves a margin around a framed object, which then takes up 88 % of the view.
 constexpr double frameMargin = 1.0 / 0.88;
 
 double halfAngle(const Camera& camera) {
     return 0.5 * glm::radians(camera.fieldOfView);
 }
 
-/// The matrix's rows are the camera's axes in world space.
+/// Returns an axis of the camera in world space: row 0 of the view matrix points to the right, row
+/// 1 up.
 glm::dvec3 axis(const Camera& camera, int row) {
     const glm::dmat4 view = viewMatrix(camera);
     return {view[0][row], view[1][row], view[2][row]};
 }
 
-/// The eye that sees all places within an opening along one axis of the view, from as near as it
-/// can: |x - eye.x| <= tangent (eye.z - z) for each, in coordinates of the camera.
+/// Finds the eye that sees all added points within an opening along one axis of the view, from as
+/// near as it can: |x - eye.x| <= tangent (eye.z - z) for each, in coordinates of the camera.
 class Fitting {
   public:
     explicit Fitting(double tangent) : tangent_(tangent) {}
@@ -80,7 +81,7 @@ Camera dollied(const Camera& camera, double factor) {
 Camera zoomedTo(const Camera& camera, double factor, const glm::dvec2& place,
                 const glm::dvec2& size) {
     const glm::dvec2 pixels =
-        place - 0.5 * size; // what is there comes to the middle, and goes back
+        place - 0.5 * size; // pans the place to the middle, and back after the dolly
     const Camera there = dollied(panned(camera, -pixels, size.y), factor);
     return panned(there, pixels, size.y);
 }

@@ -10,48 +10,50 @@
 
 namespace patina {
 
-/// The camera turned around its pivot, angles in degrees; the pitch stops at the poles.
+/// Returns the camera turned around its pivot, by angles in degrees; the pitch stops at the poles.
 Camera orbited(const Camera& camera, double yaw, double pitch);
 
-/// The camera moved so that what is at the pivot's depth follows the pointer by `pixels`
-/// (x to the right, y down) in a view of `height` pixels.
+/// Returns the camera moved so that what is at the pivot's depth follows the pointer by `pixels` (x
+/// to the right, y down) in a view of `height` pixels.
 Camera panned(const Camera& camera, const glm::dvec2& pixels, double height);
 
-/// The camera with its distance multiplied; it stays within 1e-3 .. 1e5 metres.
+/// Returns the camera with its distance multiplied; it stays within 1e-3 .. 1e5 metres.
 Camera dollied(const Camera& camera, double factor);
 
-/// The same, while what is at `place` (pixels from the top left) of a view of `size` stays there,
-/// as deep as the pivot is.
+/// Returns dollied() moved sideways so that the point at the pivot's depth under `place` (pixels
+/// from the top left) stays there in a view of `size` pixels.
 Camera zoomedTo(const Camera& camera, double factor, const glm::dvec2& place,
                 const glm::dvec2& size);
 
-/// The camera with another field of view (degrees) and as much to see at the pivot.
+/// Returns the camera with another field of view (degrees), at such a distance that as much is seen
+/// at the pivot as before.
 Camera withLens(const Camera& camera, double fieldOfView);
 
-/// So narrow a lens shows what is parallel as parallel: lines of sight are apart by half a degree
-/// at most.
+/// degrees; the lines of sight then differ from the axis of the view by half a degree at most, so
+/// that parallel lines look parallel.
 inline constexpr double orthographicLens = 1.0;
 
-/// An object and its mesh, as they stand in a scene.
+/// Pairs an object with its mesh; both outlive it.
 struct PlacedMesh {
     const Object& object;
     MeshView mesh;
 };
 
-/// The camera moved until the objects, as they look from that side, are in the middle of the view
-/// and fill it but for a little air; the pivot is as deep as the middles of their boxes on average.
-/// `aspect` is width over height. Empty meshes do not count, and where there is no other nothing
-/// changes.
+/// Returns the camera moved, without a turn, so that the objects are in the middle of the view and
+/// fill all but a margin of it; the pivot is as deep as the middles of their boxes on average.
+/// `aspect` is width over height. Empty meshes do not count; where all are empty it returns
+/// `camera`.
 Camera framed(const Camera& camera, std::span<const PlacedMesh> objects, double aspect);
 Camera framed(const Camera& camera, const Object& object, const MeshView& mesh, double aspect);
 
-/// Whether two cameras show the same but for rounding.
+/// Tells whether two cameras show the same picture but for rounding.
 bool isSameView(const Camera& a, const Camera& b);
 
-/// The camera with another pivot and the eye where it was.
+/// Returns the camera turned to look at another pivot from where its eye is; `camera` where the
+/// pivot is nearer than 1 mm to the eye.
 Camera pivotedAt(const Camera& camera, const glm::dvec3& pivot);
 
-/// Returns unit vectors of the camera in world space.
+/// Returns the camera's axis to the right, in world space; a unit vector.
 glm::dvec3 rightOf(const Camera& camera);
 glm::dvec3 upOf(const Camera& camera);
 

@@ -20,17 +20,17 @@ constexpr double dollyPerPixel = 0.005;
 /// One notch of an ordinary wheel changes the distance by about 13 percent.
 constexpr double dollyPerNotch = 0.12;
 
-/// One press of an arrow.
+/// degrees and pixels that one press of an arrow key moves the camera by
 constexpr double degreesPerKey = 5.0;
 constexpr double pixelsPerKey = 30.0;
 
 /// Qt counts a wheel's turn in eighths of a degree, 15 degrees to the notch.
 constexpr double eighthsPerNotch = 120.0;
 
-/// Where a trackpad tells no pixels.
+/// Converts the turn of a wheel where a trackpad reports no pixels.
 constexpr double eighthsPerPixel = 8.0;
 
-/// A hand that clicks moves the pointer by less than so many pixels.
+/// pixels; a pointer that moves less between press and release has clicked
 constexpr double clickSlack = 3.0;
 
 using Drag = CameraNavigation::Drag;
@@ -55,7 +55,8 @@ Drag dragAsInBlender(Qt::KeyboardModifiers modifiers) {
     return modifiers.testFlag(Qt::ShiftModifier) ? Drag::Pan : Drag::Orbit;
 }
 
-/// The left button without Alt. Where it moves no camera a press only picks.
+/// Returns what the left button drags without Alt. In schemes where it does not move the camera a
+/// press only picks.
 Drag dragWithLeft(Qt::KeyboardModifiers modifiers, MouseScheme scheme) {
     if (modifiers.testFlag(Qt::ControlModifier)) {
         return Drag::TurnObject;
@@ -147,7 +148,7 @@ void CameraNavigation::wheel(const QWheelEvent& event) {
     }
 }
 
-/// Two fingers on a trackpad.
+/// Pans or orbits by a scroll with two fingers on a trackpad.
 void CameraNavigation::scroll(const QPointF& pixels, Qt::KeyboardModifiers modifiers) {
     if (modifiers.testFlag(Qt::ShiftModifier)) {
         Q_EMIT panWished(pixels);
@@ -172,7 +173,8 @@ bool CameraNavigation::keyPress(const QKeyEvent& event) {
            moveKeyPress(event);
 }
 
-/// Without Ctrl the views from the front, the right and above; with it those from behind.
+/// Asks for the views from the front, the right and above; with Ctrl for those from the opposite
+/// sides.
 bool CameraNavigation::keypadPress(const QKeyEvent& event) {
     const bool isBehind = event.modifiers().testFlag(Qt::ControlModifier);
     switch (event.key()) {

@@ -12,14 +12,8 @@ class QWheelEvent;
 
 namespace patina {
 
-/// Turns the mouse and the keys over a view into wishes. It moves nothing itself.
-///
-/// Left drag orbits, middle drag or Shift+left pans, right drag and the wheel dolly; Alt with the
-/// left, middle and right button orbits, pans and dollies as in Maya; Ctrl+left turns the object;
-/// left with the L key held turns the key light; Shift+right turns the environment; a double click
-/// asks for a pivot. A left press that goes nowhere is a click, which picks; with Ctrl it adds to
-/// what is picked. Esc takes a drag back. Arrows, plus and minus and the keypad move the camera,
-/// digits go to bookmarks.
+/// Turns input of the mouse and the keys over a view into requests, which are its signals. It moves
+/// nothing itself.
 class CameraNavigation : public QObject {
     Q_OBJECT
 
@@ -36,8 +30,8 @@ class CameraNavigation : public QObject {
     void release(const QMouseEvent& event);
     void doubleClick(const QMouseEvent& event);
     void wheel(const QWheelEvent& event);
-    bool keyPress(const QKeyEvent& event);   ///< true when the key means something here
-    bool keyRelease(const QKeyEvent& event); ///< the same
+    bool keyPress(const QKeyEvent& event);   ///< returns true where the key was used
+    bool keyRelease(const QKeyEvent& event); ///< returns true where the key was used
     void focusLost();
 
     bool isDragging() const { return drag_ != Drag::None; }
@@ -45,20 +39,23 @@ class CameraNavigation : public QObject {
 
   Q_SIGNALS:
     void dragBegan();
-    void dragCancelled();                       ///< Esc: all is to be as it was when the drag began
+    void dragCancelled(); ///< asks to restore what was there when the drag began; sent by Esc
     void orbitWished(double yaw, double pitch); ///< degrees
     void panWished(QPointF pixels);
     void dollyWished(double factor);
-    void zoomWished(double factor, QPointF place);   ///< what is there stays there
-    void lensWished();                               ///< the orthographic one, or the one before
-    void bookmarkWished(int digit, bool isKept);     ///< to keep the view under it, or to go there
+    void zoomWished(double factor, QPointF place); ///< asks that what is at `place` stays there
+    void lensWished(); ///< toggles between the orthographic lens and the one before it
+    /// Asks to store the view under the digit, or else to go to it.
+    void bookmarkWished(int digit, bool isKept);
     void objectTurnWished(double yaw, double pitch); ///< degrees
     void lightTurnWished(double yaw, double pitch);  ///< degrees
     void environmentTurnWished(double yaw);          ///< degrees
     void dragFinished();
     void pivotWished(QPointF place);
-    void pickWished(QPointF place, bool adds); ///< a click; with Ctrl: to what is selected
-    /// A click with L held: the light's highlight, or with Shift a shadow, is wanted there.
+    /// Reports a click; `adds` to the selection with Ctrl.
+    void pickWished(QPointF place, bool adds);
+    /// Asks, on a click with L held, for the light's highlight at a place, or for a shadow there
+    /// (with Shift).
     void lightPickWished(QPointF place, bool isShadow);
     void frameWished();
     void resetWished();
@@ -74,7 +71,7 @@ class CameraNavigation : public QObject {
     Drag drag_ = Drag::None;
     Qt::MouseButton button_ = Qt::NoButton;
     QPointF last_;
-    bool isClick_ = false; ///< the pointer has not gone anywhere since the press
+    bool isClick_ = false; ///< the pointer has not moved since the press
     bool lightKey_ = false;
     MouseHabits habits_;
 };

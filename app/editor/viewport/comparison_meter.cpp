@@ -13,7 +13,7 @@ namespace {
 
 constexpr int gatherMs = 60;
 constexpr int restMs = 400;
-constexpr int longestEdge = 1024; ///< pixels; what is shown larger is stretched
+constexpr int longestEdge = 1024; ///< pixels; a larger picture is stretched
 
 } // namespace
 
@@ -47,7 +47,8 @@ void ComparisonMeter::setPictureSize(const QSize& pixels) {
     }
 }
 
-/// A drag asks again and again: the first timer is not put off, so that the picture follows.
+/// A drag calls this again and again: a running timer is not restarted, so that the picture
+/// follows.
 void ComparisonMeter::followChange() {
     giveUp();
     areStale_ = true;
@@ -107,7 +108,7 @@ void ComparisonMeter::askFrames() {
         areStale_ = false;
         const auto asked = worker_.ask(request());
         if (pictureSize_.isEmpty()) {
-            measuring_ = asked; // nobody looks at it: a change ends it
+            measuring_ = asked; // nobody looks at the frames, so a change may cancel them
         }
     }
 }
@@ -126,7 +127,7 @@ void ComparisonMeter::take(const DrawnPair& drawn, const QString& problem) {
     }
 }
 
-/// What takes longest comes last.
+/// Draws stale frames first, then measures the distance, and last the times, which take longest.
 void ComparisonMeter::rest() {
     if (areStale_ && !settle_.isActive()) {
         askFrames();
@@ -136,7 +137,7 @@ void ComparisonMeter::rest() {
         return;
     }
     const auto timed = [this](const std::optional<TimeRatio>& ratio) {
-        if (ratio && numbers_.distance) { // else it is that of frames that have changed since
+        if (ratio && numbers_.distance) { // otherwise the frames have changed since
             numbers_.time = ratio;
             Q_EMIT numbersChanged();
         }

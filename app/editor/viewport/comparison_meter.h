@@ -11,17 +11,17 @@
 
 namespace patina {
 
-/// Holds what is known of how far another side is from A.
+/// Holds how far another side is from A; what is not measured yet is empty.
 struct ComparisonNumbers {
     Side other = Side::B;
     std::optional<PictureDistance> distance;
     std::optional<TimeRatio> time;
 };
 
-/// Measures how far A and the active side, or B, are apart, seen from where A looks, while the
-/// document compares: the frames as soon as something changes where somebody looks at their
-/// difference, and else, with all numbers, when nothing has changed for a moment. What has become
-/// needless is given up.
+/// Measures how far A is from the active side, or from B while A is active, seen by A's camera,
+/// while the document compares. Frames are drawn as soon as something changes while somebody looks
+/// at their difference; otherwise, and for all numbers, it waits until nothing has changed for a
+/// moment. Measurements that a change makes out of date are cancelled.
 class ComparisonMeter : public QObject {
     Q_OBJECT
 
@@ -29,20 +29,21 @@ class ComparisonMeter : public QObject {
     /// `first` is side A's view.
     ComparisonMeter(const ViewSources& sources, const Viewport& first, QObject* parent = nullptr);
 
-    /// The difference is looked at, in so many pixels; empty: it is not.
+    /// Sets how many pixels show the difference; empty while nobody looks at it.
     void setPictureSize(const QSize& pixels);
 
-    /// Returns what was drawn last; null before that.
+    /// Returns the frames that were drawn last; null before the first ones and where they cannot be
+    /// drawn.
     const ComparedFrames* frames() const { return frames_.get(); }
-    /// Why it is not there.
+    /// Says why there are no frames; empty where there is no problem.
     const QString& problem() const { return problem_; }
     /// Tells whether the frames are of A and B as they are now.
     bool isUpToDate() const { return frames_ && !settle_.isActive() && !areFramesAsked_; }
 
-    /// The side that is compared with A.
+    /// Returns the side that is compared with A.
     Side other() const;
 
-    /// Returns what is known of both as they are now.
+    /// Returns the numbers of both sides as they are now, as far as they are measured.
     const ComparisonNumbers& numbers() const { return numbers_; }
 
   Q_SIGNALS:
@@ -65,14 +66,16 @@ class ComparisonMeter : public QObject {
     EnvironmentLibrary& environments_;
     EffectSwitches& switches_;
     DifferenceWorker worker_;
-    QTimer settle_; ///< changes are gathered
-    QTimer rest_;   ///< nothing changes any more
+    QTimer settle_; ///< gathers changes before frames are asked for
+    QTimer rest_;   ///< ends when nothing has changed for a moment
     QSize pictureSize_;
     bool areFramesAsked_ = false;
-    bool areStale_ = true;                ///< the frames are not of what there is now
-    std::shared_ptr<Progress> measuring_; ///< what numbers come from
+    bool areStale_ = true; ///< the frames are out of date, and no new ones were asked for
+    /// Cancels what is being measured; null before the first time.
+    std::shared_ptr<Progress> measuring_;
     std::shared_ptr<const ComparedFrames> frames_;
-    std::shared_ptr<const ShownPair> shown_; ///< until they are measured
+    /// Holds the frames until they are measured; then null.
+    std::shared_ptr<const ShownPair> shown_;
     QString problem_;
     ComparisonNumbers numbers_;
 };

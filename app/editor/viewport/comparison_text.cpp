@@ -12,9 +12,9 @@
 namespace patina {
 namespace {
 
-/// A time that differs by less is the same to whoever chooses.
+/// Times that differ by a smaller share are called the same.
 constexpr double sameTime = 0.01;
-/// From here on "times as long" is easier to read than "more".
+/// From this ratio on "times as long" is easier to read than "more".
 constexpr double severalTimes = 2.0;
 
 QString numbersText(const char* text) {

@@ -8,14 +8,15 @@
 
 namespace patina {
 
-/// "B takes 31 % less time and is FLIP 0.012 away", of the other side; empty while nothing is
-/// known.
+/// Returns how the other side compares with A, as in "B takes 31 % less time and is FLIP 0.012
+/// away"; empty while nothing is known.
 QString comparisonText(const ComparisonNumbers& numbers);
 
-/// All numbers, line by line.
+/// Returns all numbers, one per line.
 QString comparisonDetails(const ComparisonNumbers& numbers);
 
-/// What A and the other side have at a place, 0 .. 1 of their width and height.
+/// Returns the values of A and of the other side at a place, 0 .. 1 of the frames' width and
+/// height.
 QString pixelText(const ComparedFrames& frames, Side other, const QPointF& place);
 
 } // namespace patina

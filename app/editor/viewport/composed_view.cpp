@@ -13,10 +13,10 @@
 namespace patina {
 namespace {
 
-constexpr double grabbed = 7.0; ///< pixels from the line, within which it is taken
+constexpr double grabbed = 7.0; ///< pixels; the line can be dragged from this near
 constexpr double gripRadius = 9.0;
 constexpr double knobRadius = 6.0;
-constexpr double turnStep = 15.0; ///< degrees, with Shift
+constexpr double turnStep = 15.0; ///< degrees; the line turns in these steps with Shift
 constexpr int labelMargin = 8;
 constexpr int labelPadding = 6;
 constexpr int labelOpacity = 225; ///< of 255
@@ -29,7 +29,7 @@ double distance(const QPointF& a, const QPointF& b) {
     return std::hypot(a.x() - b.x(), a.y() - b.y());
 }
 
-/// Lines that are seen on bright and on dark.
+/// Strokes twice, so that lines are seen on bright and on dark pictures.
 void strokeTwice(QPainter& painter, const auto& stroke) {
     painter.setPen(QPen(QColor(0, 0, 0, 150), 4.0));
     stroke();
@@ -84,7 +84,7 @@ WipeLine ComposedView::line() const {
     return {QSizeF(size()), look_.wipe, look_.wipeAngle};
 }
 
-/// The side that is to be seen and no other; nothing where both are.
+/// Returns the only side that is to be seen; nothing where both are.
 std::optional<Side> ComposedView::alone() const {
     if (flipped_) {
         return otherThan(document_.selection().side());
@@ -126,7 +126,7 @@ void ComposedView::readSoon(Side side) {
     }
 }
 
-/// Outside of the views' own painting, which has just ended.
+/// Reads the pictures back after the views' own painting, as it must not interrupt that.
 void ComposedView::read() {
     for (const Side side : {Side::A, Side::B}) {
         if (std::exchange(isNew_[indexOf(side)], false)) {
@@ -239,7 +239,7 @@ QRect ComposedView::drawTitle(QPainter& painter, Side side, bool atRight) const 
     return place;
 }
 
-/// Where both are seen each side's title is where its picture is.
+/// Draws the title of each side that is seen, over its own picture where both are.
 void ComposedView::drawTitles(QPainter& painter) {
     painter.setRenderHint(QPainter::Antialiasing);
     const bool isAtRight = look_.mode == CompareMode::Wipe && line().depthInB({0.0, 0.0}) > 0.0;
@@ -307,7 +307,8 @@ void ComposedView::wishLine(const QPointF& place, bool inSteps) {
     Q_EMIT lookWished(wished);
 }
 
-/// To the view of the side at a place, or to the one that the mouse went down on.
+/// Sends an event to the view of the side at a place, or to the one that got the press of the
+/// mouse.
 bool ComposedView::handOn(QEvent* event, const QPointF& place) {
     Viewport* to = held_ != nullptr ? held_ : &view(sideAt(place)).viewport();
     if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick) {
@@ -359,7 +360,7 @@ bool ComposedView::event(QEvent* event) {
         }
         return true;
     case QEvent::WindowDeactivate:
-        setFlipped(false); // the key may be let go elsewhere
+        setFlipped(false); // the key may be released in another window
         return QWidget::event(event);
     default:
         return QWidget::event(event);

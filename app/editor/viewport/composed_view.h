@@ -15,8 +15,8 @@
 namespace patina {
 
 /// Lies over the views of A and B, which have the same place, and shows their pictures as one: each
-/// is read back when its view has drawn it, and putting them together draws nothing of the scene.
-/// The mouse goes on to the view of the side that it is on, but for the line of a wipe and the
+/// is read back when its view has drawn it, and composing them draws nothing of the scene. Mouse
+/// events go on to the view of the side under the pointer, except on the line of a wipe and on the
 /// titles.
 class ComposedView : public QWidget {
     Q_OBJECT
@@ -26,14 +26,14 @@ class ComposedView : public QWidget {
 
     void setLook(const CompareLook& look);
 
-    /// Shows the side alone that is not edited, while a key is held.
+    /// Shows, while a key is held, only the side that is not edited.
     void setFlipped(bool on);
 
-    /// What it shows without titles and without the line, in pixels of the screen; null until both
-    /// pictures are there.
+    /// Returns what it shows without the titles and the line, in pixels of the screen; null until
+    /// both pictures are there.
     QImage picture() const;
 
-    /// Tells whether that is of what the views have drawn last.
+    /// Tells whether picture() has what the views have drawn last.
     bool isUpToDate() const { return !reading_.isActive(); }
 
   Q_SIGNALS:
@@ -47,7 +47,7 @@ class ComposedView : public QWidget {
     void hideEvent(QHideEvent* event) override;
 
   private:
-    /// What a drag of the mouse changes.
+    /// Tells what a drag of the mouse changes.
     enum class Part { View, Line, Knob };
 
     SideView& view(Side side) const { return side == Side::A ? first_ : second_; }
@@ -71,17 +71,18 @@ class ComposedView : public QWidget {
     SideView& first_;
     SideView& second_;
     CompareLook look_;
-    std::array<QImage, 2> pictures_; ///< by side
-    std::array<bool, 2> isNew_{};    ///< by side; the view has drawn another one
-    std::array<QRect, 2> titles_;    ///< by side; empty where none is shown
+    std::array<QImage, 2> pictures_; ///< holds one per side
+    std::array<bool, 2> isNew_{};    ///< says for each side that its view has drawn another picture
+    std::array<QRect, 2> titles_;    ///< holds one per side; empty where none is shown
     QTimer reading_;
     QTimer blink_;
     bool blinksSecond_ = false;
     bool flipped_ = false;
     Part dragged_ = Part::View;
-    QPointF pivot_;             ///< of the line that is turned
-    Viewport* held_ = nullptr;  ///< the mouse went down on it
-    Viewport* under_ = nullptr; ///< the pointer is over it
+    QPointF pivot_; ///< the point that the dragged line turns about
+    /// The view that got the press of the mouse; null while no button is down.
+    Viewport* held_ = nullptr;
+    Viewport* under_ = nullptr; ///< the view that the pointer is over; null where it is over none
 };
 
 } // namespace patina

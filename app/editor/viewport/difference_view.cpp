@@ -16,7 +16,7 @@
 namespace patina {
 namespace {
 
-constexpr int stepsPerDecade = 20; ///< of the gain
+constexpr int stepsPerDecade = 20; ///< steps of the slider while the gain grows tenfold
 constexpr double usualGain = 10.0;
 constexpr QSize minSize{160, 120};
 

@@ -12,18 +12,18 @@ class QSlider;
 
 namespace patina {
 
-/// Shows beside A and another side how far they are apart, pixel by pixel, seen from where A looks.
-/// It follows what changes, some moments later.
+/// Shows pixel by pixel how far A is from another side, seen by A's camera, in a frame beside their
+/// views. It follows changes a moment later.
 class DifferenceView : public QFrame {
     Q_OBJECT
 
   public:
-    /// `first` is side A's view, whose camera the mouse moves here, too.
+    /// `first` is side A's view; the mouse moves its camera here, too.
     DifferenceView(ComparisonMeter& meter, Viewport& first, QWidget* parent = nullptr);
 
     enum class Mode {
-        Difference, ///< |A - B| in linear light, times the gain
-        Error       ///< of B against A, as the chart of what accuracy costs has it, as colours
+        Difference, ///< shows |A - B| in linear light, times the gain
+        Error       ///< shows B's error relative to A in the colours of the accuracy chart
     };
     Mode mode() const;
     void setMode(Mode mode);
@@ -32,17 +32,17 @@ class DifferenceView : public QFrame {
     double gain() const; ///< 1 .. maxGain
     void setGain(double gain);
 
-    /// Returns what is shown, as it was measured; null before that.
+    /// Returns the difference as it was measured; null where there are no frames.
     const FrameDifference* difference() const {
         return meter_.frames() ? &meter_.frames()->difference : nullptr;
     }
-    /// Says what the picture is of.
+    /// Returns the mode, and the gain where it applies.
     QString caption() const;
-    /// Returns what is shown, as a picture.
+    /// Returns what is shown; null where nothing was measured.
     const QImage& picture() const { return picture_; }
-    /// Tells whether that is of A and B as they are now.
+    /// Tells whether the picture shows A and B as they are now.
     bool isUpToDate() const { return meter_.isUpToDate(); }
-    /// Where it is within the view.
+    /// Returns where the picture lies in this widget, in its coordinates.
     QRect place() const;
 
   protected:

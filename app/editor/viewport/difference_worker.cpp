@@ -15,20 +15,22 @@
 namespace patina {
 namespace {
 
-/// How long the context is kept for the next frames.
+/// The context is kept for so long for the next frames.
 constexpr std::chrono::seconds patience{3};
 
-/// Work between two looks at whether the window goes.
+/// A frame works for so long before it checks whether it was cancelled.
 constexpr std::chrono::milliseconds slice{20};
 
-constexpr int sampledDirections = 64; ///< of an environment's light, the same on both sides
+/// Counts the environment directions per side, where both sides would take equally many.
+constexpr int sampledDirections = 64;
 
-constexpr int timedEdge = 640;             ///< pixels; the longer one of a frame that is timed
+constexpr int timedEdge = 640; ///< pixels; limits the longer edge of a frame that is timed
 constexpr double timedMilliseconds = 60.0; ///< a frame that takes longer is made smaller
 constexpr std::chrono::milliseconds timedFor{1000};
 constexpr CostPairs::Options timedPairs{.width = 0.02, .min = 7, .max = 40};
 
-/// How many directions of an environment's light a side's own view has; 0: there is none.
+/// Returns how many directions of an environment's light a side's own view takes; 0 without an
+/// environment.
 int ownDirections(const Scene& scene, const Catalog& catalog) {
     const Block* block = blockOf(scene.parts, kinds::environment, catalog);
     return block != nullptr ? directionsOf(*scene.part(kinds::environment), *block) : 0;
@@ -36,7 +38,7 @@ int ownDirections(const Scene& scene, const Catalog& catalog) {
 
 } // namespace
 
-/// A renderer, and the blocks that it knows.
+/// Holds a renderer and the blocks that it was given last.
 class DifferenceWorker::Workshop {
   public:
     explicit Workshop(std::unique_ptr<Renderer> renderer) : renderer_(std::move(renderer)) {}
@@ -70,7 +72,8 @@ class DifferenceWorker::Workshop {
         Image shown;
     };
 
-    /// In whole floats, where the sides do not differ in their numbers.
+    /// Draws a side in 32-bit floats, or in half floats where the sides differ in their number
+    /// format.
     Result<Picture> picture(const Side& side, const Request& request, int directions,
                             const Worker::Control& control) {
         const bool sameNumbers = request.a.scene.accuracy.hasWholeNumbers() ==
@@ -87,7 +90,7 @@ class DifferenceWorker::Workshop {
             }
             const int before = std::exchange(drawn, renderer_->job().environmentSamples());
             const bool isEnough = drawn >= sampledDirections && control.isSuperseded();
-            if (drawn <= before || isEnough) { // no environment, or no more of it
+            if (drawn <= before || isEnough) { // there is no environment, or no more of it
                 break;
             }
         }
@@ -157,7 +160,7 @@ DifferenceWorker::askTime(Request request,
                        QStringLiteral("time"));
 }
 
-/// In the worker's thread.
+/// Runs in the worker's thread.
 Result<DrawnPair> DifferenceWorker::draw(const Request& request, const Worker::Control& control) {
     if (!workshop_) {
         if (const auto opened = control.openContext(); !opened) {
@@ -172,7 +175,7 @@ Result<DrawnPair> DifferenceWorker::draw(const Request& request, const Worker::C
     return workshop_->draw(request, control);
 }
 
-/// In the worker's thread.
+/// Runs in the worker's thread.
 std::optional<TimeRatio> DifferenceWorker::time(const Request& request,
                                                 const Worker::Control& control) {
     if (!control.openContext()) {
@@ -194,7 +197,7 @@ std::optional<TimeRatio> DifferenceWorker::time(const Request& request,
         view.environmentImage = side.environment;
         return (*frames)->timeOf(side.scene, view);
     };
-    timeOf(request.a); // makes what it lacks
+    timeOf(request.a); // loads meshes and makes programs, so that timing does not include them
     timeOf(request.b);
     const double longest = std::max(timeOf(request.a), timeOf(request.b));
     if (longest > timedMilliseconds) {

@@ -16,36 +16,36 @@
 
 namespace patina {
 
-/// Frames of A and B, in linear light with the exposure in it, with four channels.
+/// Holds frames of A and B, of the same size, in linear light after exposure, with four channels.
 struct ComparedFrames {
     Image a;
     Image b;
     FrameDifference difference;
 };
 
-/// The same frames as a display shows them, values 0 .. 1.
+/// Holds the same frames as a display shows them, values 0 .. 1.
 struct ShownPair {
     Image a;
     Image b;
 };
 
-/// What was drawn; null where it cannot be.
+/// Holds what was drawn; both are null where nothing can be drawn.
 struct DrawnPair {
     std::shared_ptr<const ComparedFrames> frames;
     std::shared_ptr<const ShownPair> shown;
 };
 
-/// What a frame of B takes of the time of one of A.
+/// Says how long a frame of B takes as a multiple of the time of one of A.
 struct TimeRatio {
     MedianInterval ratio;
-    int pairs = 0; ///< of frames, one after the other
+    int pairs = 0; ///< counts the pairs of frames, each drawn one after the other
 };
 
-/// Draws both sides of a comparison and takes one from the other, in a thread with a context of its
-/// own: in whole floats unless the sides differ in that, as half floats are too coarse for small
-/// differences; with the sides' own numbers of an environment's directions where these differ. The
-/// context goes when there was nothing to do for some seconds. All that is asked for can be given
-/// up by the Progress that is returned.
+/// Draws both sides of a comparison and computes their difference, in a thread with a context of
+/// its own. It uses 32-bit floats unless the sides differ in their number format, as half floats
+/// are too coarse for small differences; each side keeps its own number of environment directions
+/// where these differ. The context is released when there was nothing to do for some seconds. Every
+/// request can be cancelled by the Progress that is returned.
 class DifferenceWorker : public QObject {
     Q_OBJECT
 
@@ -61,7 +61,7 @@ class DifferenceWorker : public QObject {
         Side a;
         Side b;
         View view;
-        MeshSource meshes; ///< for other threads, as are the next
+        MeshSource meshes; ///< has to be usable in other threads, as have the next two
         TextureSource textures;
         std::shared_ptr<const Catalog> catalog;
     };
@@ -70,24 +70,24 @@ class DifferenceWorker : public QObject {
 
     ~DifferenceWorker() override;
 
-    /// Asks in place of what was asked for and not begun yet; finished() follows for the last. Of
-    /// an environment what is being drawn takes no more directions then than it takes to show
-    /// anything.
+    /// Asks for frames in place of a request that was not begun yet; finished() follows for the
+    /// last one. A frame that is being drawn then stops taking further environment directions once
+    /// it has enough to show anything.
     std::shared_ptr<Progress> ask(Request request);
 
-    /// Measures how far the frames are apart; nothing where that was given up.
+    /// Measures how far the frames are apart; `done` gets nothing where that was cancelled.
     std::shared_ptr<Progress>
     askDistance(std::shared_ptr<const ComparedFrames> frames,
                 std::shared_ptr<const ShownPair> shown,
                 std::function<void(const std::optional<PictureDistance>&)> done);
 
-    /// Times frames of A and B in turns, about a second long; nothing where that was given up or
-    /// cannot be done. They are smaller than what is asked for where they take long.
+    /// Times frames of A and B in turns, for about a second; `done` gets nothing where that was
+    /// cancelled or cannot be done. Frames that take long are drawn smaller than the request says.
     std::shared_ptr<Progress> askTime(Request request,
                                       std::function<void(const std::optional<TimeRatio>&)> done);
 
   Q_SIGNALS:
-    /// Says why where nothing was drawn.
+    /// Sent when a request is done; `problem` says why nothing was drawn, and is empty otherwise.
     void finished(const patina::DrawnPair& drawn, const QString& problem);
 
   private:
@@ -97,7 +97,7 @@ class DifferenceWorker : public QObject {
     std::optional<TimeRatio> time(const Request& request, const Worker::Control& control);
 
     std::filesystem::path programCache_;
-    std::unique_ptr<Workshop> workshop_; ///< of the worker's thread
+    std::unique_ptr<Workshop> workshop_; ///< belongs to the worker's thread
     Worker worker_;
 };
 

@@ -23,7 +23,7 @@ void DrawingNote::show(bool hasPicture) {
         gl.glClearColor(empty.redF(), empty.greenF(), empty.blueF(), 1.0f);
         gl.glClear(GL_COLOR_BUFFER_BIT);
     }
-    // A note over all of the view would hide it from Qt, which then paints it no more.
+    // Qt would not paint a view that a note covers completely.
     label_->adjustSize();
     label_->move(widget_.rect().center() - label_->rect().center());
     label_->show();

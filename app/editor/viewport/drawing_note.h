@@ -6,13 +6,14 @@ class QOpenGLWidget;
 
 namespace patina {
 
-/// How a view says that its picture is on its way.
+/// Says in a view that its picture is still being drawn.
 class DrawingNote {
   public:
-    /// The view owns it.
+    /// `widget` owns the label and outlives this.
     explicit DrawingNote(QOpenGLWidget& widget);
 
-    /// Over the picture that is there, or over nothing: then its context is current.
+    /// Shows the note over the last picture, or over a cleared view where there is none; then the
+    /// widget's context has to be current.
     void show(bool hasPicture);
     void hide();
 

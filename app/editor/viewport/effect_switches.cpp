@@ -20,7 +20,7 @@ EffectSwitches::EffectSwitches(Document& document, ProgramEffects& effects, Trie
             Q_EMIT changed();
         }
     });
-    // Other switches are those of the active view then.
+    // off() may mean other switches after these changes.
     onChange(document,
              DocumentChange::OwnView | DocumentChange::Comparing | DocumentChange::Current, this,
              &EffectSwitches::follow);
@@ -107,7 +107,8 @@ const Scene& EffectSwitches::whole(Side side) {
     return *made;
 }
 
-/// A value that is dragged changes the held scene too, so this one is made for every frame.
+/// A value that is dragged also changes the scene that ProgramEffects holds, so this one is made
+/// for every frame.
 const Scene* EffectSwitches::effects(Side side) {
     const Scene* held = programs_.scene(side);
     if (held == nullptr || offOn(side).empty()) {

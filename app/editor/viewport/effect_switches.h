@@ -14,10 +14,10 @@
 
 namespace patina {
 
-/// Effects that are switched off in the views, so that an artist sees what each one does. They are
-/// no part of the document: nothing of it is saved or undone, and what is exported has them all. In
-/// another document everything is on. A view whose effects are its own has switches in the
-/// document, which are undone, saved and in what is exported.
+/// Switches effects off in the views, so that an artist sees what each one does. This is not part
+/// of the document: it is neither saved nor undone, and exports have all effects. Loading another
+/// document switches everything on. A view with effects of its own has its switches in the
+/// document, where they are saved, undone and exported.
 class EffectSwitches : public QObject {
     Q_OBJECT
 
@@ -25,22 +25,23 @@ class EffectSwitches : public QObject {
     EffectSwitches(Document& document, ProgramEffects& effects, TriedMaterial& tried,
                    QObject* parent = nullptr);
 
-    // These switch effects of the view that is active.
+    // These read and change the switches of the active view.
     bool isOff(std::string_view effect) const;
     void setOff(const std::string& effect, bool off);
     void switchAllOn();
     const std::vector<std::string>& off() const { return offOn(document_.selection().side()); }
 
-    /// Returns what is switched off on a side.
+    /// Returns the ids of the effects that are switched off on a side.
     const std::vector<std::string>& offOn(Side side) const;
 
-    /// The document's scene as a view of a side shows it, with the material that is tried there;
-    /// valid until one of them changes.
+    /// Returns the document's scene as a view of a side shows it, with the material that is tried
+    /// there; valid until one of them changes.
     const Scene& scene(Side side);
-    /// The same as it is exported: without what is tried, with all effects but those that the view
-    /// has switched off for its own.
+    /// Returns the scene as it is exported: without the material that is tried, and with all
+    /// effects except those switched off in the view's own set.
     const Scene& whole(Side side);
-    /// ProgramEffects::scene() in the same way.
+    /// Returns ProgramEffects::scene() without the effects that are switched off on the side; null
+    /// where that is null.
     const Scene* effects(Side side);
 
   Q_SIGNALS:
@@ -54,9 +55,9 @@ class EffectSwitches : public QObject {
     Document& document_;
     ProgramEffects& programs_;
     TriedMaterial& tried_;
-    std::vector<std::string> off_;   ///< in all views whose effects are not their own
-    std::vector<std::string> shown_; ///< of the active view, as was last told
-    std::array<std::optional<Scene>, sides.size()> scenes_; ///< by side; made on demand
+    std::vector<std::string> off_;   ///< applies to all views without effects of their own
+    std::vector<std::string> shown_; ///< holds the active view's ids at the last changed()
+    std::array<std::optional<Scene>, sides.size()> scenes_; ///< holds one per side, made on demand
     std::array<std::optional<Scene>, sides.size()> wholes_;
     std::array<std::optional<Scene>, sides.size()> effects_;
 };

@@ -10,31 +10,33 @@
 
 namespace patina {
 
-/// Knows how long the frames of a view take, and how that is measured.
+/// Measures how long the frames of a view take, and says how it does so.
 class FrameStopwatch {
   public:
     explicit FrameStopwatch(const ViewContext& context) : context_(context) {}
 
-    // The views' context is current in these.
+    // The views' context has to be current in these.
     void open() { timer_.emplace(FrameTimer::Method::WallClock); }
     void close() { timer_.reset(); }
     void begin() { timer_->begin(); }
     void end() { timer_->end(); }
 
-    /// The time of the last frame that is known by now; 0 before there is one.
+    /// milliseconds of the last frame whose time is known; 0 before there is one. open() has to
+    /// come before.
     double milliseconds() const { return timer_->milliseconds(); }
 
-    /// "1.3 ms (GPU timer)", or how else it was measured. Call it a moment after the frame.
+    /// Returns the last time and the method, as in "1.3 ms (GPU timer)"; empty before the first.
+    /// The time is known a moment after the frame.
     QString text();
 
-    /// Finds out how frames are best timed here, which takes some milliseconds; a clock on the
-    /// wall does until then, and where a frame `isOpen`.
+    /// Chooses the most exact method that works here, which takes some milliseconds. Until then,
+    /// and where a frame `isOpen`, the clock of the CPU is used.
     void choose(bool isOpen);
 
   private:
     const ViewContext& context_;
-    std::optional<FrameTimer> timer_; ///< while there is a context
-    QString text_;                    ///< the last one that was known
+    std::optional<FrameTimer> timer_; ///< exists from open() to close()
+    QString text_;                    ///< the last text, kept while no newer time is known
 };
 
 } // namespace patina

@@ -25,7 +25,7 @@ void IdleRelease::noteUse() {
     }
 }
 
-/// A drag that rests keeps it, so that going on is as quick as before.
+/// Waits while a mouse button is down, so that a drag that rests goes on as quickly as before.
 void IdleRelease::check() {
     const bool busy = isBusy_() || QApplication::mouseButtons() != Qt::NoButton;
     const qint64 left = idleMs - sinceUse_.elapsed();

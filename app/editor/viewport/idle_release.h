@@ -9,12 +9,12 @@
 
 namespace patina {
 
-/// Has something given back that was not used for a while.
+/// Calls a function once something has not been used for a while.
 class IdleRelease : public QObject {
     Q_OBJECT
 
   public:
-    /// `isBusy` says that it will be used again soon, whatever the time.
+    /// `isBusy` tells whether it will soon be used again, however long ago it was used last.
     IdleRelease(std::function<bool()> isBusy, std::function<void()> release);
 
     void noteUse();

@@ -11,7 +11,7 @@ namespace {
 
 constexpr QSize swatchSize{34, 16};
 
-/// Lights beyond these are only counted, so that the panel stays in the view.
+/// The panel counts further lights instead of listing them, so that it stays in the view.
 constexpr std::size_t maxLights = 8;
 
 struct Shades {
@@ -19,7 +19,7 @@ struct Shades {
     QColor dark;
 };
 
-/// As in shaders/passes/inspection.frag.
+/// Returns the colours of shaders/passes/inspection.frag.
 Shades shadesOf(PixelDefect defect) {
     switch (defect) {
     case PixelDefect::NotANumber:
@@ -71,9 +71,8 @@ QString row(const QString& name, const glm::vec3& value, const QString& detail =
 }
 
 QString shownLightName(const Scene& scene, std::size_t index) {
-    const QString name = index < scene.lights.size()
-                             ? QString::fromStdString(scene.lights[index].name)
-                             : QString();
+    const QString name =
+        index < scene.lights.size() ? QString::fromStdString(scene.lights[index].name) : QString();
     return name.isEmpty() ? InspectionPanel::tr("Light %1").arg(index + 1) : name;
 }
 
@@ -131,9 +130,8 @@ InspectionPanel::InspectionPanel(QWidget* parent) : QFrame(parent), numbers_(new
         tr("The model, a light or a later term gives NaN here, before anything hides it.")));
     layout->addWidget(legendRow(PixelDefect::Infinite, tr("Infinite"),
                                 tr("A value is beyond what a float can hold.")));
-    layout->addWidget(legendRow(
-        PixelDefect::Negative, tr("Negative"),
-        tr("Less than no light, before the picture cuts it at 0.")));
+    layout->addWidget(legendRow(PixelDefect::Negative, tr("Negative"),
+                                tr("Less than no light, before the picture cuts it at 0.")));
     layout->addWidget(legendRow(
         PixelDefect::AboveOne, tr("More light out than in"),
         tr("Under a uniform white sky this place would be brighter than the sky: its albedo "
@@ -162,8 +160,7 @@ QWidget* InspectionPanel::legendRow(PixelDefect defect, const QString& text,
     return row;
 }
 
-void InspectionPanel::showNumbers(const std::optional<PixelProbe>& probe,
-                                  const Scene& scene) {
+void InspectionPanel::showNumbers(const std::optional<PixelProbe>& probe, const Scene& scene) {
     numbers_->setText(probe ? probeText(*probe, scene)
                             : tr("Point at a surface to read its numbers."));
 }

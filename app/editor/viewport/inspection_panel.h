@@ -12,15 +12,15 @@ class QLabel;
 
 namespace patina {
 
-/// Over a view in the numerical check: what the patterns mean, and the numbers of the pixel under
-/// the pointer.
+/// Explains, over a view in the numerical check, what the patterns mean, and shows the numbers of
+/// the pixel under the pointer.
 class InspectionPanel : public QFrame {
     Q_OBJECT
 
   public:
     explicit InspectionPanel(QWidget* parent = nullptr);
 
-    /// Nothing: there is no surface under the pointer.
+    /// Shows the numbers of a pixel; nothing where no surface is under the pointer.
     void showNumbers(const std::optional<PixelProbe>& probe, const Scene& scene);
 
   private:

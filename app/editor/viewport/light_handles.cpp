@@ -16,15 +16,17 @@
 namespace patina {
 namespace {
 
-/// What of a light can be dragged. A handle's number is that of its light and its part.
+/// Lists the parts of a light that can be dragged. The number of a handle is light * PartCount +
+/// part.
 enum Part { PlacePart, TargetPart, DistancePart, ConePart, PartCount };
 
 constexpr double lampReach = 9.0;
 constexpr double iconPixels = 8.0;
 constexpr double dotPixels = 4.5;
 constexpr double lampDegreesPerPixel = 0.4;
-constexpr double angleStep = 5.0;      ///< degrees
-constexpr double distanceShare = 0.45; ///< of the way to the target: where its handle is
+constexpr double angleStep = 5.0; ///< degrees
+/// Says where the handle of the distance is, as a share of the line from the light to its target.
+constexpr double distanceShare = 0.45;
 constexpr double nearestTarget = 0.05; ///< metres
 const QColor hotLampColor(255, 220, 90);
 
@@ -60,7 +62,7 @@ void drawDot(QPainter& painter, QPointF at, double radius, const QColor& color) 
     painter.setBrush(Qt::NoBrush);
 }
 
-/// A disc with rays; a ring where the light is off.
+/// Draws a disc with rays for a light, or a grey disc without rays where it is off.
 void drawLamp(QPainter& painter, QPointF at, const QColor& color, bool isOn, bool isCurrent) {
     painter.setPen(QPen(QColor(0, 0, 0, 140), 3.5));
     for (int pass = 0; pass < 2; ++pass) {
@@ -99,8 +101,8 @@ std::optional<LightHandles::Shown> LightHandles::shown(const ViewGeometry& view,
                  lampColorOf(light.block.parameters, *block)};
 }
 
-/// Where its axis meets a surface, or as far along it as the pivot is; the pivot of what shines
-/// everywhere.
+/// Returns where its axis meets a surface, or else a point on the axis as far away as the pivot;
+/// the pivot itself where the light shines everywhere or has no position.
 glm::dvec3 LightHandles::targetOf(const ViewGeometry& view, const LightPose& place) const {
     const glm::dvec3& pivot = view.camera.pivot;
     if (!place.hasPoint() || !place.direction) {
@@ -115,7 +117,7 @@ glm::dvec3 LightHandles::targetOf(const ViewGeometry& view, const LightPose& pla
                (ahead > nearestTarget ? ahead : glm::distance(pivot, place.point) + nearestTarget);
 }
 
-/// Where the handle of a part is; nothing where the light has no such part.
+/// Returns where the handle of a part is; nothing where the light has no such part.
 std::optional<glm::dvec3> LightHandles::pointOf(const Shown& light, int part) const {
     const LightPose& place = light.place;
     switch (part) {
@@ -248,7 +250,7 @@ void LightHandles::drag(const ViewGeometry& view, QPointF place, bool isStepped)
         const glm::dvec3 way = start_.place.point - start_.target;
         const double length = std::max(glm::length(way), nearestTarget);
         const glm::dvec3 axis = way / length;
-        // The handle is a share of the way from the light.
+        // The handle moves by a share of what the light moves by.
         const double by = (view.alongAxis(place, start_.target, axis) -
                            view.alongAxis(from_, start_.target, axis)) /
                           (1.0 - distanceShare);
@@ -265,7 +267,7 @@ void LightHandles::drag(const ViewGeometry& view, QPointF place, bool isStepped)
         values.emplace(moved.angleOf->id, moved.angle);
     }
     if (moved.directionOf && moved.direction == start_.place.direction) {
-        values[moved.directionOf->id] = held_.at(moved.directionOf->id); // as long as it was
+        values[moved.directionOf->id] = held_.at(moved.directionOf->id); // keeps its length
     }
     store(values);
 }

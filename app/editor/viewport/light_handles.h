@@ -12,12 +12,12 @@
 
 namespace patina {
 
-/// Draws the lights into a view and moves them: where they are, what they shine at, how far they
-/// are from it and how wide their cones are. The current one has all of these; of the others the
-/// place, which makes one the current.
+/// Draws the lights into a view and moves them: their position, their target, their distance to it
+/// and the width of their cones. The current light has all these handles; the others have only that
+/// of their position, which makes the light the current one.
 class LightHandles : public HandleSet {
   public:
-    /// The surface under a place of a view; nothing where there is none.
+    /// Returns the surface that a ray meets; nothing where there is none.
     using SurfaceAt = std::function<std::optional<Hit>(const Ray& ray)>;
 
     LightHandles(Document& document, const HandleModes& modes, SurfaceAt surfaceAt);
@@ -31,10 +31,11 @@ class LightHandles : public HandleSet {
     void cancel() override;
 
   private:
-    /// A light as it stands in a view.
+    /// Describes a light as it is drawn in a view.
     struct Shown {
         LightPose place;
-        glm::dvec3 target{0.0}; ///< what it shines at, or stands about
+        /// The point it shines at, or the pivot for a light that shines everywhere.
+        glm::dvec3 target{0.0};
         bool isOn = true;
         QColor color;
     };
@@ -50,11 +51,11 @@ class LightHandles : public HandleSet {
     Document& document_;
     const HandleModes& modes_;
     SurfaceAt surfaceAt_;
-    int light_ = -1; ///< that is dragged
-    int part_ = 0;   ///< of it
-    QPointF from_;   ///< where the drag began
-    Shown start_;    ///< as it was then
-    Values held_;    ///< as they were then
+    int light_ = -1; ///< the index of the light that is dragged; -1 before the first drag
+    int part_ = 0;   ///< the part of it that is dragged
+    QPointF from_;   ///< where the drag began, in the view
+    Shown start_;    ///< the light when the drag began
+    Values held_;    ///< the light's values when the drag began
 };
 
 } // namespace patina

@@ -11,10 +11,12 @@
 namespace patina {
 namespace {
 
-/// How far from the pivot a light without a place is drawn, as a share of what the view shows.
+/// A light without a position is drawn so far from the pivot, as a share of half the height that
+/// the view shows there.
 constexpr double shownShare = 0.75;
 
-/// A caster stands at most so far along the way from its shadow to the light.
+/// A caster is at most so far from its shadow, as a share of the distance from the shadow to the
+/// light.
 constexpr double casterShare = 0.5;
 
 bool saysWhere(Space space) {

@@ -17,10 +17,10 @@
 namespace patina {
 namespace {
 
-constexpr double handlePixels = 80.0; ///< from the middle to the end of an axis
-constexpr double middlePixels = 9.0;  ///< half the size of the handle in the middle
-constexpr double gizmoReach = 7.0;    ///< so near the pointer has to be
-constexpr int middleHandle = 3;       ///< the handle of all axes; 0 to 2 are those of one
+constexpr double handlePixels = 80.0; ///< pixels from the middle to the end of an axis
+constexpr double middlePixels = 9.0;  ///< pixels; half the size of the handle in the middle
+constexpr double gizmoReach = 7.0;    ///< pixels; the pointer has to be this near to a handle
+constexpr int middleHandle = 3;       ///< is the handle of all axes; 0 to 2 are those of one axis
 
 constexpr double gizmoMoveStep = 0.1;  ///< metres
 constexpr double gizmoTurnStep = 15.0; ///< degrees
@@ -71,7 +71,7 @@ ObjectGizmo::Frame ObjectGizmo::frame(const ViewGeometry& view) const {
     return frame;
 }
 
-/// What is drawn of an axis: its ring, or the line to its end.
+/// Returns what is drawn of an axis: its ring, or the line to its end.
 std::vector<QPointF> ObjectGizmo::line(const ViewGeometry& view, const Frame& frame,
                                        int axis) const {
     const glm::dvec3& along = frame.axes[slot(axis)];
@@ -175,7 +175,8 @@ void ObjectGizmo::move(const ViewGeometry& view, QPointF place, bool isStepped) 
     apply([&](Object& object) { object.translation += by; });
 }
 
-/// About the middle of all; a ring that is seen from its side turns as a wheel is pushed.
+/// Turns the objects about the middle of all. A ring that is seen from its side turns as far as the
+/// pointer moves across its axis.
 void ObjectGizmo::turn(const ViewGeometry& view, QPointF place, bool isStepped) {
     const auto origin = view.place(start_.origin);
     if (!origin) {
@@ -222,7 +223,7 @@ void ObjectGizmo::scale(const ViewGeometry& view, QPointF place, bool isStepped)
     });
 }
 
-/// Changes the objects as they were when the drag began.
+/// Applies `change` to the objects as they were when the drag began, so that steps do not add up.
 void ObjectGizmo::apply(const std::function<void(Object&)>& change) {
     std::map<int, Object> changed = held_;
     for (auto& [index, object] : changed) {

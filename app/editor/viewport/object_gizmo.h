@@ -9,8 +9,8 @@
 
 namespace patina {
 
-/// Moves, turns and scales the objects that an edit changes: along and about the world's axes, and
-/// by the sizes of the current one. Ctrl while dragging goes in steps.
+/// Moves, turns and scales the objects that an edit changes: along and about the axes of the world,
+/// and along those of the current object for scaling. Ctrl while dragging snaps to steps.
 class ObjectGizmo : public HandleSet {
   public:
     ObjectGizmo(Document& document, const HandleModes& modes);
@@ -24,7 +24,7 @@ class ObjectGizmo : public HandleSet {
     void cancel() override;
 
   private:
-    /// Where the handles stand: in the middle of what they move.
+    /// Says where the handles stand: in the middle of the objects that they move.
     struct Frame {
         glm::dvec3 origin{0.0};
         std::array<glm::dvec3, 3> axes;
@@ -41,9 +41,9 @@ class ObjectGizmo : public HandleSet {
     Document& document_;
     const HandleModes& modes_;
     int handle_ = 0;
-    QPointF from_;               ///< where the drag began
-    Frame start_;                ///< as it was then
-    std::map<int, Object> held_; ///< the objects as they were then
+    QPointF from_;               ///< where the drag began, in the view
+    Frame start_;                ///< the frame when the drag began
+    std::map<int, Object> held_; ///< the objects when the drag began, by their index
 };
 
 } // namespace patina

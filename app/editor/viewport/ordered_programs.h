@@ -9,31 +9,32 @@ namespace patina {
 
 class ViewedScene;
 
-/// The programs that a view has made elsewhere (see ProgramWorker), of one frame at a time.
+/// Has the programs of a frame made by the ProgramWorker of a view, for one frame at a time.
 class OrderedPrograms : public QObject {
     Q_OBJECT
 
   public:
-    /// It outlives this.
+    /// `viewed` outlives this.
     explicit OrderedPrograms(const ViewedScene& viewed);
 
-    /// Without anybody who makes programs elsewhere nothing can be ordered.
+    /// Tells whether the view has a ProgramWorker; without one nothing can be ordered.
     bool canOrder() const;
 
-    /// Has those of a frame of a scene made; came() follows unless others are ordered meanwhile.
+    /// Has the programs of a frame of a scene made; came() follows unless others are ordered
+    /// meanwhile.
     void order(const Scene& scene, const View& view);
 
     bool areAwaited() const { return number_ != 0; }
     void forget() { number_ = 0; }
 
   Q_SIGNALS:
-    void came(); ///< all that could be made
+    void came(); ///< everything that could be made is there
 
   private:
     void take(quint64 number);
 
     const ViewedScene& viewed_;
-    quint64 number_ = 0; ///< of ProgramWorker::ask(); 0: nothing is ordered, or it came
+    quint64 number_ = 0; ///< what ProgramWorker::ask() returned; 0 where nothing is awaited
 };
 
 } // namespace patina

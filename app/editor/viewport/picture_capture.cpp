@@ -30,8 +30,7 @@ Image PictureCapture::picture(bool display) {
     if (&whole == &viewed_.sources().scene()) {
         return frames_.pictureOf(whole, frames_.view(), display);
     }
-    frames_
-        .refresh(); // what is shown is another picture, to which nothing of this one may be added
+    frames_.refresh(); // no samples may be added to this picture
     View wanted = frames_.view();
     wanted.effects = nullptr;
     Image image = frames_.pictureOf(whole, wanted, display);
@@ -41,7 +40,7 @@ Image PictureCapture::picture(bool display) {
 
 void PictureCapture::start(bool display, Taken taken) {
     if (order_) {
-        finish({}); // one at a time
+        finish({}); // a second order ends the first
     }
     order_ = Order{display, std::move(taken)};
     begin();
@@ -59,7 +58,7 @@ void PictureCapture::begin() {
     const bool isWhole = &whole == &viewed_.sources().scene();
     const bool hasSamples = frames_.samples() > 0;
     if (!frames_.canDraw() || (hasSamples && isWhole && frames_.isUpToDate())) {
-        finish(picture(order_->display)); // there is none to draw, or it is there
+        finish(picture(order_->display)); // none can be drawn, or it is there
         return;
     }
     order_->isAnother = !isWhole || hasSamples || !frames_.isUpToDate();
@@ -75,7 +74,7 @@ void PictureCapture::begin() {
     turn_.start(0);
 }
 
-/// Takes the picture of what there is when its turn comes.
+/// Takes the picture in the next turn, of the scene as it is then.
 void PictureCapture::beginAnew() {
     isBegun_ = false;
     turn_.start(0);
@@ -90,7 +89,8 @@ void PictureCapture::proceed() {
     }
 }
 
-/// The picture, once it is done; empty where it cannot be read.
+/// Returns the picture once it is done; an empty one where it cannot be read, and nothing while it
+/// is being drawn.
 std::optional<Image> PictureCapture::proceeded() {
     const ViewContext::Current current(viewed_.sources().context);
     FrameJob& job = lent_->job();

@@ -11,37 +11,40 @@
 
 namespace patina {
 
-/// Takes pictures of what a view shows, which are to be kept: at once, or over several turns of the
-/// event loop in place of frames.
+/// Takes pictures of what a view shows, for export: at once, or over several turns of the event
+/// loop in place of frames.
 class PictureCapture : public QObject {
     Q_OBJECT
 
   public:
     using Taken = std::function<void(Image)>;
 
-    /// Both outlive it.
+    /// Both references outlive it.
     PictureCapture(FrameLoop& frames, const ViewedScene& viewed);
 
-    /// Returns the picture before exposure and tone mapping.
+    /// Returns the picture in linear light before exposure and tone mapping; empty when none can be
+    /// drawn.
     Image linearPicture();
 
-    /// The picture as it is shown, divided by 255, or as linear floats with the exposure in them;
+    /// Returns the picture as it is shown, divided by 255, or as linear floats after exposure;
     /// empty when none can be drawn.
     Image picture(bool display);
 
-    /// As picture(), over as many turns of the event loop as it takes, with what is shown staying
-    /// on the screen; one at a time. What changes meanwhile may or may not be in it.
+    /// Takes picture() over as many turns of the event loop as it takes, while the last frame stays
+    /// on the screen. A second call ends the first without a picture. What changes meanwhile may or
+    /// may not be in it.
     void start(bool display, Taken taken);
 
-    /// Ends that without a picture.
+    /// Ends a picture that was started; `taken` gets an empty one.
     void cancel();
 
   private:
-    /// A picture that is asked for and not there yet.
+    /// Describes a picture that was asked for and is not there yet.
     struct Order {
         bool display = true;
         Taken taken;
-        bool isAnother = false; ///< than the one on the screen, to which more may be added
+        /// The picture is not the one on the screen, to which more samples may be added.
+        bool isAnother = false;
     };
 
     void begin();
@@ -54,8 +57,8 @@ class PictureCapture : public QObject {
     FrameLoop& frames_;
     const ViewedScene& viewed_;
     std::optional<Order> order_;
-    Renderer* lent_ = nullptr; ///< while the order is being drawn
-    bool isBegun_ = false;     ///< its picture, which its next turn goes on with
+    Renderer* lent_ = nullptr; ///< null unless the order is being drawn
+    bool isBegun_ = false; ///< the order's picture has been begun, and its next turn continues it
     QTimer turn_;
 };
 

@@ -6,7 +6,7 @@
 namespace patina {
 namespace {
 
-/// The pointer's pixel is read at most this often.
+/// milliseconds; the pointer's pixel is read at most this often
 constexpr int probeMs = 30;
 
 } // namespace

@@ -12,19 +12,20 @@
 namespace patina {
 
 /// Reads the numbers of the pixel under the pointer while a view shows the numerical check. Moves
-/// are gathered.
+/// that follow each other quickly are read once.
 class PixelProber : public QObject {
     Q_OBJECT
 
   public:
-    /// Both outlive it; `widget` shows the frames.
+    /// Both references outlive it; `widget` shows the frames.
     PixelProber(FrameLoop& frames, const QWidget& widget);
 
-    /// Sets where the pointer is; nothing when it is not over the view.
+    /// Sets where the pointer is, in the widget's coordinates; nothing when it is not over the
+    /// view.
     void setPointer(std::optional<QPoint> pointer);
 
   Q_SIGNALS:
-    /// The numbers under the pointer; nothing where there is no surface.
+    /// Sends the numbers under the pointer; nothing where there is no surface.
     void probed(const std::optional<patina::PixelProbe>& numbers);
 
   private:

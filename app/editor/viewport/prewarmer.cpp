@@ -15,7 +15,8 @@ Prewarmer::Prewarmer(FrameLoop& frames, const ViewedScene& viewed)
     connect(&programs_, &OrderedPrograms::came, this, &Prewarmer::prepare);
 }
 
-/// What a change is shown with goes first.
+/// Adds the frame of a change last, as the list is worked off from its end and a change is shown
+/// first.
 void Prewarmer::add(const Scene& ahead) {
     if (frames_.canDraw() && !frames_.isInspecting()) {
         ahead_.push_back({ahead, false});
@@ -33,7 +34,7 @@ void Prewarmer::goOn() {
     }
 }
 
-/// What is drawn goes first; the frame that comes then asks again for what is left.
+/// Does nothing while the view has a frame to draw, whose end calls this again.
 void Prewarmer::makeNext() {
     if (!frames_.canDraw() || frames_.isInspecting()) {
         ahead_.clear();
@@ -60,7 +61,7 @@ void Prewarmer::prepare() {
     turn_.start(0);
 }
 
-/// How a scene that is prewarmed will be looked at.
+/// Returns how a scene that is prewarmed will be looked at.
 View Prewarmer::viewOf(const Ahead& ahead) const {
     View view = frames_.view();
     view.effects = nullptr;

@@ -11,23 +11,23 @@
 
 namespace patina {
 
-/// Has the programs made of scenes that a view may soon show, one at a time while it has nothing to
-/// draw.
+/// Has the programs made of scenes that a view may soon show, one scene at a time while the view
+/// has nothing to draw.
 class Prewarmer : public QObject {
     Q_OBJECT
 
   public:
-    /// Both outlive it.
+    /// Both references outlive it.
     Prewarmer(FrameLoop& frames, const ViewedScene& viewed);
 
-    /// A frame of this scene may be wanted soon.
+    /// Says that a frame of this scene may soon be wanted.
     void add(const Scene& ahead);
 
-    /// Something is still to be made.
+    /// Tells whether something is still to be made.
     bool isBusy() const { return !ahead_.empty(); }
 
   private:
-    /// A scene, drawn as while it changes or as at rest.
+    /// Describes a frame: a scene, drawn as it is while it changes or as at rest.
     struct Ahead {
         Scene scene;
         bool isMoving = false;
@@ -40,9 +40,9 @@ class Prewarmer : public QObject {
 
     FrameLoop& frames_;
     const ViewedScene& viewed_;
-    std::vector<Ahead> ahead_; ///< whose programs are still to be made
-    OrderedPrograms programs_; ///< of the last of them
-    QTimer turn_;              ///< one of them a turn
+    std::vector<Ahead> ahead_; ///< the frames whose programs are still to be made
+    OrderedPrograms programs_; ///< the programs of the last of them
+    QTimer turn_;              ///< runs one of them per turn of the event loop
 };
 
 } // namespace patina

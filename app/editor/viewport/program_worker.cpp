@@ -10,11 +10,11 @@
 namespace patina {
 namespace {
 
-/// The longer side of the picture that nothing is drawn into.
+/// pixels; the longer edge of the small target that frames are drawn into
 constexpr int side = 16;
 
-/// A fallback with the same box: programs do not depend on triangles, but what is left out of them
-/// does on where things are.
+/// Returns a mesh with the same box: programs do not depend on the triangles, but what is left out
+/// of them depends on where things are.
 Mesh fallbackFor(const Bounds& bounds, int triangles) {
     Mesh mesh;
     mesh.bounds = bounds;
@@ -28,7 +28,7 @@ Mesh fallbackFor(const Bounds& bounds, int triangles) {
     return mesh;
 }
 
-/// In the proportions of the view.
+/// Returns the size of the small target, in the proportions of the view.
 glm::ivec2 smallSizeFor(const ProgramWorker::Frame& frame) {
     const glm::ivec2 size = frame.view.size;
     const double shrinking = double(side) / std::max(size.x, size.y);
@@ -36,19 +36,20 @@ glm::ivec2 smallSizeFor(const ProgramWorker::Frame& frame) {
                         frame.scene.accuracy.scale());
 }
 
-/// What there is more triangles than pixels of is drawn into another kind of buffer, for which
-/// drivers compile anew.
+/// Returns how many triangles a fallback mesh needs to get the same kind of buffer as in the view:
+/// one with more triangles than the view has pixels is drawn into another kind, for which drivers
+/// compile anew.
 int trianglesFor(const ProgramWorker::Frame& frame, glm::ivec2 small) {
     const glm::ivec2 size = frame.view.size;
     return frame.triangles > std::int64_t(size.x) * size.y ? small.x * small.y + 1 : 1;
 }
 
-/// Images that are there need not be sent to the device for this.
+/// Says that an image is there, without any pixels, as programs do not depend on them.
 TextureLookup placeholder(const TextureUse&, TextureDecoding) {
     return {nullptr, true};
 }
 
-/// Draws the frame where nothing shows. The context is current.
+/// Draws the frame into a small target that is never shown. The context has to be current.
 void makePrograms(const ProgramWorker::Frame& frame, Renderer& renderer) {
     renderer.setTextures(placeholder);
     renderer.setCatalog(frame.catalog);
@@ -80,7 +81,7 @@ quint64 ProgramWorker::ask(Frame frame) {
                 makePrograms(frame, **renderer);
             }
         }
-        control.closeContext(); // what the driver has made is on the disk when it is gone
+        control.closeContext(); // the driver has written its cache when the context is gone
     };
     worker_.ask(make, [this, number = ++asked_](const Result<void>&) { Q_EMIT finished(number); });
     return asked_;

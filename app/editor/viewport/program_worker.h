@@ -16,26 +16,28 @@
 namespace patina {
 
 /// Makes the programs of frames in a thread with a context of its own, so that the window need not
-/// wait for compilers. What comes of it lies in the folder of programs and in the driver's own
-/// cache, where the views' contexts find it: such a driver writes it in the background, so a frame
-/// is finished only when its context is gone.
+/// wait for compilers. The programs are stored in the folder of programs and in the driver's own
+/// cache, where the views' contexts find them. Some drivers write their cache in the background, so
+/// a frame is finished only when its context is destroyed.
 class ProgramWorker : public QObject {
     Q_OBJECT
 
   public:
-    /// A frame, apart from what its programs do not depend on.
+    /// Holds what the programs of a frame depend on.
     struct Frame {
         Scene scene;
         std::optional<Scene> effects; ///< see View::effects
         View view;
-        std::vector<Bounds> meshes; ///< by object; empty where there is none yet
-        std::int64_t triangles = 0; ///< that are seen
+        /// Holds one box per object; empty where the mesh is not there yet.
+        std::vector<Bounds> meshes;
+        std::int64_t triangles = 0; ///< counts the triangles of all visible objects
         std::shared_ptr<const Catalog> catalog;
     };
 
     explicit ProgramWorker(std::filesystem::path programCache, QObject* parent = nullptr);
 
-    /// finished() follows with the number that this returns, also where nothing could be made.
+    /// Asks for the programs of a frame and returns a number; finished() follows with it, also
+    /// where nothing could be made.
     quint64 ask(Frame frame);
 
   Q_SIGNALS:

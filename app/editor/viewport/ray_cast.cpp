@@ -15,15 +15,16 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// A place on a triangle of a mesh.
+/// Holds a point on a triangle of a mesh.
 struct Met {
     double distance = never;
-    std::size_t first = 0; ///< of the triangle's indices
-    double u = 0.0;        ///< shares of its second and third corner
+    std::size_t first = 0; ///< the first of the triangle's three indices
+    double u = 0.0;        ///< weight of the triangle's second corner; v is that of the third
     double v = 0.0;
 };
 
-/// Where along the ray a triangle is (Moeller and Trumbore 1997); never: at infinity.
+/// Returns where the ray meets a triangle (Moeller and Trumbore 1997); its distance is `never`
+/// where it does not.
 Met meet(const Ray& ray, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     const glm::dvec3 edge1 = b - a;
     const glm::dvec3 edge2 = c - a;
@@ -64,8 +65,8 @@ bool meets(const Ray& ray, const Bounds& box, double limit) {
     return leave >= 0.0 && enter <= leave * (1.0 + slack);
 }
 
-/// The nearest of some triangles in object space; the ray's direction need not be a unit vector
-/// there, so that distances are the world's.
+/// Finds the nearest hit among `count` indices from `first` on, in object space. The ray's
+/// direction need not be a unit vector there, so that distances are the world's.
 void meetNearest(const Ray& ray, const MeshView& mesh, std::size_t first, std::size_t count,
                  Met& nearest) {
     const auto corner = [&](std::size_t i) {
@@ -97,7 +98,8 @@ Met meetNearest(const Ray& ray, const PickMesh& pick) {
     return nearest;
 }
 
-/// The normal of the vertices, in world space; that of the triangle where they have none.
+/// Returns the unit normal in world space, interpolated between the vertices; that of the triangle
+/// where they have none.
 glm::dvec3 normalAt(const Met& met, const MeshView& mesh, const glm::dmat4& world, const Ray& ray) {
     const auto vertex = [&](std::size_t i) -> const Vertex& {
         return mesh.vertices[mesh.indices[met.first + i]];

@@ -12,7 +12,7 @@
 
 namespace patina {
 
-/// A half line in world space; the direction is a unit vector.
+/// Holds a half line in world space; the direction is a unit vector.
 struct Ray {
     glm::dvec3 origin{0.0};
     glm::dvec3 direction{0.0, 0.0, -1.0};
@@ -20,28 +20,30 @@ struct Ray {
     friend bool operator==(const Ray&, const Ray&) = default;
 };
 
-/// A point on the surface of an object.
+/// Holds a point on the surface of an object.
 struct Hit {
-    int object = -1; ///< index in the scene
+    int object = -1; ///< index in the scene; -1 where nothing was hit
     double distance = 0.0;
     glm::dvec3 point{0.0};
-    glm::dvec3 normal{0.0}; ///< unit, as the mesh is shaded there, on the side that the ray meets
+    /// Unit vector, interpolated between vertices, on the side that the ray meets.
+    glm::dvec3 normal{0.0};
 
     friend bool operator==(const Hit&, const Hit&) = default;
 };
 
-/// The ray from the eye through a place in a view of `size` pixels, (0, 0) at the top left.
+/// Returns the ray from the eye through a place in a view of `size` pixels, (0, 0) at the top left.
 Ray rayThrough(const Camera& camera, const glm::dvec2& place, const glm::dvec2& size);
 
-/// The place of a point in a view of `size` pixels, (0, 0) at the top left; nothing where it does
-/// not lie before the eye.
+/// Returns the place of a point in a view of `size` pixels, (0, 0) at the top left; nothing where
+/// it does not lie before the eye.
 std::optional<glm::dvec2> placeOf(const Camera& camera, const glm::dvec3& point,
                                   const glm::dvec2& size);
 
-/// How many pixels of a view that is `height` pixels high a metre takes up at a point.
+/// Returns how many pixels a metre takes up at a point, in a view that is `height` pixels high.
 double pixelsPerMetre(const Camera& camera, const glm::dvec3& point, double height);
 
-/// Returns the nearest visible surface that the ray meets, whichever way it faces.
+/// Returns the nearest visible surface that the ray meets, whichever way it faces; nothing where
+/// there is none. `meshes` returns the mesh of an object.
 std::optional<Hit> cast(const Ray& ray, const Scene& scene,
                         const std::function<PickMesh(const Object&)>& meshes);
 

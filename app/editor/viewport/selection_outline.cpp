@@ -16,12 +16,13 @@
 namespace patina {
 namespace {
 
-constexpr std::size_t maxTriangles = 300000; ///< of all objects, for lines along their edges
-constexpr int lineWidth = 2;                 ///< pixels
-constexpr int maxObjects = 250;              ///< that a pixel of the mask can tell apart
+/// Limits the triangles of all objects together; more of them get boxes instead of outlines.
+constexpr std::size_t maxTriangles = 300000;
+constexpr int lineWidth = 2;    ///< pixels
+constexpr int maxObjects = 250; ///< objects that a byte of the mask can tell apart
 const QColor lineColor(255, 170, 40);
 
-/// Fills triangles into a mask of bytes.
+/// Fills triangles into a mask of one byte per pixel.
 class MaskFiller {
   public:
     MaskFiller(std::vector<unsigned char>& mask, const QSize& size)
@@ -37,7 +38,7 @@ class MaskFiller {
     }
 
   private:
-    /// All pixels that the triangle touches in a row, so that thin ones leave no holes.
+    /// Fills all pixels that the triangle touches in a row, so that thin ones leave no holes.
     void fillRow(const std::array<glm::dvec2, 3>& corners, int y, unsigned char value) {
         double left = width_;
         double right = 0.0;
@@ -108,8 +109,8 @@ bool isAtEdge(const std::vector<unsigned char>& mask, const QSize& size, int x, 
     return false;
 }
 
-/// The first and the last pixel of each row that some object covers; none where the first is
-/// behind.
+/// Returns the first and the last pixel of each row that some object covers; the first is greater
+/// where none does.
 std::vector<std::pair<int, int>> coveredSpans(const std::vector<unsigned char>& mask,
                                               const QSize& size) {
     std::vector<std::pair<int, int>> spans;
@@ -125,7 +126,8 @@ std::vector<std::pair<int, int>> coveredSpans(const std::vector<unsigned char>& 
     return spans;
 }
 
-/// No line is drawn on what the last of `count` objects covers.
+/// Draws lines along the edges in the mask, but none on pixels that the last of `count` objects
+/// covers.
 void drawEdges(QImage& image, const std::vector<unsigned char>& mask, std::size_t count) {
     const QSize size = image.size();
     const std::vector<std::pair<int, int>> spans = coveredSpans(mask, size);

@@ -11,19 +11,21 @@
 
 namespace patina {
 
-/// Draws the lines around objects as they are seen in a view. The picture is made anew only when
-/// something in it has changed. Meshes of more than some hundred thousand triangles have the edges
-/// of their boxes in place of outlines, so that nothing waits for them.
+/// Draws the lines around objects as they are seen in a view. The picture is drawn again only when
+/// something in it has changed. Where the objects have more than some hundred thousand triangles,
+/// or are too many for a mask of bytes, it draws the edges of their boxes instead, so that nothing
+/// waits for them.
 class SelectionOutline {
   public:
     using Meshes = std::function<MeshView(const Object&)>;
 
-    /// A picture of `size` pixels, transparent but for the lines around these objects of the scene.
+    /// Returns a picture of `size` pixels, transparent but for the lines around these objects of
+    /// the scene; valid until the next call.
     const QImage& draw(const Scene& scene, const std::vector<int>& objects, const Camera& camera,
                        const QSize& size, const Meshes& meshes);
 
   private:
-    /// What one object's line depends on.
+    /// Holds what one object's line depends on.
     struct Shown {
         glm::dmat4 world{1.0};
         const Vertex* vertices = nullptr;
@@ -35,7 +37,8 @@ class SelectionOutline {
     std::vector<Shown> shown_;
     Camera camera_;
     QImage image_;
-    std::vector<unsigned char> mask_; ///< by pixel: which of the objects covers it, from 1
+    /// Holds per pixel the number of the object that covers it, from 1; 0 where none does.
+    std::vector<unsigned char> mask_;
 };
 
 } // namespace patina

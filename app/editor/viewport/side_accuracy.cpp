@@ -12,7 +12,7 @@
 namespace patina {
 namespace {
 
-/// Each choice that is not exact, in words.
+/// Returns each accuracy choice of a material that is not exact, as "choice: level".
 QStringList cheapLevels(const Material& material, const Catalog& catalog) {
     QStringList names;
     for (const Block* block : blocksInUse(material, catalog)) {
@@ -38,7 +38,7 @@ QString levelName(const Choice& choice, const std::string& level) {
         QString::fromStdString(known != nullptr ? known->label : level));
 }
 
-/// The same of how the picture of a scene is drawn.
+/// Returns each choice of how a scene's picture is drawn that is not exact.
 QStringList cheapLevels(const Scene& scene, const Catalog& catalog) {
     const std::vector<Choice> choices = choicesOfPicture(scene, catalog);
     const ChosenLevels levels = levelsOfPicture(scene, choices, catalog);
@@ -73,8 +73,7 @@ QString accuracyOfSide(const Document& document, Side side) {
     }
     const Material* a = document.material(Side::A);
     const Material* b = document.material(Side::B);
-    if (!document.isComparing() || a == nullptr || b == nullptr ||
-        !differInAccuracyAlone(*a, *b)) {
+    if (!document.isComparing() || a == nullptr || b == nullptr || !differInAccuracyAlone(*a, *b)) {
         return {};
     }
     const QStringList ofA = cheapLevels(*a, document.catalog());

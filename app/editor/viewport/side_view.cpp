@@ -34,7 +34,7 @@ namespace {
 constexpr int edge = 2; ///< pixels around a view
 constexpr int titlePadding = 8;
 
-/// Those of a light's values that say where it is or where it points.
+/// Returns those of a light's values that are points or directions.
 Values placesOf(const Values& values, const Block& light) {
     Values places;
     for (const Parameter& parameter : light.parameters) {
@@ -112,7 +112,7 @@ SideView::SideView(const ViewSources& sources, const ViewTools& tools, Side side
     onChange(document_, DocumentChange::Drawn | DocumentChange::Current, this,
              &SideView::updateTitle);
     onChange(document_, DocumentChange::OwnView, this, [this] {
-        this->layout()->activate(); // the title has another width
+        this->layout()->activate(); // the title's width has changed
         updateTitle();
     });
     onChange(document_, DocumentChange::Scene, frames, &FrameLoop::announceScene);
@@ -143,14 +143,14 @@ SideView::SideView(const ViewSources& sources, const ViewTools& tools, Side side
                 overlay->setSuspended(turntable.turning().has_value());
             });
     connect(&tools.turntable, &ViewTurntable::moved, frames, [frames] {
-        if (!frames->isDrawing()) { // a slow screen skips some
+        if (!frames->isDrawing()) { // a slow device skips frames
             frames->refresh();
         }
     });
     updateTitle();
 }
 
-/// False for a value that is another side's alone.
+/// Tells whether a change concerns this view: all do but a value of another side alone.
 bool SideView::shows(const DocumentChange& change) const {
     const DocumentChange::Aspects ofOne =
         DocumentChange::Value | DocumentChange::Texture | DocumentChange::OwnView;
@@ -169,13 +169,13 @@ void SideView::paintEvent(QPaintEvent* event) {
 
 void SideView::resizeEvent(QResizeEvent* event) {
     QFrame::resizeEvent(event);
-    updateTitle(); // what does not fit ends in an ellipsis
+    updateTitle(); // shortens the caption to the new width
 }
 
 void SideView::setTitleVisible(bool visible) {
     title_->setVisible(visible);
     links_->setVisible(visible);
-    layout()->activate(); // it has its width only now
+    layout()->activate(); // the title gets its width only now
     updateTitle();
 }
 
@@ -200,7 +200,8 @@ double SideView::aspect() const {
     return double(viewport_->width()) / std::max(viewport_->height(), 1);
 }
 
-/// The camera as it is where no object is current.
+/// Returns the camera framing the objects that an edit changes; the camera itself where there are
+/// none.
 Camera SideView::framedOnCurrent() const {
     std::vector<PlacedMesh> shown;
     for (const int index : document_.selection().editedObjects()) {
@@ -318,7 +319,7 @@ void SideView::turnLight(double yaw, double pitch) {
     document_.setValues(path, placesOf(turned, block), label);
 }
 
-/// As the mouse pulls what the front of an object mirrors.
+/// Turns the environment so that its reflection on the front of an object follows the mouse.
 void SideView::turnEnvironment(double yaw) {
     const BlockPath path = environmentPath(document_.state(), side_);
     const BlockValues* environment = blockValuesAt(document_.state(), path);
@@ -353,7 +354,7 @@ void SideView::endTurn() {
     }
 }
 
-/// A turn that ends where it began leaves no step.
+/// Restores what was turned, which leaves no undo step, or the camera.
 void SideView::cancelDrag() {
     if (turning_) {
         restore_();
@@ -379,8 +380,8 @@ void SideView::pivotOn(QPointF place) {
     }
 }
 
-/// A click beside everything takes the lines away; the current object stays what the panels show.
-/// The click that makes a view the active one picks nothing.
+/// Selects what was clicked on. A click on nothing clears the selection, but the current object
+/// stays the one that panels show. The click that makes a view the active one picks nothing.
 void SideView::pick(QPointF place, bool adds) {
     if (awaited_) {
         viewport_->unsetCursor();
@@ -415,8 +416,8 @@ void SideView::awaitLightPick(bool isShadow) {
     viewport_->setFocus();
 }
 
-/// The current light goes where its highlight, or the shadow of the current object, falls on what
-/// is under the pointer.
+/// Moves the current light so that its highlight, or the shadow of the current object, falls on
+/// what is under the pointer.
 void SideView::placeLight(QPointF place, bool isShadow) {
     const std::optional<Hit> hit = hitAt(place);
     const int index =
@@ -448,7 +449,7 @@ void SideView::placeLight(QPointF place, bool isShadow) {
     }
 }
 
-/// A preset is for the object that it was dropped on.
+/// Makes the object under the pointer the current one, as a dropped preset is meant for it.
 void SideView::take(const QStringList& files, QPointF place) {
     if (const std::optional<Hit> hit = hitAt(place)) {
         document_.selection().setObject(hit->object);
@@ -481,7 +482,7 @@ void SideView::updateTitle() {
     };
     int room = roomBeside(state);
     if (room < font.horizontalAdvance(QStringLiteral("a few letters"))) {
-        state.clear(); // the colour says so, too
+        state.clear(); // the colour of the title says so, too
         room = roomBeside(state);
     }
     const QString text =
@@ -489,13 +490,13 @@ void SideView::updateTitle() {
             .arg(letterOf(side_), font.elidedText(called, Qt::ElideRight, room).toHtmlEscaped(),
                  state);
     title_->setToolTip(called.toHtmlEscaped());
-    viewport_->setAccessibleDescription(tr("Shows %1").arg(called)); // also while nothing fits
+    viewport_->setAccessibleDescription(tr("Shows %1").arg(called)); // without an ellipsis
     if (text != title_->text()) {
         Q_EMIT captionChanged();
         title_->setText(text);
         const QString foreground = active ? "#101010" : "#f0f0f0";
         const QString background = (active ? colourOf(side_) : colourOf(side_).darker(260)).name();
-        // A style sheet takes margins away, but not in each case.
+        // A style sheet resets margins, but not in every case.
         title_->setStyleSheet(QStringLiteral("color: %1; background: %2; padding: 3px %3px;")
                                   .arg(foreground, background)
                                   .arg(titlePadding));

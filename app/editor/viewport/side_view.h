@@ -23,13 +23,13 @@ class ViewLinks;
 class ProgramWorker;
 class ViewContext;
 
-/// Holds what all views have in common in how they show it.
+/// Holds the settings and the turntable that all views share.
 struct ViewTools {
     HandleModes& modes;
     ViewTurntable& turntable;
 };
 
-/// Holds what views show.
+/// Holds what views show and draw with; everything in it outlives them.
 struct ViewSources {
     Document& document;
     MeshLibrary& meshes;
@@ -41,8 +41,9 @@ struct ViewSources {
     ViewContext& context;
 };
 
-/// One side of the comparison: a viewport under a coloured, lettered title, and what the mouse
-/// does in it to the document. The camera is not its own: it only asks for another one.
+/// Shows one side of the comparison: a viewport under a coloured, lettered title. It carries out
+/// what the mouse does in it to the document. It does not own the camera: it only asks for another
+/// one.
 class SideView : public QFrame {
     Q_OBJECT
 
@@ -53,23 +54,25 @@ class SideView : public QFrame {
     Side side() const { return side_; }
     Viewport& viewport() { return *viewport_; }
     void setTitleVisible(bool visible);
-    /// What it shows: its model, the material's name, and how exactly where that is compared.
+    /// Returns its model and the material's name, and the accuracy choice where sides differ only
+    /// in that.
     QString caption() const;
 
-    /// The numerical check with its legend and the pointer's numbers, or the picture.
+    /// Shows the numerical check with its legend and the pointer's numbers, or the picture.
     void setInspecting(bool on);
 
-    /// The orthographic lens, or the one before it.
+    /// Toggles between the orthographic lens and the one before it.
     void toggleLens();
 
-    /// The next click says where the current light's highlight is to be, or the shadow that it
-    /// throws of the current object.
+    /// Makes the next click place the current light's highlight, or the shadow that it throws of
+    /// the current object.
     void awaitLightPick(bool isShadow);
 
     /// Moves the camera so that the current object fills the view.
     void frameCurrentObject();
 
-    /// The same; where it does already, and where there is none, all visible objects fill it.
+    /// Moves the camera so that the current object fills the view; where it does so already, or
+    /// none is current, all visible objects fill it.
     void frameObjects();
 
   Q_SIGNALS:
@@ -77,8 +80,9 @@ class SideView : public QFrame {
     void resetWished();
     void filesDropped(QStringList files);
     void captionChanged();
-    void bookmarkWished(int digit);                      ///< what is seen is to be kept
-    void bookmarkChosen(const patina::Camera& bookmark); ///< as the document has it
+    void bookmarkWished(int digit); ///< asks to store the camera under a digit
+    /// Asks for a camera that the document stores.
+    void bookmarkChosen(const patina::Camera& bookmark);
 
   protected:
     void paintEvent(QPaintEvent* event) override;
@@ -113,17 +117,19 @@ class SideView : public QFrame {
     QLabel* title_;
     ViewLinks* links_; ///< beside the title
     Viewport* viewport_;
-    InspectionPanel* inspection_ = nullptr; ///< made when it is first wanted
-    std::optional<bool> awaited_;           ///< see awaitLightPick()
+    InspectionPanel* inspection_ = nullptr; ///< null until it is first wanted
+    std::optional<bool> awaited_; ///< holds what awaitLightPick() got until the next click
     bool turning_ = false;
-    Camera atPress_;                          ///< the camera when a drag began
-    std::function<void()> restore_;           ///< makes what is turned as it was
-    double usualLens_ = Camera().fieldOfView; ///< degrees, before the orthographic one
-    bool wasActive_ = true;                   ///< before the button was pressed
-    bool focusShown_ = false; ///< an edge around the view says that the keys go there
+    Camera atPress_;                ///< holds the camera when a drag began
+    std::function<void()> restore_; ///< restores what is turned as it was when the drag began
+    /// Degrees; the field of view before the orthographic lens.
+    double usualLens_ = Camera().fieldOfView;
+    bool wasActive_ = true; ///< this side was the active one before the mouse was pressed
+    /// An edge around the view says that it has the focus of the keyboard.
+    bool focusShown_ = false;
 };
 
-/// The colour and the letter of a side; a side is never told by its colour alone.
+/// Returns the colour of a side, which is never shown without its letter.
 QColor colourOf(Side side);
 QString letterOf(Side side);
 

@@ -32,7 +32,7 @@ void ViewContext::close(std::unique_ptr<Renderer> renderer) {
     destroyUnused();
 }
 
-/// The context and what all share, unless they are there.
+/// Creates the context and the objects that all views share, unless they exist.
 Result<void> ViewContext::create(QOpenGLContext& shown) {
     if (!context_) {
         context_ = std::make_unique<QOpenGLContext>();

@@ -13,23 +13,24 @@ class QSurface;
 
 namespace patina {
 
-/// The OpenGL context that all views of a window draw in, so that meshes, images, programs and
-/// shadow maps are there once however many views show them. There is one while a view is open; it
-/// shares objects with the contexts of the views' widgets.
+/// Holds the OpenGL context that all views of a window draw in, so that meshes, images, programs
+/// and shadow maps exist once however many views show them. The context exists while a view is
+/// open; it shares objects with the contexts of the views' widgets.
 class ViewContext {
   public:
-    /// `programCache`: see Renderer::Options.
+    /// `programCache` is what Renderer::Options has under that name.
     explicit ViewContext(std::filesystem::path programCache);
     ~ViewContext();
 
     const std::filesystem::path& programCache() const { return programCache_; }
 
-    /// Opens a view whose widget has this context, and returns what draws it. The view ends with
-    /// close().
+    /// Opens a view whose widget has the context `shown`, and returns what draws it. close() has to
+    /// end the view. Fails where the driver does not let contexts share objects or does not offer
+    /// what a Renderer needs.
     Result<std::unique_ptr<Renderer>> open(QOpenGLContext& shown);
     void close(std::unique_ptr<Renderer> renderer);
 
-    /// Has the views' context current for as long as it lives, and then the one before again.
+    /// Makes the views' context current for as long as it lives, and then the one before again.
     class Current {
       public:
         explicit Current(const ViewContext& context);
@@ -49,7 +50,8 @@ class ViewContext {
     std::filesystem::path programCache_;
     std::unique_ptr<QOffscreenSurface> surface_;
     std::unique_ptr<QOpenGLContext> context_;
-    std::unique_ptr<Renderer> first_; ///< draws nothing; the views' share what it has
+    /// Draws nothing; the renderers of the views share its objects.
+    std::unique_ptr<Renderer> first_;
     std::size_t openViews_ = 0;
 };
 

@@ -51,7 +51,7 @@ double ViewGeometry::alongAxis(QPointF place, const glm::dvec3& origin,
                                const glm::dvec3& axis) const {
     const Ray sight = ray(place);
     const double across = glm::dot(sight.direction, axis);
-    const double apart = 1.0 - across * across; // squared sine between both lines
+    const double apart = 1.0 - across * across; // the squared sine of the angle between both lines
     const glm::dvec3 between = origin - sight.origin;
     constexpr double minApart = 1e-4;
     return apart < minApart

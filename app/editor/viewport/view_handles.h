@@ -16,20 +16,20 @@ namespace patina {
 
 class Viewport;
 
-/// Takes the mouse of a view where it is over a handle: what it does there is the handle's, and no
-/// move of the camera.
+/// Takes the mouse events of a view over a handle and gives them to the handle, so that they do not
+/// move the camera.
 class ViewHandles : public QObject {
     Q_OBJECT
 
   public:
-    /// The first set that has a handle under the pointer gets it.
+    /// The first set that has a handle under the pointer gets the event.
     ViewHandles(Viewport& viewport, std::vector<std::unique_ptr<HandleSet>> sets);
 
     bool isShown() const;
     void draw(QPainter& painter) const;
 
   Q_SIGNALS:
-    void changed(); ///< another handle is under the pointer
+    void changed(); ///< Sent when another handle is under the pointer, or while one is dragged
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -50,9 +50,9 @@ class ViewHandles : public QObject {
 
     Viewport& viewport_;
     std::vector<std::unique_ptr<HandleSet>> sets_;
-    std::optional<Handle> hot_; ///< under the pointer, or in the hand
+    std::optional<Handle> hot_; ///< the handle under the pointer or being dragged
     bool isDragged_ = false;
-    bool isWaiting_ = false; ///< a drag was taken back, and the button is still down
+    bool isWaiting_ = false; ///< a drag was cancelled, and the button is still down
 };
 
 } // namespace patina

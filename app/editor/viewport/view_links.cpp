@@ -18,8 +18,8 @@
 namespace patina {
 namespace {
 
-constexpr int stopsWidth = 240; ///< pixels of the slider and its box
-constexpr int indent = 28;      ///< pixels, below the words that it belongs to
+constexpr int stopsWidth = 240; ///< pixels; the width of the slider and its box
+constexpr int indent = 28;      ///< pixels that the slider stands to the right of its action's text
 
 BlockPath ownPath(std::string_view kind, Side side) {
     BlockPath path = pathOf(kind, 0, side);
@@ -27,7 +27,7 @@ BlockPath ownPath(std::string_view kind, Side side) {
     return path;
 }
 
-/// "+1", "-0.5"
+/// Returns stops with their sign, as in "+1" or "-0.5".
 QString stopsText(double stops) {
     return (stops > 0.0 ? QStringLiteral("+") : QString()) + roundText(stops);
 }

@@ -13,8 +13,8 @@ namespace patina {
 class EffectSwitches;
 class ParameterEditor;
 
-/// The button of a view that says what it has of its own of the scene. Its menu cuts a link with
-/// the scene and restores it, and changes what is the view's own.
+/// Says which parts of the scene a view has of its own. Its menu cuts a link with the scene and
+/// restores it, and changes what is the view's own.
 class ViewLinks : public QToolButton {
     Q_OBJECT
 
@@ -35,16 +35,16 @@ class ViewLinks : public QToolButton {
     Document& document_;
     EffectSwitches& switches_;
     Side side_;
-    BlockPath scenePath_;       ///< of the scene's settings that are the view's own
-    BlockPath environmentPath_; ///< of the environment that is
+    BlockPath scenePath_;       ///< leads to the scene settings that are the view's own
+    BlockPath environmentPath_; ///< leads to the environment that is the view's own
     QAction* exposure_;
     QAction* environment_;
     QAction* effects_;
     QAction* relink_;
     ParameterEditor* stops_;
     QMenu* environments_;
-    QActionGroup* kinds_; ///< of environments
-    int interaction_ = 0; ///< that drags the exposure
+    QActionGroup* kinds_; ///< holds the actions of the environments' menu
+    int interaction_ = 0; ///< the interaction in which the exposure is dragged
 };
 
 } // namespace patina

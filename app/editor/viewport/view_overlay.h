@@ -13,10 +13,9 @@ class HandleModes;
 class ViewHandles;
 class Viewport;
 
-/// Lies over a view and draws what is no part of its picture: the lines around what is selected,
-/// and the handles.
-/// The mouse goes through it. It is hidden while there is nothing to draw, so that it costs
-/// nothing then.
+/// Lies over a view and draws what is not part of its picture: the lines around what is selected,
+/// and the handles. Mouse events go through it. It is hidden while there is nothing to draw, so
+/// that it costs nothing then.
 class ViewOverlay : public QWidget {
     Q_OBJECT
 
@@ -24,7 +23,7 @@ class ViewOverlay : public QWidget {
     ViewOverlay(Viewport& viewport, Document& document, MeshLibrary& meshes,
                 const ViewHandles& handles, const HandleModes& modes);
 
-    /// Draws nothing while what is seen is not where the document has it.
+    /// Stops drawing, as while a turntable shows things elsewhere than the document has them.
     void setSuspended(bool suspended);
 
   protected:

@@ -29,7 +29,8 @@ void ViewSurface::close(std::unique_ptr<Renderer> renderer) {
     context_.close(std::move(renderer));
 }
 
-/// The widget's texture is another one after each change of its size, which may have the same name.
+/// Attaches the widget's texture anew each time: after a change of size it is another one, which
+/// may have the same name.
 ViewSurface::Painting::Painting(ViewSurface& surface)
     : surface_(surface), shown_(gl::colorTextureOf(surface.widget_.defaultFramebufferObject())),
       current_(std::make_unique<ViewContext::Current>(surface.context_)) {

@@ -10,19 +10,21 @@ class QOpenGLWidget;
 
 namespace patina {
 
-/// What a view's picture is drawn into: the texture that its widget shows, in the context that all
-/// views draw in.
+/// Draws a view's picture into the texture that its widget shows, in the context that all views
+/// share.
 class ViewSurface {
   public:
-    /// Both outlive it. The widget has a texture: one sample per pixel.
+    /// Both references outlive it. The widget's format has one sample per pixel, so that its
+    /// framebuffer has a texture.
     ViewSurface(QOpenGLWidget& widget, ViewContext& context);
 
-    /// Opens the view while the widget's context is there, and returns what draws it.
+    /// Opens the view, while the widget's context is there, and returns what draws it. Fails as
+    /// ViewContext::open() does.
     Result<std::unique_ptr<Renderer>> open();
     void close(std::unique_ptr<Renderer> renderer);
 
-    /// Has the views' context current while the widget is painted, and then the widget's again,
-    /// which waits on the device for what was drawn.
+    /// Makes the views' context current while the widget is painted. Its end makes the widget's
+    /// context current again, in which the device then waits for what was drawn.
     class Painting {
       public:
         explicit Painting(ViewSurface& surface);
@@ -30,7 +32,7 @@ class ViewSurface {
         Painting(const Painting&) = delete;
         Painting& operator=(const Painting&) = delete;
 
-        /// Returns where the widget's picture is drawn.
+        /// Returns the OpenGL name of the framebuffer that draws into the widget's texture.
         unsigned framebuffer() const;
 
       private:
@@ -42,7 +44,7 @@ class ViewSurface {
   private:
     QOpenGLWidget& widget_;
     ViewContext& context_;
-    gl::Framebuffer framebuffer_; ///< of the views' context
+    gl::Framebuffer framebuffer_; ///< belongs to the views' context
 };
 
 } // namespace patina

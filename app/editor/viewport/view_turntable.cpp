@@ -40,7 +40,7 @@ const Scene& ViewTurntable::turned(const Scene& scene, Side side) {
     auto turned = onTurntable(scene, document_.catalog(), *what_,
                               1e-3 * double(since_.elapsed()) * degreesPerSecond);
     if (!turned) {
-        return scene; // what turned was removed
+        return scene; // the object or light that turned was removed
     }
     return shown_[indexOf(side)] = std::move(*turned);
 }

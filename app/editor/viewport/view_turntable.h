@@ -13,19 +13,20 @@
 
 namespace patina {
 
-/// Turns what all views show, as a turntable does, without an edit: the document, its files and
-/// what is exported stay as they are.
+/// Turns what all views show as a turntable does, without an edit: the document, its files and what
+/// is exported stay as they are.
 class ViewTurntable : public QObject {
     Q_OBJECT
 
   public:
     explicit ViewTurntable(const Document& document, QObject* parent = nullptr);
 
-    /// Nothing: it stands still. An error where there is nothing to turn.
+    /// Starts turning `what`; nothing stops it. Fails where there is nothing to turn.
     Result<void> setTurning(std::optional<TurntableOf> what);
     const std::optional<TurntableOf>& turning() const { return what_; }
 
-    /// What a side shows in place of a scene; the scene itself while nothing turns.
+    /// Returns what a side shows in place of a scene; the scene itself while nothing turns. Valid
+    /// until the next call for the side.
     const Scene& turned(const Scene& scene, Side side);
 
   Q_SIGNALS:

@@ -15,21 +15,21 @@ namespace patina {
 class ProgramWorker;
 class ViewContext;
 
-/// Knows what a widget shows: a scene with its meshes and images, the camera that looks at it, and
+/// Holds what a widget shows: a scene with its meshes and images, the camera that looks at it, and
 /// the blocks that it is computed with.
 class ViewedScene {
   public:
     using SceneSource = std::function<const Scene&()>;
 
     struct Sources {
-        SceneSource scene; ///< as it is shown
-        SceneSource whole; ///< as it is exported
+        SceneSource scene; ///< returns the scene as it is shown
+        SceneSource whole; ///< returns the scene as it is exported
         MeshSource meshes;
         std::function<const Scene*()> effects; ///< see View::effects
-        /// See View::environmentImage.
+        /// Returns View::environmentImage.
         std::function<std::shared_ptr<const EnvironmentImage>()> environment;
-        ViewContext& context;              ///< what the views draw in
-        TextureSource textures{};          ///< the images of materials; without it none are shown
+        ViewContext& context;     ///< is the context that the views draw in
+        TextureSource textures{}; ///< finds the images of materials; without it none are shown
         ProgramWorker* programs = nullptr; ///< makes programs; without it frames wait for them
     };
 
@@ -41,11 +41,11 @@ class ViewedScene {
     const std::shared_ptr<const Catalog>& catalog() const { return catalog_; }
     void setCatalog(std::shared_ptr<const Catalog> catalog) { catalog_ = std::move(catalog); }
 
-    /// Its size is the widget's.
+    /// Returns how the scene is looked at now; its size is the widget's, in pixels of the screen.
     View view() const;
 
-    /// So many samples of an environment's light a view gathers while nothing changes: as many as
-    /// the scene says.
+    /// Returns how many samples of an environment's light a view gathers while nothing changes: the
+    /// number that the scene asks for.
     int wantedSamples() const;
 
     /// Tells whether the scene's light is fitted while it changes, and sampled at rest.

@@ -23,13 +23,13 @@ Viewport::Viewport(ViewedScene::Sources sources, QWidget* parent)
     setAcceptDrops(true);
     setMouseTracking(true);
     setMinimumSize(160, 120);
-    setUpdateBehavior(PartialUpdate); // the last picture stays until there is another one
+    setUpdateBehavior(PartialUpdate); // Qt keeps the last picture until there is another one
 }
 
 Viewport::~Viewport() {
     frames_.close();
     if (context()) {
-        disconnect(context(), nullptr, &frames_, nullptr); // it goes with the base class
+        disconnect(context(), nullptr, &frames_, nullptr); // the base class destroys the context
     }
 }
 
@@ -65,7 +65,7 @@ void Viewport::initializeGL() {
     frames_.open();
 }
 
-/// Qt paints at every step of a change of layout; to draw once after the last step is enough.
+/// Qt paints at every step of a change of layout; the frame is drawn once after the last step.
 void Viewport::paintGL() {
     if (!resizing_) {
         frames_.paint();
@@ -143,7 +143,8 @@ void Viewport::focusOutEvent(QFocusEvent* event) {
     QOpenGLWidget::focusOutEvent(event);
 }
 
-/// The key of the light works wherever the pointer is, also before a click brings the focus here.
+/// Lets the L key work wherever the pointer is in the view, also before a click brings the focus
+/// here.
 void Viewport::enterEvent(QEnterEvent* event) {
     qApp->installEventFilter(this);
     prober_.setPointer(event->position().toPoint());

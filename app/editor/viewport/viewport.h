@@ -17,8 +17,8 @@ namespace patina {
 
 class StretchedPicture;
 
-/// The widget of a view: it hands the mouse and the keys to a CameraNavigation and its context to a
-/// FrameLoop. While its size changes it shows the last picture, stretched.
+/// Shows a view as a widget: it hands the mouse and the keys to a CameraNavigation and its context
+/// to a FrameLoop. While its size changes it shows the last picture, stretched.
 class Viewport : public QOpenGLWidget, public ColorSource {
     Q_OBJECT
 
@@ -26,8 +26,8 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     explicit Viewport(ViewedScene::Sources sources, QWidget* parent = nullptr);
     ~Viewport() override;
 
-    /// Returns what a context must offer; the application's default before the first window is
-    /// made.
+    /// Returns the OpenGL format that a view needs; it has to be the application's default before
+    /// the first window is made.
     static QSurfaceFormat surfaceFormat();
 
     CameraNavigation& navigation() { return navigation_; }
@@ -49,10 +49,11 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     Image linearPicture() override { return capture_.linearPicture(); }
 
   Q_SIGNALS:
-    void activated(); ///< it was clicked
-    void resized();   ///< it has another size
+    void activated(); ///< the mouse was pressed in it
+    void resized();   ///< its size has changed
     void cameraChanged();
-    void focusShown(bool byKeyboard); ///< the keyboard brought the focus here, or it went
+    /// Says that Tab brought the focus here, or that it did not or that the focus left.
+    void focusShown(bool byKeyboard);
     void filesDropped(QStringList files, QPointF place);
 
   protected:
@@ -82,7 +83,7 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     PixelProber prober_;
     PictureCapture capture_;
     bool resizing_ = false;
-    std::unique_ptr<StretchedPicture> last_; ///< while the size changes
+    std::unique_ptr<StretchedPicture> last_; ///< the last picture; null unless the size is changing
 };
 
 } // namespace patina

@@ -14,13 +14,13 @@ namespace patina {
 namespace {
 
 constexpr int channels = 3;
-constexpr double titleLines = 2.0; ///< of text, as high as a title is
+constexpr double titleLines = 2.0; ///< the height of a title in lines of text
 
 float* pixelOf(Image& image, int x, int y) {
     return image.pixels.data() + channels * (std::size_t(y) * std::size_t(image.width) + x);
 }
 
-/// Lays a picture onto another one. An alpha is left out: views show none.
+/// Copies a picture onto another one. An alpha channel is left out, as views show none.
 void paste(const Image& picture, Image& onto, glm::ivec2 corner) {
     for (int y = 0; y < picture.height; ++y) {
         for (int x = 0; x < picture.width; ++x) {
@@ -36,8 +36,8 @@ Image blank(int width, int height) {
     return {width, height, channels, std::vector<float>(count, 0.0f)};
 }
 
-/// The picture of a side below its letter and caption, as large as they are on a screen of so many
-/// pixels to a point.
+/// Returns the picture of a side below its letter and caption, which have the size that they have
+/// on the view's screen.
 Image titled(const Image& picture, const QString& letter, const QString& caption,
              const QColor& colour, const QWidget& view) {
     const double scale = view.devicePixelRatioF();
@@ -139,7 +139,7 @@ void ViewsCapture::startEach(bool display, EachTaken taken) {
         }
     }
     if (shown.empty()) {
-        shown.push_back(&views_.first()); // the difference is seen alone
+        shown.push_back(&views_.first()); // only the difference is shown
     }
     goOn(std::move(shown), {}, display, taken);
 }

@@ -11,31 +11,32 @@
 
 namespace patina {
 
-/// The picture of one view, with what marks it.
+/// Holds the picture of one view with its side and its caption.
 struct SidePictureTaken {
     Side side;
     QString caption;
     Image picture;
 };
 
-/// Takes the picture of what is seen in the middle of the window: of one view, or of several as
-/// they stand, each below its title, and their difference where it is shown; or of A and B as one
-/// where they are wiped or lie over each other. Linear floats have no titles, and no difference,
-/// for they are no light.
+/// Takes the picture of the views in the middle of the window: of a single view, or of several as
+/// they are arranged, each below its title, and their difference where it is shown; or of A and B
+/// as one where they are wiped or lie over each other. Pictures of linear floats have no titles and
+/// no difference, as these are not light.
 class ViewsCapture : public QObject {
     Q_OBJECT
 
   public:
     explicit ViewsCapture(CompareArea& views);
 
-    /// As PictureCapture::start(), for all views.
+    /// Does what PictureCapture::start() does, for all views.
     void start(bool display, PictureCapture::Taken taken);
 
-    /// The same with a picture for each view, without titles; none where there is none.
+    /// Takes one picture per view, without titles; `taken` gets an empty list where one of them
+    /// cannot be drawn.
     using EachTaken = std::function<void(std::vector<SidePictureTaken>)>;
     void startEach(bool display, EachTaken taken);
 
-    /// Ends that without a picture.
+    /// Ends what was started without a picture.
     void cancel();
 
   private:
@@ -46,13 +47,15 @@ class ViewsCapture : public QObject {
     CompareArea& views_;
 };
 
-/// A picture that is shown, as an Image divided by 255.
+/// Returns a picture of a screen as an Image, values 0 .. 1, three channels.
 Image asImage(const QImage& picture);
 
-/// Pictures in a row, from the left, as high as the highest; black where one has nothing.
+/// Returns pictures side by side from the left; the row is as high as the highest and black where a
+/// picture ends.
 Image inARow(const std::vector<Image>& pictures);
 
-/// The same below each other.
+/// Returns pictures below each other; the column is as wide as the widest and black where a picture
+/// ends.
 Image inAColumn(const std::vector<Image>& pictures);
 
 } // namespace patina

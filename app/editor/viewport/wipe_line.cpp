@@ -10,7 +10,7 @@
 namespace patina {
 namespace {
 
-constexpr double knobShare = 0.3; ///< of the shorter edge, from the grip
+constexpr double knobShare = 0.3; ///< share of the picture's shorter edge between grip and knob
 
 double radians(double degrees) {
     return degrees * std::numbers::pi / 180.0;
@@ -49,7 +49,7 @@ double WipeLine::shareThrough(const QPointF& point) const {
 }
 
 double WipeLine::angleTowards(const QPointF& pivot, const QPointF& point) {
-    const QPointF way = point - pivot; // upwards at 0 degrees
+    const QPointF way = point - pivot; // points upwards at 0 degrees
     return wrappedAngle(std::atan2(way.x(), -way.y()) * 180.0 / std::numbers::pi);
 }
 

@@ -7,38 +7,40 @@
 
 namespace patina {
 
-/// The line across a picture that parts A from B. Points are in the picture's pixels, from its
-/// upper left corner.
+/// Describes the line across a picture that separates A from B. Points are in the picture's pixels,
+/// from its upper left corner.
 class WipeLine {
   public:
-    /// `share` of the picture has A, measured across the line: 0 .. 1; `angle` as
-    /// CompareLook::wipeAngle.
+    /// `share` is the part of the picture that shows A, measured across the line: 0 .. 1; `angle`
+    /// is that of CompareLook::wipeAngle. `room` is the size of the picture in pixels.
     WipeLine(const QSizeF& room, double share, double angle);
 
-    /// Where it is moved by: the point of it that is nearest to the middle of the picture.
+    /// Returns the point that the mouse moves the line by: its point nearest to the middle of the
+    /// picture.
     QPointF grip() const;
-    /// Where it is turned by.
+    /// Returns the point that the mouse turns the line by.
     QPointF knob() const;
-    /// Its direction; B is to the right of somebody who walks along it.
+    /// Returns its direction, a unit vector; B is to the right of somebody who walks along it.
     QPointF along() const { return {across_.y(), -across_.x()}; }
 
-    /// How far a point is on B's side; below 0 on A's.
+    /// Returns how far a point is on B's side, in pixels; below 0 on A's.
     double depthInB(const QPointF& point) const;
-    /// The part of the picture that B has.
+    /// Returns the part of the picture that shows B.
     QPolygonF partOfB() const;
 
-    /// The share of the parallel line through a point.
+    /// Returns the share of the parallel line through a point, 0 .. 1.
     double shareThrough(const QPointF& point) const;
-    /// The angle of the line through the pivot whose knob's end points at another point.
+    /// Returns the angle, in degrees, of the line through the pivot whose knob points at another
+    /// point.
     static double angleTowards(const QPointF& pivot, const QPointF& point);
 
   private:
     QPointF middle() const { return {0.5 * room_.width(), 0.5 * room_.height()}; }
 
     QSizeF room_;
-    QPointF across_; ///< of length 1, from A to B
-    double reach_;   ///< of the picture across the line, from its middle
-    double offset_;  ///< of the line from the middle
+    QPointF across_; ///< is a unit vector from A to B
+    double reach_;   ///< pixels from the middle of the picture to its edge, across the line
+    double offset_;  ///< pixels from the middle of the picture to the line, towards B
 };
 
 } // namespace patina
