@@ -15,12 +15,12 @@ namespace patina {
 
 class Session;
 
-/// Something that a menu offers.
+/// Describes an action that a menu offers.
 struct Command {
-    QString id;   ///< the way to it through the menus, "File/Save"
-    QString name; ///< as it is called there
+    QString id;   ///< its path through the menus, as in "File/Save"; names it in the session
+    QString name; ///< its text in the menu, without "&" and "…"
     QAction* action = nullptr;
-    QList<QKeySequence> usual; ///< its keys until the user gives it others
+    QList<QKeySequence> usual; ///< its keys, until the user gives it others
 };
 
 /// Knows every command of the menus and the keys that it has, the user's own among them.
@@ -28,15 +28,17 @@ class CommandKeys : public QObject {
     Q_OBJECT
 
   public:
-    /// The menus are complete by then. What is filled while a menu opens is no command.
+    /// Collects the commands of the menus, which have to be complete. Actions that are added while
+    /// a menu opens are not commands.
     CommandKeys(QMenuBar& bar, Session& session, QObject* parent);
 
     const std::vector<Command>& commands() const { return commands_; }
 
-    /// The other command that has these keys; null: none has.
+    /// Returns the command other than `but` that has these keys; null where none has.
     const Command* holderOf(const QKeySequence& keys, const Command& but) const;
 
-    /// Gives a command these keys, and takes them from the one that had them. Empty: it has none.
+    /// Gives a command these keys, and takes them from the one that had them. Empty keys leave it
+    /// with none. The session stores this.
     void setKeys(const Command& command, const QKeySequence& keys);
     /// Gives a command its usual keys, in the same way.
     void reset(const Command& command);
@@ -55,7 +57,7 @@ class CommandKeys : public QObject {
     std::vector<Command> commands_;
 };
 
-/// The text of an action without the marks of a menu.
+/// Returns the text of an action without the "&" and "…" of a menu.
 QString plainName(const QString& text);
 
 } // namespace patina

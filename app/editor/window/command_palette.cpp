@@ -55,7 +55,7 @@ void CommandPalette::fill(const QString& words) {
     list_->setCurrentRow(0);
 }
 
-/// The dialog goes first: what is run may open another one, or want the focus in a view.
+/// Closes the dialog first: the command may open another one, or need the focus in a view.
 void CommandPalette::run(const QListWidgetItem* item) {
     if (item) {
         const auto place = static_cast<std::size_t>(item->data(Qt::UserRole).toInt());
@@ -65,7 +65,7 @@ void CommandPalette::run(const QListWidgetItem* item) {
     }
 }
 
-/// The arrows go through the list while the words are typed.
+/// Moves the current row by the arrow keys while the focus stays in the search field.
 bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::KeyPress) {
         const int key = static_cast<QKeyEvent*>(event)->key();

@@ -11,7 +11,8 @@ namespace patina {
 
 class CommandKeys;
 
-/// Runs any command of the menus by its name: typed words narrow the list, Enter runs the first.
+/// Runs any command of the menus by its name: typed words narrow the list, and Enter runs the first
+/// match or the one that the arrow keys choose.
 class CommandPalette : public QDialog {
     Q_OBJECT
 

@@ -14,8 +14,8 @@ class CompareArea;
 class Comparison;
 class Document;
 
-/// Chooses how many views are compared, how A and B are shown together, and the number that goes
-/// with that.
+/// Lets the user choose how many views are compared, how A and B are shown together, and the number
+/// that this mode has.
 class CompareBar : public QWidget {
     Q_OBJECT
 

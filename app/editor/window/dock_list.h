@@ -15,8 +15,8 @@ namespace patina {
 /// Tells where a dock stands in the layout of a first start. Docks of one place are tabs.
 enum class DockPlace { LeftTop, LeftBottom, RightTop, RightBottom, Bottom };
 
-/// One dock: its name in saved layouts, its title, its place, and how its widget is made, which
-/// happens when it is first seen.
+/// Describes a dock: its name in saved layouts, its title, its place, and how its widget is made,
+/// which happens when it is first seen.
 struct DockEntry {
     QString name;
     QString title;
@@ -24,7 +24,7 @@ struct DockEntry {
     std::function<QWidget*(const DockContext&)> make;
 };
 
-/// Every dock there is, in the order of the View menu.
+/// Returns every dock there is, in the order of the View menu.
 std::vector<DockEntry> dockList();
 
 } // namespace patina

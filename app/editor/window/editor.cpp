@@ -31,7 +31,8 @@ void say(const QString& text) {
     std::fprintf(stderr, "patina: %s\n", qUtf8Printable(text));
 }
 
-/// Qt ends the program itself when no display can be opened; this says it in our words.
+/// Exits with messages of its own when no display can be opened, as Qt would end the program
+/// itself.
 void explainNoDisplay(QtMsgType type, const QMessageLogContext&, const QString&) {
     if (type == QtFatalMsg) {
         const QString display = qEnvironmentVariable("DISPLAY");
@@ -42,7 +43,7 @@ void explainNoDisplay(QtMsgType type, const QMessageLogContext&, const QString&)
     }
 }
 
-/// What this machine offers instead of OpenGL 4.1.
+/// Returns what this machine offers instead of OpenGL 4.1.
 QString foundOpenGL() {
     QOpenGLContext context;
     context.setFormat(QSurfaceFormat());
@@ -54,7 +55,7 @@ QString foundOpenGL() {
     return QString::fromStdString(gl::driverText());
 }
 
-/// Empty when the view can draw.
+/// Says why the view cannot draw; empty when it can.
 QString whyNothingIsDrawn(const Viewport& viewport) {
     if (!viewport.frames().failure().isEmpty()) {
         return viewport.frames().failure();
@@ -64,7 +65,8 @@ QString whyNothingIsDrawn(const Viewport& viewport) {
                : QStringLiteral("OpenGL 4.1 is needed, but this machine has %1").arg(foundOpenGL());
 }
 
-/// What Qt leaves of the command line; a word like an option that is no file is a slip of the pen.
+/// Returns the first word that looks like an option and is not a file, among those that Qt left of
+/// the command line.
 std::optional<QString> unknownOption(const QStringList& arguments) {
     for (const QString& argument : arguments) {
         if (argument.startsWith('-') && !QFileInfo::exists(argument)) {
@@ -82,7 +84,7 @@ void tellTime(const char* what) {
     }
 }
 
-/// Once, when what the view has drawn next is on the screen.
+/// Calls `then` once, when the next picture that `drawn` reports is on the screen.
 void whenShown(Viewport& viewport, void (FrameLoop::*drawn)(), const std::function<void()>& then) {
     QObject::connect(
         &viewport.frames(), drawn, &viewport,
@@ -93,7 +95,7 @@ void whenShown(Viewport& viewport, void (FrameLoop::*drawn)(), const std::functi
         Qt::SingleShotConnection);
 }
 
-/// Leaves the rest of the start to the turn after the first frame is on the screen.
+/// Starts the rest of the program in the turn after the first frame is on the screen.
 void afterFirstFrame(MainWindow& window, Viewport& viewport) {
     whenShown(viewport, &FrameLoop::sketchDrawn, [] { tellTime("sketch"); });
     whenShown(viewport, &FrameLoop::frameDrawn, [&window] {
@@ -102,7 +104,8 @@ void afterFirstFrame(MainWindow& window, Viewport& viewport) {
     });
 }
 
-/// After a crash only where something could be left out that may be at fault.
+/// Returns why to offer a safe start; a crash counts only where something that may be at fault
+/// could be left out.
 SafeStartReason safeStartReason(const StartMark& mark, const std::vector<BlockRoot>& roots,
                                 const QStringList& files) {
     if (QGuiApplication::queryKeyboardModifiers().testFlag(Qt::ShiftModifier)) {
@@ -153,7 +156,8 @@ int runEditor(int argc, char** argv) {
     afterFirstFrame(window, viewport);
     window.show();
     if (!isSafe) {
-        window.offerRecovery(); // before the first frame, which may take a slow model seconds
+        window.offerRecovery(); // comes before the first frame, for which a slow model may take
+                                // seconds
     }
     if (const QString why = whyNothingIsDrawn(viewport); !why.isEmpty()) {
         say(why);

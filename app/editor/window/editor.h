@@ -3,9 +3,9 @@
 
 namespace patina {
 
-/// Opens the editor with the files on the command line and runs it until it is closed. The exit
-/// status is 1, after a message that says what was found, when there is no display or no
-/// OpenGL 4.1.
+/// Opens the editor with the files on the command line and runs it until it is closed. Returns the
+/// exit status: 1, after a message that says what was found, when there is no display or no OpenGL
+/// 4.1.
 ///
 /// With PATINA_TIME_STARTUP set it writes a line to standard error when the first frame is on the
 /// screen: "patina: first frame at <seconds> s", of the monotonic clock, so that whoever started

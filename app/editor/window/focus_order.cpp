@@ -12,11 +12,11 @@ namespace {
 
 struct Stop {
     QWidget* widget;
-    QPoint panel; ///< top left of its panel
+    QPoint panel; ///< top left of its panel, in the window
     QRect place;  ///< in the window
 };
 
-/// The window's own child that a widget lies in: a dock, a tool bar, the views.
+/// Returns the window's own child that a widget lies in: a dock, a tool bar, the views.
 QWidget* panelOf(QWidget* widget, const QWidget& window) {
     while (widget->parentWidget() && widget->parentWidget() != &window) {
         widget = widget->parentWidget();
@@ -36,16 +36,14 @@ bool isBefore(const Stop& a, const Stop& b) {
     return key(a) < key(b);
 }
 
-/// Within a row, whose members need not begin at the same height, from the left.
+/// Sorts each row, whose members need not begin at the same height, from the left.
 void sortRows(std::vector<Stop>& stops) {
     for (auto first = stops.begin(); first != stops.end();) {
         const auto last = std::find_if(first, stops.end(), [&](const Stop& stop) {
-            return stop.panel != first->panel ||
-                   stop.place.center().y() > first->place.bottom();
+            return stop.panel != first->panel || stop.place.center().y() > first->place.bottom();
         });
-        std::sort(first, last, [](const Stop& a, const Stop& b) {
-            return a.place.left() < b.place.left();
-        });
+        std::sort(first, last,
+                  [](const Stop& a, const Stop& b) { return a.place.left() < b.place.left(); });
         first = last;
     }
 }

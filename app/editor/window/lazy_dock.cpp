@@ -10,7 +10,8 @@
 namespace patina {
 namespace {
 
-constexpr double maxShare = 0.45; ///< of the height that the views and a dock below them have
+/// Share of the height that the views and a dock below them have together.
+constexpr double maxShare = 0.45;
 
 } // namespace
 
@@ -31,7 +32,7 @@ void LazyDock::build() {
     }
 }
 
-/// A dock below the views begins with the height it wishes for, where half stays for the views.
+/// Gives a dock below the views the height of its size hint, of which the views keep their share.
 void LazyDock::growToHint() {
     auto* window = qobject_cast<QMainWindow*>(parentWidget());
     const bool isBelow =

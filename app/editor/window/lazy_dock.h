@@ -7,18 +7,19 @@
 
 namespace patina {
 
-/// A dock whose widget is made when it is first seen, so that tabs nobody opens cost nothing.
+/// Makes the widget of a dock when the dock is first seen, so that tabs nobody opens cost nothing.
 class LazyDock : public QDockWidget {
     Q_OBJECT
 
   public:
     LazyDock(DockEntry entry, const DockContext& context, QWidget* parent);
 
-    /// Makes the widget now.
+    /// Makes the widget now, unless it is there.
     void build();
     bool isBuilt() const { return !entry_.make; }
 
-    /// It was open before: its height is the user's, and stays as it is.
+    /// Says that the dock was open in an earlier session: its height is the user's, and stays as it
+    /// is.
     void keepHeight() { isNew_ = false; }
 
   protected:

@@ -10,21 +10,23 @@ namespace patina {
 class FileActions;
 class PresetLibrary;
 
-/// Puts one preset of the library after another on a side, in the order of their names.
+/// Applies one preset of the library after another to a side, in the order of their names.
 class LibrarySteps {
   public:
     LibrarySteps(Document& document, const PresetLibrary& library, FileActions& files)
         : document_(document), library_(library), files_(files) {}
 
-    /// Puts the preset there that is `by` behind the one that was put there last, or whose name the
-    /// side's material has; from the last one on to the first.
+    /// Applies the preset that is `by` places behind the one that was applied last, or else behind
+    /// the one with the name of the side's material; after the last one comes the first. Without
+    /// either it applies the first.
     void step(Side side, int by);
 
   private:
     Document& document_;
     const PresetLibrary& library_;
     FileActions& files_;
-    std::array<std::filesystem::path, sides.size()> last_; ///< by side
+    /// Holds the file that was applied last, per side.
+    std::array<std::filesystem::path, sides.size()> last_;
 };
 
 } // namespace patina

@@ -35,13 +35,13 @@ void LightingMenu::fill() {
         const QString name = "scene " + QString::fromStdString(file.string());
         QAction* action = addAction(QString::fromStdString(read->scene.name), this,
                                     [this, scene = read->scene] { setLighting(document_, scene); });
-        QPixmap empty(pictureSize, pictureSize); // so that the menu keeps its size
+        QPixmap empty(pictureSize, pictureSize); // keeps the menu's size until the picture comes
         empty.fill(Qt::transparent);
         const auto known = pictures_.find(name);
         action->setIcon(known != pictures_.end() ? known->second : QIcon(empty));
         action->setIconVisibleInMenu(true);
         action->setData(name);
-        thumbnails_.askScene(name, file); // it is on the disk unless something has changed
+        thumbnails_.askScene(name, file); // comes from the disk unless something has changed
     }
 }
 

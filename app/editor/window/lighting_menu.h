@@ -11,8 +11,8 @@ namespace patina {
 class Document;
 class ThumbnailMaker;
 
-/// The scenes that ship, by name and picture: the document's objects are lit as in the one that is
-/// chosen. Pictures come while the menu is open.
+/// Lists the scenes that ship by name and picture; choosing one lights the document's objects as in
+/// that scene. Pictures come while the menu is open.
 class LightingMenu : public QMenu {
     Q_OBJECT
 
@@ -25,7 +25,8 @@ class LightingMenu : public QMenu {
 
     Document& document_;
     ThumbnailMaker& thumbnails_;
-    std::map<QString, QIcon> pictures_; ///< by the names under which they were asked for
+    /// Is keyed by the names under which pictures were asked for.
+    std::map<QString, QIcon> pictures_;
 };
 
 } // namespace patina

@@ -13,12 +13,13 @@
 namespace patina {
 namespace {
 
-constexpr int outlineAlpha = 130; ///< of 255
-constexpr qreal inset = 0.28;     ///< air around a sign, as a share of the icon
+constexpr int outlineAlpha = 130; ///< 0 .. 255
+constexpr qreal inset = 0.28;     ///< margin around a sign, as a share of the icon
 constexpr qreal penShare = 0.09;
-constexpr int rowMargin = 4; ///< pixels, above and below a large icon together
+constexpr int rowMargin = 4; ///< pixels above and below a large icon, together
 
-/// The size that a menu has given its icons; nothing where it has none, and of other widgets.
+/// Returns the size that a menu has given its icons, in pixels; nothing where it has given none,
+/// and for other widgets.
 std::optional<int> ownIconSize(const QWidget* widget) {
     if (qobject_cast<const QMenu*>(widget) == nullptr) {
         return std::nullopt;
@@ -27,7 +28,7 @@ std::optional<int> ownIconSize(const QWidget* widget) {
     return size.isValid() ? std::optional(size.toInt()) : std::nullopt;
 }
 
-/// A sign of lines in the palette's colour of the moment.
+/// Draws a sign of lines in the palette's current colour.
 class LineIcon : public QIconEngine {
   public:
     explicit LineIcon(QStyle::StandardPixmap sign) : sign_(sign) {}
@@ -88,7 +89,7 @@ int LookStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
     return own ? *own : QProxyStyle::pixelMetric(metric, option, widget);
 }
 
-/// Fusion's rows of a menu are as high as its texts.
+/// Makes rows of a menu as high as their icons; Fusion's are as high as their texts.
 QSize LookStyle::sizeFromContents(ContentsType type, const QStyleOption* option,
                                   const QSize& contents, const QWidget* widget) const {
     const QSize size = QProxyStyle::sizeFromContents(type, option, contents, widget);

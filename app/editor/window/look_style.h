@@ -5,16 +5,16 @@
 
 namespace patina {
 
-/// Fusion, but what it draws too dark to see in a dark look: outlines of check boxes and the
-/// buttons of docks, which follow the palette also when it changes; and menus may have icons of a
-/// size of their own.
+/// Draws as the Fusion style does, but in visible colours what Fusion draws too dark in a dark
+/// look: outlines of check boxes and the buttons of docks. These follow the palette also when it
+/// changes. Menus may have icons of a size of their own.
 class LookStyle : public QProxyStyle {
     Q_OBJECT
 
   public:
     LookStyle();
 
-    /// The property of a menu that says how large its icons are, in pixels.
+    /// Names the property of a menu that says how large its icons are, in pixels.
     static constexpr const char* iconSize = "iconSize";
 
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,

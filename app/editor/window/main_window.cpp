@@ -18,7 +18,7 @@
 namespace patina {
 namespace {
 
-constexpr int saidMs = 4000; ///< so long the status line says what was done
+constexpr int saidMs = 4000; ///< milliseconds; how long the status line says what was done
 
 } // namespace
 
@@ -57,7 +57,7 @@ MainWindow::MainWindow(const std::shared_ptr<const Catalog>& catalog, Theme& the
 }
 
 MainWindow::~MainWindow() {
-    // The views and docks go before the parts that they look at.
+    // The views and docks are deleted before the parts that they refer to.
     delete recovery_;
     delete menus_;
     layout_.reset();

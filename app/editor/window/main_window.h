@@ -32,7 +32,8 @@
 
 namespace patina {
 
-/// The editor's window. It owns the parts and connects them; what they do is theirs.
+/// Shows the editor's window. It owns the parts of the editor and connects them; what they do is
+/// left to them.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 

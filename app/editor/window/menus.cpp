@@ -60,14 +60,15 @@ QAction* Menus::add(QMenu* menu, const QString& text, const QKeySequence& key,
     return action;
 }
 
-/// A key that means something else in lists and number boxes works where a view has the focus.
+/// Adds an action whose key works only where a view has the focus, as it means something else in
+/// lists and number boxes.
 QAction* Menus::addForViews(QMenu* menu, const QString& text, const QKeySequence& key,
                             std::function<void()> what) {
     auto* action = new QAction(text, this);
     action->setShortcut(key);
     action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     connect(action, &QAction::triggered, this, std::move(what));
-    parts_.views.addAction(action); // first, or the menu bar's window would have its key
+    parts_.views.addAction(action); // added before the menu, or the whole window would have its key
     menu->addAction(action);
     return action;
 }
@@ -136,7 +137,7 @@ void Menus::makeEditMenu() {
     add(menu, tr("&Take Snapshot"), QKeySequence("Ctrl+T"), [this] { takeSnapshot(); });
     QMenu* material = menu->addMenu(tr("&Material"));
     material->setToolTipsVisible(true);
-    parts_.views.addAction(parts_.material.original()); // first, or its key would be the window's
+    parts_.views.addAction(parts_.material.original()); // first, as in addForViews()
     material->addActions({parts_.material.all().begin(), parts_.material.all().end()});
     add(menu, tr("&Preferences…"), QKeySequence("Ctrl+,"), [this] {
         (new PreferencesDialog(parts_.session, parts_.theme, parts_.views, &parts_.window))->open();
@@ -148,7 +149,8 @@ void Menus::makeEditMenu() {
         [this] { takeLampsOut(parts_.document, parts_.views, parts_.messages); });
 }
 
-/// Their keys mean something else in lists and number boxes: they work where a view has the focus.
+/// Lets the keys work where a view has the focus, as they mean something else in lists and number
+/// boxes.
 void Menus::makeObjectMenu() {
     QMenu* menu = parts_.window.menuBar()->addMenu(tr("&Object"));
     for (QAction* action : (new ObjectActions(parts_.document, parts_.files, this))->all()) {
@@ -159,7 +161,7 @@ void Menus::makeObjectMenu() {
     makeGizmos(menu);
 }
 
-/// A key of the handles shows them, and once more hides them.
+/// Adds the keys of the handles: each shows its handles, and hides them again.
 void Menus::makeGizmos(QMenu* menu) {
     HandleModes& modes = parts_.views.handleModes();
     const struct {
@@ -203,7 +205,7 @@ void Menus::makeLightMenu() {
     })->setToolTip(tr("Click where the shadow of the current object is to fall (L+Shift+click)"));
     menu->addSeparator();
     for (QAction* action : (new LightActions(parts_.document, parts_.files, this))->all()) {
-        action->setShortcuts(QList<QKeySequence>()); // in a view they are the objects'
+        action->setShortcuts(QList<QKeySequence>()); // in a view these keys belong to the objects
         action->setShortcutContext(Qt::WindowShortcut);
         menu->addAction(action);
     }
@@ -247,7 +249,7 @@ void Menus::makeViewMenu() {
     full->setCheckable(true);
 }
 
-/// Each turns what it says until it is chosen once more.
+/// Adds an action for each thing that can turn; choosing it once more stops it.
 void Menus::makeTurntable(QMenu* menu) {
     ViewTurntable& turntable = parts_.views.turntable();
     const std::pair<QString, TurntableOf> rows[] = {
@@ -380,7 +382,8 @@ void Menus::makeCompareMenu(QMenu* menu) {
     follow();
 }
 
-/// Their keys mean something else in lists and number boxes: they work where a view has the focus.
+/// Lets the keys work where a view has the focus, as they mean something else in lists and number
+/// boxes.
 void Menus::makeLibrarySteps(QMenu* menu) {
     const struct {
         QString text;

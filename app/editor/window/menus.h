@@ -30,12 +30,13 @@ class ThumbnailMaker;
 class ViewsCapture;
 class WindowLayout;
 
-/// The menus and the tool bar of the window: what can be asked for, under which name and key.
+/// Makes the menus and the tool bar of the window: each action with its name, its key and what it
+/// calls.
 class Menus : public QObject {
     Q_OBJECT
 
   public:
-    /// Holds what is asked. Everything in it outlives the menus.
+    /// Holds what the actions call. Everything in it outlives the menus.
     struct Parts {
         QMainWindow& window;
         WindowLayout& layout;
@@ -82,7 +83,7 @@ class Menus : public QObject {
     Parts parts_;
     CommandKeys* keys_ = nullptr;
     LibrarySteps steps_;
-    ViewsCapture* capture_; ///< the views'
+    ViewsCapture* capture_; ///< takes pictures of the views
     QMenu* recent_ = nullptr;
     QMenu* lighting_ = nullptr;
     QMenu* modes_ = nullptr;

@@ -9,7 +9,7 @@ class CompareArea;
 class Session;
 class Theme;
 
-/// Shows what an artist sets once: the look, and how the mouse moves the views. Each choice holds
+/// Shows what an artist sets once: the look, and how the mouse moves the views. Each choice applies
 /// at once.
 class PreferencesDialog : public QDialog {
     Q_OBJECT

@@ -26,7 +26,7 @@ QString safeStartText(const char* words) {
     return QCoreApplication::translate("SafeStart", words);
 }
 
-/// The number in the name of a mark; 0 for another file.
+/// Returns the process number in the name of a mark; 0 for another file.
 int processOf(const fs::path& mark) {
     const std::string name = mark.filename().string();
     int process = 0;
@@ -43,7 +43,7 @@ bool runs(int process) {
 } // namespace
 
 StartMark::StartMark(const fs::path& folder) {
-    std::error_code ignored; // without a mark nothing is offered
+    std::error_code ignored; // without a mark no safe start is offered
     fs::create_directories(folder, ignored);
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
         const int process = processOf(entry.path());

@@ -134,7 +134,7 @@ void ShortcutSheet::followRow() {
     followKeys();
 }
 
-/// Says who has the keys before they are taken away.
+/// Says which command has the keys before they are taken from it.
 void ShortcutSheet::followKeys() {
     const Command* command = current();
     const QKeySequence keys = edit_->keySequence();

@@ -14,7 +14,8 @@ namespace patina {
 class CommandKeys;
 struct Command;
 
-/// Lists what every key and every drag does, searched by words, and gives commands other keys.
+/// Lists what every key and every drag does, filters the list by words, and gives commands other
+/// keys.
 class ShortcutSheet : public QDialog {
     Q_OBJECT
 

@@ -16,7 +16,7 @@
 namespace patina {
 namespace {
 
-/// The line is written at most this often while frames follow each other.
+/// milliseconds; the line is written at most this often while frames follow each other
 constexpr int settleMs = 100;
 constexpr int progressWidth = 230;
 constexpr int percent = 100;
@@ -32,7 +32,7 @@ StatusLine::StatusLine(Document& document, MessageLog& messages, QWidget* parent
     model_->setObjectName("statusModel");
     effects_->setObjectName("statusEffects");
     time_->setObjectName("statusTime");
-    // The list of effects gives way when the window is narrow; its tool tip has all of it.
+    // The list of effects shrinks when the window is narrow; its tool tip has all of it.
     effects_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     addWidget(model_);
     addWidget(effects_, 1);
@@ -60,7 +60,7 @@ StatusLine::StatusLine(Document& document, MessageLog& messages, QWidget* parent
     connect(&messages_, &MessageLog::changed, this, &StatusLine::showBadge);
     onChange(document_, DocumentChange::Current, &settle_, qOverload<>(&QTimer::start));
     showBadge();
-    setMinimumHeight(sizeHint().height()); // what comes and goes in it does not move the views
+    setMinimumHeight(sizeHint().height()); // parts that come and go do not move the views
 }
 
 void StatusLine::makeTaskRow() {
@@ -77,7 +77,7 @@ void StatusLine::makeTaskRow() {
     showTasks();
 }
 
-/// The oldest is told about, and how many there are.
+/// Shows the oldest task, and how many there are.
 void StatusLine::showTasks() {
     const std::vector<LongTasks::Row> rows = LongTasks::all().shown();
     progress_->setVisible(!rows.empty());
@@ -135,7 +135,7 @@ void StatusLine::showFrame() {
     showSamples();
 }
 
-/// How far the environment's light has settled.
+/// Shows how many samples of the environment's light the picture has.
 void StatusLine::showSamples() {
     const int samples = viewport_->frames().samples();
     samples_->setVisible(samples > 0);

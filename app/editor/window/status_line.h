@@ -17,21 +17,22 @@ namespace patina {
 
 class TaskPopup;
 
-/// The model, the effects in the shader, and the frame's time with how it was measured; what takes
-/// long; and how many messages there are.
+/// Shows the model, the effects in the shader, and the frame's time with the method by which it was
+/// measured; tasks that take long; and how many messages there are.
 class StatusLine : public QStatusBar {
     Q_OBJECT
 
   public:
     StatusLine(Document& document, MessageLog& messages, QWidget* parent = nullptr);
 
-    /// Whose frames are told about.
+    /// Sets the view whose frames are described; not null.
     void setViewport(Viewport* viewport);
 
     /// Sets how many effects the views do not show because they are switched off.
     void setSwitchedOff(int effects);
 
-    /// How far the sides of a comparison are apart; empty: nothing is known of that.
+    /// Shows how far the sides of a comparison are apart, with `details` as the tool tip; hidden
+    /// where `text` is empty.
     void setComparison(const QString& text, const QString& details);
 
   Q_SIGNALS:
@@ -56,7 +57,7 @@ class StatusLine : public QStatusBar {
     QLabel* samples_;
     QLabel* time_;
     QProgressBar* progress_;
-    QToolButton* tasks_; ///< says how many there are
+    QToolButton* tasks_; ///< says how many tasks run
     QPointer<TaskPopup> popup_;
     QToolButton* badge_;
     QToolButton* switched_; ///< says that effects are switched off

@@ -15,8 +15,8 @@ class QVBoxLayout;
 
 namespace patina {
 
-/// Lists what takes long: a line each with its name, how far it is, and a button that stops it. It
-/// goes when there is nothing more to list.
+/// Lists tasks that take long: a line each with its name, its progress, and a button that stops it.
+/// It closes when there is nothing left to list.
 class TaskPopup : public QFrame {
     Q_OBJECT
 

@@ -29,7 +29,7 @@ constexpr unsigned schemeUnset = 0;
 constexpr unsigned schemeDark = 1;
 constexpr unsigned schemeLight = 2;
 
-/// The few colours a look is made of.
+/// Holds the few colours a look is made of.
 struct Colours {
     QColor window, base, alternate, text, button, faint, hint, accent, accentText, edge;
 };
@@ -63,7 +63,7 @@ bool isDarkPalette(const QPalette& palette) {
            palette.color(QPalette::WindowText).lightness();
 }
 
-/// What GTK desktops without a portal write down.
+/// Tells whether the settings of GTK ask for a dark look, which desktops without a portal write.
 bool gtkPrefersDark() {
     if (qEnvironmentVariable("GTK_THEME").endsWith(QLatin1String(":dark"))) {
         return true;
@@ -110,7 +110,7 @@ void Theme::followDesktop() {
         const QDBusPendingReply<QDBusVariant> reply = *watcher;
         watcher->deleteLater();
         if (reply.isValid()) {
-            // Read() wraps its answer twice.
+            // Read() wraps its answer in two variants.
             const QVariant inner = reply.value().variant();
             setDesktopScheme(inner.canConvert<QDBusVariant>()
                                  ? inner.value<QDBusVariant>().variant().toUInt()
@@ -123,7 +123,7 @@ void Theme::settingChanged(const QString& group, const QString& key, const QDBus
     if (group != appearanceGroup || key != schemeKey) {
         return;
     }
-    // Some desktops go back from dark to no preference, and mean their usual light look.
+    // Some desktops change from dark to "no preference" when they mean their usual light look.
     const unsigned scheme = value.variant().toUInt();
     const unsigned usual = gtkPrefersDark() ? schemeDark : schemeLight;
     setDesktopScheme(scheme == schemeUnset ? usual : scheme);

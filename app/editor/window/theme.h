@@ -9,7 +9,8 @@ class QDBusVariant;
 
 namespace patina {
 
-/// Gives the application its palette and style, and follows the system while it is asked to.
+/// Sets the palette and the style of the application, and follows the system's look where the user
+/// chose that.
 class Theme : public QObject {
     Q_OBJECT
 

@@ -11,13 +11,14 @@
 namespace patina {
 namespace {
 
-/// Goes up when docks come, go or move, so that an older layout is not forced upon them.
+/// Is raised when docks are added, removed or moved, so that an older layout is not applied to
+/// them.
 constexpr int layoutVersion = 7;
 
 constexpr QSize preferredSize{1600, 1000};
 
-/// A title bar and edges, at least as large as desktops draw them: nobody knows before the window
-/// is shown.
+/// pixels of a title bar and edges, at least as large as desktops draw them; the true size is known
+/// only when the window is shown
 constexpr QSize usualFrame{12, 48};
 
 constexpr int narrowWindow = 1400;
@@ -77,8 +78,8 @@ void WindowLayout::bringToFront(const QString& name) const {
     dock(name)->raise();
 }
 
-/// The layout of a first start: the material's look on the left, its values on the right, the
-/// picture large in the middle.
+/// Applies the layout of a first start: the material's look on the left, its values on the right,
+/// and a large picture in the middle.
 void WindowLayout::arrange() {
     for (const auto& [place, dock] : firstDocks_) {
         dock->show();
@@ -86,7 +87,7 @@ void WindowLayout::arrange() {
     }
     hideBottom();
     if (messages_.count() >
-        messages_.noteCount()) { // of the files that were opened before the window came
+        messages_.noteCount()) { // about files that were opened before the window was shown
         bringToFront("messages");
     }
     const bool narrow = window_.width() < narrowWindow;
@@ -97,7 +98,7 @@ void WindowLayout::arrange() {
     window_.resizeDocks({dock("parameters"), dock("lights")}, {11, 10}, Qt::Vertical);
 }
 
-/// Messages and checks come when there is something to say.
+/// Hides the docks for messages and checks, which are shown when there is something to say.
 void WindowLayout::hideBottom() {
     for (const DockEntry& entry : entries_) {
         if (entry.place == DockPlace::Bottom) {

@@ -15,28 +15,31 @@ namespace patina {
 class LazyDock;
 class Session;
 
-/// Knows how large the window is and where its docks stand, at a first start and again at the next.
+/// Arranges the window and its docks: in the layout of a first start, or as they were when the
+/// program was closed.
 class WindowLayout {
   public:
-    /// Makes every dock. What the context has and the window outlive it.
+    /// Makes every dock. The window and what the context refers to outlive it.
     WindowLayout(QMainWindow& window, const DockContext& context);
     ~WindowLayout();
     WindowLayout(const WindowLayout&) = delete;
     WindowLayout& operator=(const WindowLayout&) = delete;
 
-    /// Null where there is none of that name.
+    /// Returns the dock of a name; null where there is none.
     QDockWidget* dock(const QString& name) const;
-    /// Returns what shows and hides each dock.
+    /// Returns the actions that show and hide each dock, in the order of dockList().
     std::vector<QAction*> dockActions() const;
     /// Shows a dock, which may lie behind other tabs.
     void bringToFront(const QString& name) const;
 
-    /// As it was when it was stored.
+    /// Restores the sizes and places that store() saved; a window that the session does not know
+    /// gets a usual size.
     void restore(const Session& session);
     void store(Session& session) const;
-    /// As at a first start, unless it was restored. The window has its size by now.
+    /// Arranges the docks as at a first start, unless a layout was restored. The window has to have
+    /// its size by now.
     void arrangeOnce();
-    /// Puts all docks back to where they stand at a first start.
+    /// Moves all docks back to where they stand at a first start.
     void reset();
 
   private:
@@ -47,7 +50,7 @@ class WindowLayout {
     const MessageLog& messages_;
     std::vector<DockEntry> entries_ = dockList();
     std::map<QString, LazyDock*> docks_;
-    std::map<DockPlace, QDockWidget*> firstDocks_; ///< the one that is on top at each place
+    std::map<DockPlace, QDockWidget*> firstDocks_; ///< holds the dock that is on top at each place
     bool isArranged_ = false;
 };
 
