@@ -32,7 +32,7 @@ Error named(Error error, const fs::path& file) {
     return error;
 }
 
-/// Tells the client how far the work is, but not more often than anyone could see.
+/// Sends the client the progress, but not more often than anyone could see.
 class Reporter {
   public:
     explicit Reporter(const Channel& channel) : channel_(channel) {}
@@ -50,7 +50,8 @@ class Reporter {
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-/// A duplicate, because a delivery is const here and the block wants to own its descriptor.
+/// Returns a duplicate of a handle, because a delivery is const here and the block has to own its
+/// descriptor.
 FileHandle duplicate(const FileHandle& handle) {
     return FileHandle(handle ? ::fcntl(handle.get(), F_DUPFD_CLOEXEC, 0) : -1);
 }
@@ -66,7 +67,7 @@ int FileServer::run() {
             return request.error() == Channel::Fault::closed ? 0 : 1;
         }
         if (!request->has_value()) {
-            continue; // woken by a signal
+            continue; // a signal woke it
         }
         if ((*request)->message.kind == MessageKind::warmImages) {
             images_.prefetch();
@@ -148,8 +149,8 @@ Result<FileServer::Answer> FileServer::readImage(const Message& request) {
     }
     int bits = 0;
     const bool asItIs = !request.numbers.empty() && request.numbers[0] != 0.0;
-    const auto image = asItIs ? (*codec)->readNumbers(request.texts[0], bits)
-                              : (*codec)->read(request.texts[0]);
+    const auto image =
+        asItIs ? (*codec)->readNumbers(request.texts[0], bits) : (*codec)->read(request.texts[0]);
     if (!image) {
         return tl::unexpected(image.error());
     }

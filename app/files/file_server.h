@@ -12,20 +12,21 @@
 
 namespace patina {
 
-/// Answers requests one at a time until the other side is gone. Whatever a library throws becomes
-/// an error answer.
+/// Answers requests one at a time until the client closes the channel. Exceptions of libraries
+/// become error answers.
 class FileServer {
   public:
     explicit FileServer(Channel channel);
 
-    /// Returns the exit status of the program.
+    /// Serves until the channel is closed and returns the exit status of the program: 1 where the
+    /// channel failed.
     int run();
 
   private:
     struct Answer {
         std::string remarks;
         FileHandle block;
-        std::shared_ptr<void> leftovers; ///< freed only when the client has its answer
+        std::shared_ptr<void> leftovers; ///< is freed only after the answer was sent
     };
 
     Result<Answer> answer(const Channel::Delivery& request);
@@ -39,7 +40,8 @@ class FileServer {
 
     Channel channel_;
     ImageModule images_;
-    std::vector<std::string> refusedLinks_; ///< of the mesh that was asked for
+    /// Paths that the last mesh names and that may not be read.
+    std::vector<std::string> refusedLinks_;
 };
 
 } // namespace patina

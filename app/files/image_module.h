@@ -8,14 +8,14 @@
 
 namespace patina {
 
-/// The module with the image formats, `patina-files-images.so` beside this program; loaded once,
-/// when first asked for.
+/// Loads the module with the image formats, `patina-files-images.so` beside this program, once,
+/// when it is first asked for.
 class ImageModule {
   public:
-    /// Begins to load it on another thread.
+    /// Starts loading the module on another thread.
     void prefetch();
 
-    /// Waits for the module. Errors: it is missing or does not fit.
+    /// Waits for the module. Fails where it is missing or does not fit.
     Result<const ImageCodec*> codec();
 
   private:

@@ -15,8 +15,8 @@ int main() {
         std::fputs("patina-files is started by patina and is of no use alone\n", stderr);
         return 2;
     }
-    // A file over the allowed size is then an error of the call that writes it.
+    // Without the signal a file over the allowed size is an error of the call that writes it.
     std::signal(SIGXFSZ, SIG_IGN);
-    // Not run to the end of main: the libraries' own clean-up has nothing to save.
+    // _exit() skips the libraries' clean-up, which has nothing to save.
     ::_exit(patina::FileServer(patina::Channel(patina::FileHandle(STDIN_FILENO))).run());
 }
