@@ -8,8 +8,8 @@
 
 namespace patina {
 
-/// Prints what was done for each preset of a bundle, and reports the rest as mistakes in `file`;
-/// false where anything was not done.
+/// Prints the name of each preset of a bundle that was written, and reports each problem as a
+/// mistake in `file`; returns false where there was one.
 bool tellOutcomes(const std::vector<BundleOutcome>& outcomes, const std::string& file);
 
 } // namespace patina

@@ -22,11 +22,12 @@ namespace {
 
 struct CheckOptions {
     std::string subject;
-    std::optional<std::size_t> cases; ///< nothing: every edge case, and 300 000 at least
+    std::optional<std::size_t> cases; ///< empty for every edge case and 300 000 cases at least
     bool json = false;
 };
 
-/// Blocks of that id, or of that "kind/id"; the same id may be a model and something else.
+/// Returns the blocks of that id, or of that "kind/id"; the same id may be a model and another
+/// block.
 std::vector<const Block*> blocksNamed(const Catalog& catalog, const std::string& name) {
     std::vector<const Block*> found;
     for (const Block& block : catalog.blocks) {
@@ -64,7 +65,8 @@ Checked<std::vector<EvalCase>> variantsOfBlocks(const Catalog& catalog, const st
     return variants;
 }
 
-/// A material's model as it is set, and its Fresnel block where the model has no slot for it.
+/// Returns a material's model as it is set, and its Fresnel block where the model has no slot for
+/// it.
 Checked<std::vector<EvalCase>> variantsOfPreset(const Catalog& catalog, const std::string& file) {
     const auto reading = readPreset(file, catalog);
     if (!reading) {
@@ -82,13 +84,13 @@ Checked<std::vector<EvalCase>> variantsOfPreset(const Catalog& catalog, const st
 }
 
 Checked<std::vector<EvalCase>> variantsOf(const Catalog& catalog, const std::string& subject) {
-    std::error_code ignored; // what cannot be looked at is no file
+    std::error_code ignored; // a path that cannot be examined is not a file
     const bool file =
         std::filesystem::is_regular_file(subject, ignored) || subject.ends_with(".json");
     return file ? variantsOfPreset(catalog, subject) : variantsOfBlocks(catalog, subject);
 }
 
-/// Tells of a sweep that was asked for fewer cases than there are.
+/// Says how many cases are left out of a sweep that was asked for fewer than there are.
 void tellLeftOut(const StabilitySweep& sweep, const SweepOptions& how) {
     const std::size_t leftOut = how.isWhole ? 0 : sweep.leftOut();
     if (leftOut > 0) {
@@ -138,7 +140,7 @@ void print(const StabilitySweep& sweep, const CheckOptions& options) {
     std::cout << writeJson(json);
 }
 
-/// What could not be looked at, on standard error.
+/// Writes to standard error what could not be checked.
 void remark(const StabilitySweep& sweep, const SweepOptions& how) {
     if (!sweep.withoutReference().empty()) {
         std::cerr << "not checked in double precision: " << sweep.withoutReference() << '\n';
@@ -151,7 +153,7 @@ void remark(const StabilitySweep& sweep, const SweepOptions& how) {
     }
 }
 
-/// The status of the program.
+/// Returns the exit status.
 Checked<int> check(const CheckOptions& options) {
     const Catalog catalog = loadCatalog(standardBlockRoots());
     report(catalog.errors);

@@ -31,7 +31,7 @@ void addCommands(CLI::App& program, int& status) {
     }
 }
 
-/// The library's words for an option that is given again speak of what it requires.
+/// Rewords the library's error for an option that is given twice, which speaks of what it requires.
 std::string inOurWords(const std::string& reason) {
     constexpr std::string_view theirs = ": At Most 1 required but received ";
     const std::size_t at = reason.find(theirs);
@@ -42,7 +42,8 @@ std::string inOurWords(const std::string& reason) {
     return reason.substr(0, at) + ": given " + times + " times; expected once";
 }
 
-/// Help and version go to standard output and succeed; everything else is a wrong command line.
+/// Prints help and version to standard output and returns 0; reports everything else as a mistake
+/// and returns 1.
 int answer(const CLI::App& program, const CLI::ParseError& reason) {
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&reason) != nullptr) {
         std::cerr << inOurWords(reason.what()) << "\nRun with --help for more information.\n";
@@ -63,7 +64,8 @@ bool isOneOf(std::string_view word, const std::vector<std::string>& names) {
     return std::find(names.begin(), names.end(), word) != names.end();
 }
 
-/// A word that is no file is a command, if a misspelt one.
+/// Tells whether a word can only be a command, perhaps a misspelt one: small letters, and not the
+/// name of a file.
 bool looksLikeACommand(std::string_view word) {
     const auto isLetter = [](unsigned char c) { return std::islower(c) != 0; };
     std::error_code status;

@@ -5,12 +5,12 @@
 
 namespace patina {
 
-/// True when the first argument of the program asks for the command line instead of the editor: a
-/// command (or a word that can only be one, misspelt), --help or --version.
+/// Tells whether the first argument of the program asks for the command line instead of the editor:
+/// a command (or a word that can only be a misspelt one), --help or --version.
 bool isCommand(std::string_view firstArgument);
 
-/// Runs `patina <command> ...` and gives the exit status: 0 for success, 130 where Ctrl-C has ended
-/// what took long, else 1. Results go to standard output, messages to standard error. Needs no
+/// Runs `patina <command> ...` and returns the exit status: 0 for success, 130 where Ctrl-C ended a
+/// long task, else 1. Results go to standard output, messages to standard error. It needs no
 /// display and no Qt.
 int runCommand(int argc, char** argv);
 

@@ -13,7 +13,7 @@ namespace patina {
 /// when it failed; what it prints follows cli.h.
 using AddCommand = void (*)(CLI::App& program, int& status);
 
-// The commands, one file each.
+// Each command has a file of its own name.
 void addCheck(CLI::App& program, int& status);
 void addCompare(CLI::App& program, int& status);
 void addCost(CLI::App& program, int& status);

@@ -26,7 +26,7 @@
 namespace patina {
 namespace {
 
-/// The colours of the sides A to D on a page.
+/// Gives the colours of the sides A to D on a page.
 constexpr std::array sideColors{"#f0a04b", "#5bb6e8", "#8fce6a", "#d58be0"};
 
 struct CompareOptions {
@@ -36,7 +36,7 @@ struct CompareOptions {
     std::string mode = "side";
 };
 
-/// One of the pictures that are compared.
+/// Holds one of the pictures that are compared.
 struct Side {
     char letter = 'A';
     Scene scene;
@@ -119,7 +119,7 @@ Image sideBySide(const std::vector<Side>& sides) {
     return all;
 }
 
-/// The error metrics of every side against the first, a line each.
+/// Returns the error metrics of every side against the first, one line each.
 std::vector<std::string> metrics(const std::vector<Side>& sides) {
     std::vector<std::string> lines;
     for (std::size_t i = 1; i < sides.size(); ++i) {

@@ -27,7 +27,7 @@ namespace {
 
 constexpr glm::ivec2 plotSize{960, 600};
 
-/// A preset's chart.
+/// Holds a preset's chart and error map.
 struct Measured {
     std::string name;
     CostChart chart;
@@ -35,7 +35,7 @@ struct Measured {
     std::vector<double> errors;
 };
 
-/// What is read of a preset before anything is measured.
+/// Holds what is read of a preset before anything is measured.
 struct Prepared {
     std::string preset;
     Scene scene;
@@ -63,14 +63,14 @@ Checked<Prepared> prepared(const std::string& preset, const CostRequest& options
     return Prepared{preset, std::move(setup->scene), std::move(*loaded), *environment};
 }
 
-/// What all measurements are made with.
+/// Holds what all measurements use.
 struct Tools {
     std::shared_ptr<const Catalog> catalog;
     AssetClient& files;
     LongWork& work;
 };
 
-/// Calls `measure` with what was prepared.
+/// Calls `measure` with what was prepared, and reports images that could not be read.
 template <class Measure>
 auto withSubject(const Prepared& subject, const CostRequest& options, const Tools& tools,
                  const Measure& measure) {
@@ -95,7 +95,7 @@ Result<void> writePlot(const CostChart& chart, const std::string& file) {
                                     : writeShown(plotImage(shapes, plotSize), file);
 }
 
-/// What the map compares with.
+/// Says what the error map compares with.
 std::string groundTruthOf(const Measured& measured) {
     const CostPoint* point = measured.chart.find(measured.mapped);
     return point != nullptr && measured.chart.isAgainstConverged(*point)
@@ -104,7 +104,7 @@ std::string groundTruthOf(const Measured& measured) {
                : measured.chart.groundTruth;
 }
 
-/// The chart and the map, where they are asked for.
+/// Writes the plot and the error map, where they are asked for.
 Result<void> writePictures(const Measured& measured, const CostRequest& options) {
     if (!options.errorMap.empty()) {
         const Image map = errorPicture(measured.errors, measured.chart.size);
@@ -125,7 +125,8 @@ std::string budgetText(const CostPoint& point, const BudgetAnswer& answer) {
                        point.cost.milliseconds.median, errorOf(point));
 }
 
-/// False when nothing fits the budget. `name` says of which chart it is, where there are several.
+/// Prints the best point within the budget; returns false when none fits. `name` tells charts apart
+/// where there are several, and is else empty.
 bool printBudget(const CostChart& chart, const CostRequest& options, const std::string& name) {
     const auto answer = bestFor({options.budgetMilliseconds, options.budgetError}, chart.points);
     if (!answer) {
@@ -196,7 +197,7 @@ Checked<bool> scale(const CostRequest& options, const Tools& tools) {
     return true;
 }
 
-/// Every preset is read before the first is measured, so that a mistake in the last one costs no
+/// Reads every preset before the first is measured, so that a mistake in the last one costs no
 /// measurement.
 Checked<std::vector<Prepared>> readAll(const std::vector<std::string>& presets,
                                        const CostRequest& options, const Catalog& catalog,
@@ -212,7 +213,7 @@ Checked<std::vector<Prepared>> readAll(const std::vector<std::string>& presets,
     return all;
 }
 
-/// What a chart is called that is of no preset.
+/// Returns the name of a chart: its preset, or else the model or the scene.
 std::string nameOf(const Prepared& subject, const CostRequest& options) {
     if (!subject.preset.empty()) {
         return subject.preset;
@@ -220,7 +221,7 @@ std::string nameOf(const Prepared& subject, const CostRequest& options) {
     return options.picture.model.empty() ? options.picture.scene : options.picture.model;
 }
 
-/// The charts of all presets, or of those that were begun before it was stopped.
+/// Measures the charts of all presets, or those begun before it was stopped.
 Checked<std::vector<Measured>> chartsOf(const std::vector<std::string>& presets,
                                         const CostRequest& options, const Tools& tools) {
     const auto subjects = readAll(presets, options, *tools.catalog, tools.files);
@@ -242,7 +243,7 @@ Checked<std::vector<Measured>> chartsOf(const std::vector<std::string>& presets,
     return all;
 }
 
-/// True when every budget could be met.
+/// Measures and prints charts; returns true when every budget could be met.
 Checked<bool> chart(const CostRequest& options, const Tools& tools) {
     const auto all = chartsOf(
         options.presets.empty() ? std::vector<std::string>(1) : options.presets, options, tools);
@@ -264,7 +265,7 @@ Checked<bool> chart(const CostRequest& options, const Tools& tools) {
     return met;
 }
 
-/// With what must stay: whatever is asked for.
+/// Measures what is asked for, with a context that stays current meanwhile.
 Checked<bool> measured(const CostRequest& options, LongWork& work) {
     const auto catalog = std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()));
     report(catalog->errors);
@@ -283,7 +284,7 @@ Checked<bool> measured(const CostRequest& options, LongWork& work) {
                              : chart(options, tools);
 }
 
-/// The status of the command.
+/// Returns the exit status of the command.
 int cost(const CostRequest& options) {
     if (const Errors wrong = checkRequest(options); !wrong.empty()) {
         report(wrong);

@@ -26,18 +26,18 @@ constexpr double marginRight = 150.0;
 constexpr double marginTop = 40.0;
 constexpr double marginBottom = 50.0;
 constexpr double dotRadius = 5.0;
-constexpr double ringRadius = 8.0; ///< around a dot, where both lie upon each other
+constexpr double ringRadius = 8.0; ///< larger than a dot, so that both are seen at one place
 constexpr double arrowLength = 22.0;
 constexpr double arrowHead = 4.0;
 
-/// Below this errors are the rounding of floats.
+/// Errors below this are the rounding of floats.
 constexpr double minError = 1e-7;
 
-/// A logarithmic axis.
+/// Maps exponents to pixels along a logarithmic axis.
 struct Axis {
-    double low = 1.0; ///< the powers of two or ten at its ends
+    double low = 1.0; ///< exponents at its ends, of base two or ten
     double high = 2.0;
-    double from = 0.0; ///< pixels
+    double from = 0.0; ///< pixels at the exponent `low`; `to` is at `high`
     double to = 1.0;
 
     double place(double exponent) const {
@@ -46,8 +46,8 @@ struct Axis {
 };
 
 struct Axes {
-    Axis time;  ///< powers of two
-    Axis error; ///< powers of ten
+    Axis time;  ///< has exponents of base two
+    Axis error; ///< has exponents of base ten
 
     glm::dvec2 place(double ratio, double error_) const {
         return {time.place(std::log2(ratio)), error.place(std::log10(std::max(error_, minError)))};
@@ -67,7 +67,7 @@ Axes axesOf(const CostChart& chart, glm::ivec2 size) {
             {std::log10(minError) - 0.3, std::ceil(worst + 0.1), size.y - marginBottom, marginTop}};
 }
 
-/// A power of ten as a share: "0.01 %".
+/// Returns a power of ten as a percentage: "0.01 %" of -4.
 std::string percentText(int power) {
     constexpr int ofHundred = 2;
     return fmt::format("{:.{}f} %", std::pow(10.0, power + ofHundred),
@@ -99,7 +99,7 @@ void addGrid(Shapes& shapes, const Axes& axes) {
                       "time to the exact one"});
 }
 
-/// What rings mean, where there are any.
+/// Explains the rings, where there are any.
 void addLegend(Shapes& shapes, const std::vector<Standing>& standing, glm::ivec2 size) {
     if (std::ranges::find(standing, Standing::Tie) != standing.end()) {
         const double left = size.x - 400.0;
@@ -125,7 +125,8 @@ void addFront(Shapes& shapes, const CostChart& chart, const Axes& axes,
     }
 }
 
-/// From the point of a bound to where its time may be: -1 is to the left.
+/// Draws an arrow from a point of which only a bound is known to where its time may be; a `side` of
+/// -1 points to the left.
 void addArrow(Shapes& shapes, const glm::dvec2& from, double side, const glm::dvec3& color) {
     const glm::dvec2 tip = from + glm::dvec2(arrowLength * side, 0.0);
     shapes.push_back({PlotShape::Kind::Line, from, tip, color, {}});
@@ -149,7 +150,7 @@ void addPoint(Shapes& shapes, const CostPoint& point, RatioBound bound, const Ax
     shapes.push_back({PlotShape::Kind::Line, left, right, color, {}});
 }
 
-/// The first one's label has the first choice of where it stands.
+/// Adds a label to each point on the front; the first point chooses first where its label goes.
 void addLabels(Shapes& shapes, const CostChart& chart, const Axes& axes, glm::ivec2 size) {
     std::vector<NamedPoint> named;
     for (const std::size_t i : frontAndTies(chart.points)) {
@@ -221,7 +222,7 @@ void drawLine(Image& image, const PlotShape& line) {
 void drawDot(Image& image, const PlotShape& dot) {
     const bool isRing = dot.kind == PlotShape::Kind::Ring;
     const int radius = static_cast<int>(isRing ? ringRadius : dotRadius);
-    const int hole = isRing ? (radius - 2) * (radius - 2) : -1; // of that radius, squared
+    const int hole = isRing ? (radius - 2) * (radius - 2) : -1; // its squared radius
     for (int y = -radius; y <= radius; ++y) {
         for (int x = -radius; x <= radius; ++x) {
             if (x * x + y * y <= radius * radius && x * x + y * y > hole) {

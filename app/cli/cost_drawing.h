@@ -12,8 +12,8 @@
 
 namespace patina {
 
-/// A line from `from` to `to`, a dot or a ring at `from`, or a text that begins there: pixels from
-/// the top left.
+/// Describes a line from `from` to `to`, a dot or a ring at `from`, or a text that begins there, in
+/// pixels from the top left.
 struct PlotShape {
     enum class Kind { Line, Dot, Ring, Text };
 
@@ -26,12 +26,12 @@ struct PlotShape {
     friend bool operator==(const PlotShape&, const PlotShape&) = default;
 };
 
-/// The chart as a drawing: the time to the right, the error upwards, both on logarithmic scales;
-/// bars show how sure the times are, a line the front, and rings what may be on it but for the
-/// noise.
+/// Returns the chart as a drawing of `size` pixels: the time to the right, the error upwards, both
+/// on logarithmic scales. Bars show how sure the times are, a line shows the front, and rings mark
+/// what may be on it within the noise.
 std::vector<PlotShape> costPlot(const CostChart& chart, glm::ivec2 size);
 
-/// Returns the drawing as an SVG file, and as a picture with sRGB values.
+/// Returns the drawing as the text of an SVG file.
 std::string plotSvg(const std::vector<PlotShape>& shapes, glm::ivec2 size);
 Image plotImage(const std::vector<PlotShape>& shapes, glm::ivec2 size);
 

@@ -21,21 +21,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What goes with the option that is asked for, or else with charts.
+/// Describes a combination of options that is not allowed.
 struct Combination {
     bool isWrong = false;
     const char* problem = "";
     const char* expected = "";
 };
 
-/// Rights alone do not tell: the system may be read-only, or not have files in that folder.
+/// Tells whether a file can be created, by trying: permissions say too little, as the system may be
+/// read-only or not allow files in that folder.
 bool canBeMade(const std::string& file) {
     const bool isMade = std::ofstream(file, std::ios::app).is_open();
     std::error_code none;
     return isMade && fs::remove(file, none);
 }
 
-/// Why a file cannot be written, or null. A name of no file, which is not asked for, can.
+/// Says why a file cannot be written; null where it can, and for an empty name, as no file is asked
+/// for.
 const char* whyUnwritable(const std::string& file) {
     if (file.empty()) {
         return nullptr;
@@ -57,18 +59,16 @@ bool isOneOf(const std::string& ending, std::initializer_list<std::string_view> 
     return std::ranges::find(known, ending) != known.end();
 }
 
-/// What would be left out silently is a mistake, and so is, before anything is measured, what could
-/// not be written afterwards.
+/// Returns the wrong combinations of options and the files that could not be written.
 Errors checkCombinations(const CostRequest& request) {
     const bool isOther = request.allModels || request.scaling;
     const bool isChart = request.hasBudget() || !request.plot.empty() ||
                          !request.errorMap.empty() || !request.errorMapOf.empty() ||
                          request.ofPicture || request.singles;
     const glm::ivec2 size = request.picture.size;
-    const bool isPlot =
-        request.plot.empty() || isOneOf(endingOf(request.plot), {".svg", ".png"});
-    const bool isMap = request.errorMap.empty() ||
-                       isOneOf(endingOf(request.errorMap), {".png", ".jpg", ".jpeg"});
+    const bool isPlot = request.plot.empty() || isOneOf(endingOf(request.plot), {".svg", ".png"});
+    const bool isMap =
+        request.errorMap.empty() || isOneOf(endingOf(request.errorMap), {".png", ".jpg", ".jpeg"});
     const char* plotProblem = whyUnwritable(request.plot);
     const char* mapProblem = whyUnwritable(request.errorMap);
     const char* place = "a file in a folder that exists and may be written to";
@@ -77,10 +77,9 @@ Errors checkCombinations(const CostRequest& request) {
                     "budgets, --plot, --error-map, --error-map-of, --picture and --singles are of "
                     "charts of presets",
                     "--all-models or --scaling without them"},
-        Combination{request.allModels && (!request.presets.empty() ||
-                                          !request.picture.model.empty()),
-                    "--all-models ranks models, and no material",
-                    "no preset and no --model beside it"},
+        Combination{
+            request.allModels && (!request.presets.empty() || !request.picture.model.empty()),
+            "--all-models ranks models, and no material", "no preset and no --model beside it"},
         Combination{request.scaling && size.x != size.y, "--scaling draws square pictures",
                     "a --size such as 256x256"},
         Combination{!isPlot, "a chart is drawn as .svg or .png", "such a file"},
@@ -96,7 +95,7 @@ Errors checkCombinations(const CostRequest& request) {
     return {};
 }
 
-/// "0.25" or "1/255"; nothing for what is no finite number.
+/// Reads a number such as "0.25" or "1/255"; returns nothing for what is not a finite number.
 std::optional<double> numberOrFraction(std::string_view text) {
     const std::size_t line = text.find('/');
     if (line == std::string_view::npos) {
@@ -180,9 +179,9 @@ Errors checkRequest(const CostRequest& request) {
         return wrong;
     }
     if (!request.errorMapOf.empty() && request.errorMap.empty()) {
-        return oneError(failure("--error-map-of names a way, but there is no map to draw",
-                                "--error-map FILE")
-                            .value());
+        return oneError(
+            failure("--error-map-of names a way, but there is no map to draw", "--error-map FILE")
+                .value());
     }
     const bool isOfOne = !request.plot.empty() || !request.errorMap.empty() || request.scaling;
     if (isOfOne && request.presets.size() > 1) {

@@ -13,7 +13,7 @@ namespace patina {
 /// Holds what `patina cost` is asked for.
 struct CostRequest {
     std::vector<std::string> presets;
-    PictureOptions picture; ///< its size is 0 unless given: as the machine is up to
+    PictureOptions picture; ///< its size is 0 unless given; it then depends on the device's speed
     std::optional<double> budgetMilliseconds;
     std::optional<double> budgetError;
     bool ofPicture = false;
@@ -24,7 +24,7 @@ struct CostRequest {
     bool csv = false;
     std::string plot;
     std::string errorMap;
-    std::string errorMapOf; ///< as levelsText() names a way; empty: not given
+    std::string errorMapOf; ///< names levels as levelsText() does; empty where not given
     double seconds = 60.0;
 
     bool hasBudget() const { return budgetMilliseconds || budgetError; }
@@ -33,11 +33,12 @@ struct CostRequest {
 /// Declares all options of the command.
 void addCostOptions(CLI::App& command, CostRequest& request);
 
-/// ".png" of "Errors.PNG"; empty where a name has none.
+/// Returns the extension of a file's name in small letters, as ".png" of "Errors.PNG"; empty where
+/// it has none.
 std::string endingOf(const std::string& file);
 
-/// Returns what is wrong with the request, before anything is measured: what would be left out
-/// silently and what could not be written afterwards are mistakes.
+/// Returns what is wrong with the request, before anything is measured: options that would have no
+/// effect, and files that could not be written afterwards.
 Errors checkRequest(const CostRequest& request);
 
 } // namespace patina

@@ -17,7 +17,7 @@
 namespace patina {
 namespace {
 
-/// The edges of a scaling's pictures, in 24ths of the largest one's.
+/// Lists the edges of a scaling's pictures, in 24ths of the largest one's.
 constexpr std::array partsOfEdge{3, 4, 6, 8, 12, 16, 24};
 constexpr int wholeEdge = 24;
 
@@ -31,7 +31,7 @@ CostSweep::Options sweepOptions(const CostRequest& options) {
     return wanted;
 }
 
-/// The pixel axis of a scaling whose largest picture has this edge.
+/// Returns the edges, in pixels, of a scaling whose largest picture has this edge.
 std::vector<int> edgesUpTo(int edge) {
     std::vector<int> edges;
     for (const int part : partsOfEdge) {
@@ -61,7 +61,7 @@ std::string stepText(const SweepStep& step) {
                        100.0 * step.share);
 }
 
-/// Said where it takes longer than it was given.
+/// Returns the message for work that takes longer than --seconds.
 std::string durationText(double seconds) {
     return fmt::format("about {:.0f} minutes: each frame of so many directions takes seconds here; "
                        "Ctrl-C ends with what is measured by then\n",
@@ -76,11 +76,10 @@ tl::unexpected<Errors> nothingYet() {
 } // namespace
 
 Checked<Sweep> swept(CostSweep::Subject subject, const CostRequest& options, LongWork& work) {
-    const auto named = namedWay(options.ofPicture
-                                    ? choicesOfPicture(subject.scene, *subject.catalog)
-                                    : materialChoices(subject.scene, subject.object,
-                                                      *subject.catalog),
-                                options);
+    const auto named = namedWay(
+        options.ofPicture ? choicesOfPicture(subject.scene, *subject.catalog)
+                          : materialChoices(subject.scene, subject.object, *subject.catalog),
+        options);
     if (!named) {
         return tl::unexpected(oneError(named.error()));
     }

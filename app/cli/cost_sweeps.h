@@ -10,15 +10,16 @@
 
 namespace patina {
 
-/// A chart, and where one of its points goes wrong.
+/// Holds a chart, and the errors of one of its points per pixel.
 struct Sweep {
     CostChart chart;
     ChosenLevels mapped;
-    std::vector<double> errors; ///< as CostSweep::errorMap(); empty where it is not asked for
+    /// Holds what CostSweep::errorMap() returns; empty where no map is asked for.
+    std::vector<double> errors;
 };
 
-/// Returns what `patina cost` measures, with a context current. Work that is stopped ends with what
-/// it has, or with an error where it has nothing.
+/// Returns what `patina cost` measures; a context has to be current. Work that is stopped ends with
+/// what it has, or with an error where it has nothing.
 Checked<Sweep> swept(CostSweep::Subject subject, const CostRequest& options, LongWork& work);
 Checked<std::vector<ScalingCurve>> scaled(CostSweep::Subject subject, const CostRequest& options,
                                           LongWork& work);

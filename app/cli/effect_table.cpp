@@ -14,13 +14,13 @@ double percentOf(double milliseconds, const EffectCosts& costs) {
     return costs.frame.median > 0.0 ? 100.0 * milliseconds / costs.frame.median : 0.0;
 }
 
-/// A row and how many rows it lies within.
+/// Holds a row and how many rows enclose it.
 struct PlacedRow {
     const EffectRow* row;
     std::size_t depth = 0;
 };
 
-/// Adds a row, once, then what lies within it.
+/// Adds a row, unless it is there, and then the rows within it.
 void place(const EffectRow& row, std::size_t depth, const std::vector<EffectRow>& rows,
            std::vector<PlacedRow>& placed) {
     if (std::ranges::find(placed, &row, &PlacedRow::row) != placed.end()) {
@@ -34,7 +34,8 @@ void place(const EffectRow& row, std::size_t depth, const std::vector<EffectRow>
     }
 }
 
-/// Each row behind the one that it lies within; whose is not in the list, at the end.
+/// Returns each row after the row that it lies within; rows whose enclosing row is not in the list
+/// come last.
 std::vector<PlacedRow> placedRows(const std::vector<EffectRow>& rows) {
     std::vector<PlacedRow> placed;
     for (const EffectRow& row : rows) {
@@ -61,20 +62,20 @@ std::string timeText(double milliseconds, const EffectCosts& costs) {
     return fmt::format("{:8.3f} ms {:5.1f} %", milliseconds, percentOf(milliseconds, costs));
 }
 
-/// "   1.234 ms   9.8 % (1.200 .. 1.300)", with a mark behind the share where too few pairs tell.
+/// Returns a row's cost, as in "   1.234 ms   9.8 % (1.200 .. 1.300)", with a "!" after the share
+/// where too few pairs were timed.
 std::string costText(const EffectRow& row, const EffectCosts& costs) {
     const EffectCost* cost = costs.of(row.line.effect);
     if (cost == nullptr) {
         return !row.in ? "" : row.removable ? "       no time for it" : "cannot be left out";
     }
-    const std::string interval =
-        fmt::format("{} ({:.3f} .. {:.3f})", cost->isSure() ? "" : " !",
-                    cost->milliseconds.lower, cost->milliseconds.upper);
+    const std::string interval = fmt::format("{} ({:.3f} .. {:.3f})", cost->isSure() ? "" : " !",
+                                             cost->milliseconds.lower, cost->milliseconds.upper);
     return cost->belowNoise() ? "       below noise" + interval
                               : timeText(cost->milliseconds.median, costs) + interval;
 }
 
-/// Characters of UTF-8 text.
+/// Returns the number of characters of a UTF-8 text.
 std::size_t width(const std::string& text) {
     return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
         return (static_cast<unsigned char>(c) & 0xc0u) != 0x80u;
@@ -103,18 +104,17 @@ std::string totalText(const EffectTable& table) {
     const double sum = sumOf(costs, table.rows);
     const bool isPart = std::ranges::any_of(
         table.rows, [&costs](const EffectRow& row) { return hasNoTime(row, costs); });
-    return fmt::format("\neffects that are within none  {}\n"
-                       "{}  {}\n"
-                       "the whole frame               {} ({:.3f} .. {:.3f})\n"
-                       "{} x {} pixels, {} pairs of frames for each effect, {}; {}\n",
-                       timeText(sum, costs),
-                       isPart ? "the rest, some effects too  " : "the rest, which is no effect",
-                       timeText(costs.rest, costs), timeText(costs.frame.median, costs),
-                       costs.frame.lower, costs.frame.upper, costs.size.x, costs.size.y,
-                       costs.pairs, costs.method,
-                       costs.secondsNeeded > 0.0
-                           ? "medians; ! too few pairs for an interval of 95 %"
-                           : "medians with intervals of 95 %");
+    return fmt::format(
+        "\neffects that are within none  {}\n"
+        "{}  {}\n"
+        "the whole frame               {} ({:.3f} .. {:.3f})\n"
+        "{} x {} pixels, {} pairs of frames for each effect, {}; {}\n",
+        timeText(sum, costs),
+        isPart ? "the rest, some effects too  " : "the rest, which is no effect",
+        timeText(costs.rest, costs), timeText(costs.frame.median, costs), costs.frame.lower,
+        costs.frame.upper, costs.size.x, costs.size.y, costs.pairs, costs.method,
+        costs.secondsNeeded > 0.0 ? "medians; ! too few pairs for an interval of 95 %"
+                                  : "medians with intervals of 95 %");
 }
 
 nlohmann::json rowJson(const EffectRow& row, const std::optional<EffectCosts>& costs) {

@@ -15,11 +15,11 @@ namespace patina {
 /// Says which object of a scene is shown.
 struct ShownObject {
     std::string name;       ///< may be empty
-    std::size_t number = 1; ///< from 1
-    std::size_t count = 1;  ///< of the scene's objects
+    std::size_t number = 1; ///< counted from 1
+    std::size_t count = 1;  ///< counts the scene's objects
 };
 
-/// Returns "Ball, object 1 of 3".
+/// Returns a text such as "Ball, object 1 of 3".
 std::string objectText(const ShownObject& object);
 
 /// Holds what `patina effects` prints: the effects of one object, and what they cost where that was
@@ -30,7 +30,7 @@ struct EffectTable {
     std::optional<EffectCosts> costs;
 };
 
-/// Returns it for people: a line for each effect, then the total.
+/// Returns the table as text: a line for each effect, then the total.
 std::string tableText(const EffectTable& table);
 
 nlohmann::json tableJson(const EffectTable& table);

@@ -31,7 +31,7 @@
 namespace patina {
 namespace {
 
-/// What the frames that are timed have where the command line does not say.
+/// pixels; the size of timed frames where the command line gives none
 constexpr glm::ivec2 usualSize{384, 384};
 
 struct EffectsOptions {
@@ -40,12 +40,12 @@ struct EffectsOptions {
     bool source = false;
     bool json = false;
     bool noCost = false;
-    bool hasSize = false; ///< the size is the command line's
+    bool hasSize = false; ///< the command line gives the size
     double seconds = 10.0;
-    std::optional<std::string> object; ///< its name, or its number from 1; none: the first one
+    std::optional<std::string> object; ///< its name, or its number from 1; empty for the first one
 };
 
-/// A scene and the object of the options, counted from 0.
+/// Holds a scene and the index of the object that the options name.
 struct Shown {
     const Scene& scene;
     std::size_t object = 0;
@@ -70,15 +70,15 @@ std::vector<std::size_t> objectsNamed(const Scene& scene, const std::string& nam
     return objects;
 }
 
-/// The number that a text is; 0 where it is none.
+/// Returns the number that a whole text is; 0 where it is none.
 std::size_t numberIn(const std::string& text) {
     std::size_t number = 0;
     const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
     return status == std::errc() && end == text.data() + text.size() ? number : 0;
 }
 
-/// A name is taken before a number, so that an object called "2" can be had. No object is called
-/// nothing.
+/// Finds the object of a name, or else of a number, so that an object called "2" can be named. An
+/// empty name finds none.
 Result<std::size_t> chosenObject(const Scene& scene, const std::string& wanted) {
     const std::vector<std::size_t> named =
         wanted.empty() ? std::vector<std::size_t>() : objectsNamed(scene, wanted);
@@ -100,7 +100,7 @@ Result<std::size_t> chosenObject(const Scene& scene, const std::string& wanted) 
                        : fmt::format("a name, or a number from 1 to {}", scene.objects.size()));
 }
 
-/// That the time is too short for certain costs, and what would be enough.
+/// Reports that the time is too short for certain costs, and what would be enough.
 void reportShortTime(const EffectCosts& costs, const EffectsOptions& options) {
     if (costs.secondsNeeded > 0.0) {
         report(oneError(
@@ -112,7 +112,7 @@ void reportShortTime(const EffectCosts& costs, const EffectsOptions& options) {
     }
 }
 
-/// The costs; nothing, and a remark, where there is no graphics driver.
+/// Measures the costs; returns nothing, after a remark, where there is no graphics driver.
 Checked<std::optional<EffectCosts>> measured(EffectCostMeter::Subject subject,
                                              const EffectsOptions& options) {
     EffectCostMeter::Options wanted;
@@ -147,7 +147,7 @@ ShownObject shownObject(const Shown& subject) {
             subject.scene.objects.size()};
 }
 
-/// The images of a scene.
+/// Holds the images of a scene.
 struct Images {
     TextureLoader textures;
     std::shared_ptr<const EnvironmentImage> environment;
@@ -176,7 +176,7 @@ Checked<void> printTable(const Shown& subject, const EffectsOptions& options,
     return {};
 }
 
-/// The object's program, and that of its outline where it has one.
+/// Returns the object's program, and that of its outline where it has one.
 Checked<std::vector<ProgramSource>> programsOf(const EffectSet& set, const Catalog& catalog) {
     std::vector<ProgramSource> programs;
     for (const bool isOutline : {false, true}) {
@@ -209,8 +209,8 @@ void printStages(const std::string& name, const ProgramSource& program,
     std::cout << markedSource(name + "fragment stage", program.fragment, lines);
 }
 
-/// The program for what the table shows: seen from the scene's camera. An object that is not drawn
-/// has none.
+/// Prints the program of the object as it is seen from the scene's camera. Fails for an object that
+/// is not drawn.
 Checked<void> printSource(const Shown& subject, const EffectsOptions& options,
                           const Catalog& catalog, Images& images) {
     const auto& [scene, object, meshes] = subject;

@@ -39,7 +39,7 @@ bool allFinite(std::span<const double> numbers) {
     return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
 }
 
-/// A light answers with its direction as well.
+/// Writes the answer of a case; a light's also has the direction to it.
 std::string valueLine(const EvalCase& request, std::span<const double> numbers) {
     const std::string id = request.id.dump(-1, ' ', true);
     const bool isLibrary = request.subject == EvalCase::Subject::Function;
@@ -50,7 +50,7 @@ std::string valueLine(const EvalCase& request, std::span<const double> numbers) 
     return fmt::format("{{\"id\": {}, \"value\": {}}}\n", id, jsonList(numbers));
 }
 
-/// The answer to a line, or the case that is kept for the GPU.
+/// Holds the answer to a line, or the case that waits for the GPU.
 struct Answer {
     std::string text;
     std::optional<EvalCase> waiting;
@@ -82,7 +82,8 @@ Answer answerTo(std::string_view line, const Catalog& catalog) {
     return answered(*read.request, evaluatedInDouble(*read.request));
 }
 
-/// Runs `work(first, last)` over parts of 0 .. count on all cores; a few are not worth a thread.
+/// Runs `work(first, last)` over parts of 0 .. count on all cores; small counts get no threads of
+/// their own.
 template <class Work>
 void inParallel(std::size_t count, const Work& work) {
     constexpr std::size_t worthAThread = 256;
@@ -100,13 +101,13 @@ void inParallel(std::size_t count, const Work& work) {
     }
 }
 
-/// Answers lines in their order, many at a time. Cases for the GPU are kept back, and what follows
-/// them with them, until there are many or no more lines.
+/// Answers lines in their order, many at a time. Cases for the GPU, and all answers after them,
+/// wait until there are many or no more lines.
 class Evaluation {
   public:
     explicit Evaluation(const Catalog& catalog) : catalog_(catalog) {}
 
-    /// The answer comes with the next call of answer() or finish().
+    /// Takes a line; its answer comes with a later call of answer() or finish().
     void take(std::string line) {
         bytes_ += line.size();
         lines_.push_back(std::move(line));
@@ -115,7 +116,7 @@ class Evaluation {
         }
     }
 
-    /// Writes what can be known without waiting for more cases.
+    /// Computes the lines that were taken, and writes the answers unless cases wait for the GPU.
     void answer() {
         const std::size_t before = answers_.size();
         answers_.resize(before + lines_.size());
@@ -134,7 +135,7 @@ class Evaluation {
         }
     }
 
-    /// Writes everything.
+    /// Writes all answers that are left.
     void finish() {
         answer();
         write();
@@ -145,7 +146,7 @@ class Evaluation {
   private:
     static constexpr std::ptrdiff_t enough = 1 << 17;  ///< GPU cases kept in memory at a time
     static constexpr std::size_t maxLines = 1u << 14;  ///< lines answered at a time
-    static constexpr std::size_t maxBytes = 16u << 20; ///< of them
+    static constexpr std::size_t maxBytes = 16u << 20; ///< bytes of lines answered at a time
 
     void write() {
         answerWaiting();
@@ -181,7 +182,7 @@ class Evaluation {
     bool failedOnce_ = false;
 };
 
-/// True when every line had a value.
+/// Answers all lines of standard input; returns true when every line had a value.
 bool evaluateAll(const Catalog& catalog) {
     std::ios::sync_with_stdio(false);
     std::cin.tie(nullptr);
@@ -192,7 +193,7 @@ bool evaluateAll(const Catalog& catalog) {
             continue;
         }
         evaluation.take(std::move(line));
-        if (std::cin.rdbuf()->in_avail() <= 0) { // whoever wrote it may be waiting for its answer
+        if (std::cin.rdbuf()->in_avail() <= 0) { // the writer may be waiting for its answer
             evaluation.answer();
             std::cout.flush();
         }
@@ -243,7 +244,7 @@ An answer is {"id": ..., "value": ...}, or has an "error" in place of the value.
 Some blocks have more functions, which a case names by its key "call":
 )";
 
-/// What a function takes, as keys of a line.
+/// Returns the arguments of a function as keys of a line.
 std::string keysText(const BlockFunction& function) {
     std::string text;
     const auto add = [&text](std::string_view key) { text += fmt::format(", \"{}\": ...", key); };
@@ -256,7 +257,7 @@ std::string keysText(const BlockFunction& function) {
     return text;
 }
 
-/// The functions behind the first one of each kind.
+/// Returns help on the functions of each kind after its first one.
 std::string callsText() {
     std::string text;
     for (const BlockKind& kind : blockKinds()) {

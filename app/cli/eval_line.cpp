@@ -40,7 +40,7 @@ Result<void> checkKeys(const Json& json, std::vector<std::string> known) {
     return {};
 }
 
-/// One number stands for three where a colour or the like is wanted.
+/// Repeats a single number three times where a colour or the like is wanted.
 Json asWanted(const Parameter& parameter, const Json& json) {
     const bool three = componentCount(parameter.type) == 3;
     if (three && json.is_number()) {
@@ -123,7 +123,8 @@ Result<EvalBlock> readBlock(const Catalog& catalog, std::string_view kind, const
     return EvalBlock{block, *values, *levels};
 }
 
-/// {"id": ..., "parameters": {...}, "accuracy": {...}}, or the id alone.
+/// Reads a block that is written as {"id": ..., "parameters": {...}, "accuracy": {...}}, or as the
+/// id alone.
 Result<EvalBlock> readNested(const Catalog& catalog, std::string_view kind, const Json& json) {
     const Json& id = json.is_object() ? json.value("id", Json()) : json;
     if (!id.is_string()) {
@@ -135,7 +136,7 @@ Result<EvalBlock> readNested(const Catalog& catalog, std::string_view kind, cons
                      json.is_object() ? json.value("accuracy", none) : none);
 }
 
-/// Where on the picture, for models that draw marks; (0, 0) unless it is given.
+/// Reads the pixel, for models that draw marks; (0, 0) unless it is given.
 Result<void> readPixel(const Json& json, EvalCase& request) {
     if (!json.contains("pixel")) {
         return {};
@@ -191,7 +192,7 @@ Result<void> checkModelKeys(const Json& json) {
     return checkKeys(json, known);
 }
 
-/// A block that the model has no place for would not change the answer.
+/// Fails for a block that the model has no slot for, as it would not change the answer.
 Result<void> checkParts(const Json& json, const Block& model) {
     for (const std::string_view kind : partKinds(BlockOwner::Material)) {
         const auto part = json.find(kind);
@@ -227,7 +228,7 @@ Result<EvalCase> readModel(const Json& json, const Catalog& catalog, EvalCase re
     return request;
 }
 
-/// A block of a slot that is a function of directions as a model is.
+/// Reads a block of a slot that is a function of directions, as a model is.
 Result<EvalCase> readSurfacePart(const Json& json, const Catalog& catalog, EvalCase request,
                                  const BlockKind& kind) {
     const std::string key(kind.singular);
@@ -241,7 +242,7 @@ Result<EvalCase> readSurfacePart(const Json& json, const Catalog& catalog, EvalC
     return frame ? Result<EvalCase>(request) : tl::unexpected(frame.error());
 }
 
-/// Where fog is looked through: from the origin along -z unless it is given.
+/// Reads the ray through fog: from the origin along -z unless it is given.
 Result<EvalCase> readRay(const Json& json, EvalCase request) {
     request.v = {0.0, 0.0, -1.0};
     if (json.contains("direction")) {
@@ -260,7 +261,7 @@ Result<EvalCase> readRay(const Json& json, EvalCase request) {
     return request;
 }
 
-/// A block that is a function of a number, of a point or of a ray.
+/// Reads a block that is a function of a number, of a point or of a ray.
 Result<EvalCase> readAlone(const Json& json, const Catalog& catalog, EvalCase request,
                            const BlockKind& kind) {
     const std::string key(kind.singular);
@@ -296,7 +297,7 @@ Result<EvalCase> readAlone(const Json& json, const Catalog& catalog, EvalCase re
     return isFog ? readRay(json, request) : Result<EvalCase>(request);
 }
 
-/// A direction made unit; what is that up to the rounding of floats stays as it is.
+/// Reads a direction and normalizes it, unless it is of unit length up to the rounding of floats.
 Result<glm::dvec3> readUnit(const Json& json, const std::string& key) {
     glm::dvec3 direction;
     return readDirection(json, key, direction).map([&direction] {
@@ -305,7 +306,7 @@ Result<glm::dvec3> readUnit(const Json& json, const std::string& key) {
     });
 }
 
-/// A number within the field's range, three times, or a colour.
+/// Reads a number within the field's range, which fills all three components, or a colour.
 Result<glm::dvec3> readNumbers(const Json& json, const ArgumentField& field) {
     const std::string key(field.key);
     const Result<glm::dvec3> value =
@@ -328,7 +329,7 @@ Result<glm::dvec3> readNumbers(const Json& json, const ArgumentField& field) {
     return value;
 }
 
-/// The numbers of one field; those of `before` are the direction before it.
+/// Reads the numbers of one field; `before` is the direction read before it.
 Result<glm::dvec3> readField(const Json& json, const ArgumentField& field,
                              const glm::dvec3& before) {
     const std::string key(field.key);
@@ -349,7 +350,7 @@ Result<glm::dvec3> readField(const Json& json, const ArgumentField& field,
     return readNumbers(json, field);
 }
 
-/// A block that is a function of the fields of a struct.
+/// Reads a block that is a function of the fields of a struct.
 Result<EvalCase> readFields(const Json& json, const Catalog& catalog, EvalCase request,
                             const BlockKind& kind) {
     const std::string key(kind.singular);
@@ -379,7 +380,7 @@ Result<EvalCase> readFields(const Json& json, const Catalog& catalog, EvalCase r
     return request;
 }
 
-/// The function of the kind that is called: its first one unless it is given.
+/// Returns the function of the kind that is called: its first one unless "call" is given.
 Result<const BlockFunction*> readCall(const Json& json, const BlockKind& kind) {
     const Json wanted = json.value("call", Json(kind.functions.front().suffix));
     std::vector<std::string> names;
@@ -396,7 +397,7 @@ Result<const BlockFunction*> readCall(const Json& json, const BlockKind& kind) {
                    names.empty() ? "no \"call\"" : oneOf(word, names));
 }
 
-/// A function of a block by itself.
+/// Reads a case that calls a function of a block on its own.
 Result<EvalCase> readBlockCase(const Json& json, const Catalog& catalog, EvalCase request,
                                const BlockKind& kind) {
     const Result<const BlockFunction*> called = readCall(json, kind);
@@ -468,7 +469,8 @@ Result<EvalCase> readCase(const Json& json, const Catalog& catalog) {
     return failure("nothing to evaluate", keys + " or function");
 }
 
-/// The id in a line that is no JSON, so that its error still finds its way back.
+/// Finds the id in a line that is not valid JSON, so that the writer can match the error to its
+/// line.
 Json idInBrokenLine(std::string_view line) {
     static const std::regex form(R"re("id"\s*:\s*("[^"\\]*"|-?[0-9]{1,18}))re");
     const std::string start(line.substr(0, 1000));

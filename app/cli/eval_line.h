@@ -7,7 +7,7 @@
 
 namespace patina {
 
-/// A case, or what is wrong with it. The id is what could be read of it.
+/// Holds a case, or what is wrong with it. `id` is null where it could not be read.
 struct EvalLine {
     nlohmann::json id;
     Result<EvalCase> request;

@@ -10,8 +10,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A direction of any length with one that floats can hold and square, scaled by a power of two so
-/// that no digit changes.
+/// Scales a direction of any length to one whose square floats can hold, by a power of two so that
+/// no digit changes.
 glm::dvec3 ofUsualLength(const glm::dvec3& v) {
     const double size = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
     constexpr double usual = 0x1p30;

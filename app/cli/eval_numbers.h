@@ -14,8 +14,8 @@ namespace patina {
 Result<double> number(const nlohmann::json& json, const std::string& key);
 Result<glm::dvec3> vector(const nlohmann::json& json, const std::string& key);
 
-/// A vector that says a direction: any but one without length. Very long and very short ones are
-/// scaled, in all digits, to what a float holds.
+/// Reads a direction, which may have any length but 0, into `target`. Very long and very short ones
+/// are scaled by a power of two into the range of floats.
 Result<void> readDirection(const nlohmann::json& json, const std::string& key, glm::dvec3& target);
 
 } // namespace patina

@@ -33,7 +33,7 @@ class BundlePictures {
     explicit BundlePictures(std::shared_ptr<const Catalog> catalog)
         : catalog_(std::move(catalog)) {}
 
-    /// A PNG file's bytes.
+    /// Returns the bytes of a PNG file.
     Checked<std::string> draw(const SceneSetup& setup) {
         files_.setRights(setup.rights);
         if (!maker_) {

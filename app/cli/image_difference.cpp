@@ -10,7 +10,7 @@ namespace patina {
 ImageDifference difference(const Image& a, const Image& b) {
     assert(a.pixels.size() == b.pixels.size() && a.channels == b.channels);
     constexpr double step = 1.0 / 255.0;
-    constexpr double rounding = 1e-6; // a step between two floats is not quite a step
+    constexpr double rounding = 1e-6; // a step between two floats is not exactly 1/255
     const int colors = std::min(a.channels, 3);
     const std::size_t pixels = std::size_t(a.width) * std::size_t(a.height);
     double squares = 0.0;

@@ -7,9 +7,10 @@ namespace patina {
 
 /// Says how far two display images of the same size are apart. Channel values are 0 .. 1.
 struct ImageDifference {
-    double rootMeanSquare = 0.0; ///< over all channels but alpha
+    double rootMeanSquare = 0.0; ///< taken over all channels but alpha
     double largest = 0.0;
-    double changedShare = 0.0; ///< of pixels that differ by at least one 8-bit step in a channel
+    /// Share of the pixels, 0 .. 1, that differ by at least one 8-bit step in a channel.
+    double changedShare = 0.0;
 };
 
 ImageDifference difference(const Image& a, const Image& b);

@@ -5,8 +5,8 @@
 
 namespace patina {
 
-/// Work that may take minutes, of which there is one at a time: Ctrl-C asks for its end, so that
-/// what is done by then can be shown; pressed again it ends the program at once.
+/// Lets Ctrl-C stop work that may take minutes: the first press asks it to stop, so that what is
+/// done by then can be shown; the second ends the program at once. Only one may exist at a time.
 class LongWork {
   public:
     LongWork();
@@ -16,10 +16,10 @@ class LongWork {
 
     bool isStopped() const;
 
-    /// Writes how far it is over what was told before; only where somebody watches.
+    /// Writes the progress to standard error over the text before; only where that is a terminal.
     void tell(const std::string& text);
 
-    /// The status of a program that Ctrl-C has ended, as shells have it.
+    /// The exit status that shells expect of a program that Ctrl-C has ended.
     static constexpr int stoppedStatus = 130;
 
   private:

@@ -6,13 +6,13 @@
 
 namespace patina {
 
-/// The levels of --error-map-of, without those that are exact; none where it is not given. The
-/// error names what is no level of these choices.
+/// Returns the levels of --error-map-of, without those that are exact; none where it is not given.
+/// Fails where a level is not one of these choices.
 Result<ChosenLevels> namedWay(const std::vector<Choice>& choices, const CostRequest& options);
 
-/// The point whose errors are drawn: the one of the way that is named, which has been measured, or
-/// the one that the budget buys, or else the fastest one that is worth choosing; where that is the
-/// exact one, whose map is black, the one that is off by most.
+/// Returns the point whose errors are drawn: the one that is named, which has been measured, or the
+/// one that the budget selects, or else the fastest one on the front. Where that is the exact one,
+/// whose map would be black, it returns the one with the largest error.
 const CostPoint& mappedPoint(const CostChart& chart, const ChosenLevels& named,
                              const CostRequest& options);
 

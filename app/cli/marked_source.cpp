@@ -13,7 +13,7 @@
 namespace patina {
 namespace {
 
-/// The index of the file that a "#line N S" starts; nothing for any other line.
+/// Returns the name of the file that a "#line N S" starts; null for any other line.
 const std::string* fileStarting(std::string_view line, const ShaderSource& source) {
     if (!line.starts_with("#line ")) {
         return nullptr;
@@ -24,7 +24,7 @@ const std::string* fileStarting(std::string_view line, const ShaderSource& sourc
     return index < source.files.size() ? &source.files[index] : nullptr;
 }
 
-/// Effects whose code is in files of the passes that are called otherwise than these effects.
+/// Maps the start of file names in passes/ to that of effects which have another name.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 5> effectsOfPasses{{
     {"textures", "texture/"},
     {"image_place", "texture/"},
@@ -33,8 +33,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 5> effectsOf
     {"shadow", "shadows/"},
 }};
 
-/// Tells whether a file, by its folder and its name without an ending, is that of an effect. Those
-/// of the passes begin with the name of an effect or of a kind of them: passes/fog.glsl.
+/// Tells whether a file, given by its folder and its name without an extension, belongs to an
+/// effect. Files in passes/ begin with the name of an effect or of its kind, as passes/fog.glsl.
 bool belongsTo(const std::string& folder, const std::string& stem, const std::string& effect) {
     if (folder != "passes") {
         return effect == folder + '/' + stem;
@@ -76,7 +76,7 @@ std::string markedSource(std::string_view title, const ShaderSource& source,
         if (const std::string* file = fileStarting(line, source)) {
             current = file;
         } else {
-            // One that only leads back to another file has no line of its own.
+            // A "#line" that only returns to another file has no line of its own.
             out += current != announced && current != nullptr ? markOf(*current, effects) : "";
             announced = current;
             out.append(line).append("\n");

@@ -10,8 +10,8 @@
 
 namespace patina {
 
-/// A stage's text for people: where a file's part begins a comment names the file and, where it is
-/// that of an effect, the effect and why it is in.
+/// Returns the text of a shader stage for reading: a comment before each file's part names the file
+/// and, where it belongs to an effect, the effect and why it is in.
 std::string markedSource(std::string_view title, const ShaderSource& source,
                          const std::vector<EffectLine>& effects);
 

@@ -25,7 +25,7 @@ std::string joined(const std::vector<EnumValue>& values) {
     return out;
 }
 
-/// The last character of a JSON file is a newline, which a table has no use for.
+/// Returns a default value as JSON without the newline at its end.
 std::string defaultOf(const Parameter& parameter) {
     if (std::holds_alternative<NumberList>(parameter.defaultValue)) {
         return textOf(parameter.defaultValue);
@@ -57,7 +57,7 @@ void printBlock(const Block& block) {
     std::cout << '\n';
 }
 
-/// The lighting models first, then the kinds of block around them.
+/// Returns the kinds of blocks, with the lighting models first.
 std::vector<std::string> kindsOf(const Catalog& catalog) {
     std::vector<std::string> kinds;
     for (const Block& block : catalog.blocks) {
@@ -70,7 +70,7 @@ std::vector<std::string> kindsOf(const Catalog& catalog) {
     return kinds;
 }
 
-/// How exactly a scene's picture is drawn, as settings of its own.
+/// Describes how exactly a scene's picture is drawn, as settings of its own.
 Block pictureSettings() {
     Block picture;
     picture.kind = settingsDescriptors().front().block.kind;
@@ -124,8 +124,8 @@ void printJson(const Catalog& catalog) {
     std::cout << writeJson(array);
 }
 
-/// A mistake in a user's own block leaves the rest working; without the shipped ones there is
-/// nothing to work with.
+/// Tells whether shipped blocks are there, without which the command fails; mistakes in a user's
+/// own block do not make it fail.
 bool hasShippedBlocks(const Catalog& catalog) {
     return std::any_of(catalog.blocks.begin(), catalog.blocks.end(),
                        [](const Block& block) { return block.shipped; });

@@ -19,16 +19,17 @@ class PictureMaker {
   public:
     static Result<PictureMaker> create(std::shared_ptr<const Catalog> catalog);
 
-    /// Images come from there. It outlives what is drawn. Without one of the needed files there is
-    /// no picture; a checker stands for any other that cannot be read.
+    /// Sets where images come from; `textures` has to outlive the drawing. A file in `needed` that
+    /// cannot be read is an error; any other is replaced by a checker pattern, with a warning.
     void setTextures(TextureLoader& textures, std::vector<std::string> needed);
 
-    /// Sets what the scenes' environments show, and how many samples their light has.
+    /// Sets the picture of the scenes' environments, and from how many samples their light is
+    /// summed.
     void setEnvironment(std::shared_ptr<const EnvironmentImage> image, int samples);
 
-    /// With display the 8-bit display values / 255, else linear floats. An error when the picture
-    /// is not what was asked for; what was merely left out is a warning on standard error, given
-    /// once.
+    /// Draws a scene: with `display` the 8-bit display values / 255, else linear floats. Fails when
+    /// the picture is not what was asked for; anything that was merely left out is a warning on
+    /// standard error, given once.
     Checked<Image> draw(const Scene& scene, const MeshSource& meshes, glm::ivec2 size,
                         bool display);
 
@@ -44,7 +45,7 @@ class PictureMaker {
     std::vector<std::string> neededTextures_;
     std::shared_ptr<const EnvironmentImage> environment_;
     int samples_ = 0;
-    Errors told_; ///< warnings
+    Errors told_; ///< holds the warnings that were given
 };
 
 /// Says where an image goes: a file, or "-" for a PNG on standard output.
@@ -53,13 +54,13 @@ struct PictureFile {
 
     bool isStandardOutput() const { return name == "-"; }
 
-    /// True for formats that keep linear light.
+    /// Tells whether the format keeps linear light.
     bool isLinear() const;
 
-    /// True where more than a PNG is written, which takes a moment to get ready for.
+    /// Tells whether a format other than PNG is written, whose module takes a moment to load.
     bool needsImageFormats() const;
 
-    /// The error says which formats there are.
+    /// Fails, naming the formats there are, where the name ends in none of them.
     Result<void> check() const;
 };
 

@@ -58,7 +58,7 @@ std::string helpFor(const BlockKind& kind) {
 
 void addKind(CLI::App& command, const BlockKind& kind, PictureOptions& options) {
     if (kind.folder == kinds::models) {
-        return; // it has an option already
+        return; // models have an option already
     }
     const std::string name = fmt::format("--{}", kind.singular);
     const std::string folder(kind.folder);

@@ -17,24 +17,27 @@ namespace patina {
 
 /// Holds what the commands that draw have in common.
 struct PictureOptions {
-    std::string model;                                     ///< id; empty: from the preset
-    std::map<std::string, std::string, std::less<>> parts; ///< kind -> id, of material and scene
+    std::string model; ///< an id; empty where the preset's model is meant
+    /// Maps a kind to an id, for material and scene.
+    std::map<std::string, std::string, std::less<>> parts;
     std::map<std::string, std::vector<std::string>, std::less<>>
-        ofLights;                      ///< kind -> "id" or "light=id"
-    std::vector<std::string> sets;     ///< "id=value"
-    std::vector<std::string> textures; ///< "id=file", "id:setting=value"
-    std::string mesh;                  ///< a file or "builtin:<name>"; empty: the scene's
-    std::string scene;                 ///< a file; empty: the shipped default scene
-    bool allowsOutside = false; ///< files that lie outside the folder of who names them are read
-    int samples = 0; ///< directions per pixel of an environment's light; 0: see directionsFor()
+        ofLights;                      ///< maps a kind to "id" or "light=id"
+    std::vector<std::string> sets;     ///< entries are "id=value"
+    std::vector<std::string> textures; ///< entries are "id=file" or "id:setting=value"
+    std::string mesh;  ///< a file or "builtin:<name>"; empty where the scene's mesh is meant
+    std::string scene; ///< a file; empty where the shipped default scene is meant
+    /// Allows reading files outside the folder of the file that names them.
+    bool allowsOutside = false;
+    /// Directions per pixel of an environment's light; 0 where directionsFor() decides.
+    int samples = 0;
     std::optional<double> exposure;
     glm::ivec2 size{512, 512};
 
-    /// Returns what is chosen of a kind; empty: what the preset or the scene has.
+    /// Returns the id that is chosen of a kind; empty where the preset or the scene decides.
     const std::string& part(std::string_view kind) const;
 };
 
-/// What is expected where something outside a folder was not read.
+/// Tells the user, in a message, how to have files outside a folder read.
 inline constexpr const char* allowOutsideHint = "--allow-outside, where you trust it";
 
 /// Adds --scene, --mesh, --set, --texture, --model, --samples, --exposure, --allow-outside, and an

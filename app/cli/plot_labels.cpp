@@ -11,17 +11,18 @@
 namespace patina {
 namespace {
 
-constexpr double samePlace = 11.0; ///< pixels between points that nobody tells apart
+constexpr double samePlace = 11.0; ///< pixels; points nearer than this cannot be told apart
 constexpr double lineHeight = 14.0;
-constexpr double letterWidth = 7.0; ///< of most letters, in the picture and in the SVG file
-constexpr double beside = 8.0;      ///< from a point
+/// Pixels; the width of most letters, in the picture and in the SVG file.
+constexpr double letterWidth = 7.0;
+constexpr double beside = 8.0; ///< pixels between a point and its label
 constexpr double markRadius = 6.0;
 
 struct Place {
     glm::dvec2 at{0.0};
     std::string name;
     bool isMain = false;
-    int more = 0; ///< points beside the named one
+    int more = 0; ///< counts the points besides the named one
 };
 
 struct Box {
@@ -54,23 +55,25 @@ std::string textOf(const Place& place) {
     return place.more > 0 ? fmt::format("{} and {} more", place.name, place.more) : place.name;
 }
 
-/// To the right of its point and above it, else where there is room.
+/// Returns a free box for a label: to the right of its point and above it, or else at another side;
+/// nothing where all are taken.
 std::optional<Box> boxOf(const Place& place, const std::vector<Box>& taken, glm::ivec2 size) {
     const glm::dvec2 extent{letterWidth * double(textOf(place).size()), lineHeight};
     const double right = beside;
     const double left = -beside - extent.x;
     const double above = -beside - 0.5 * lineHeight;
     const double below = 0.5 * beside;
-    const std::array ways{glm::dvec2(right, above), glm::dvec2(right, below),
-                          glm::dvec2(left, above), glm::dvec2(left, below),
+    const std::array ways{glm::dvec2(right, above),
+                          glm::dvec2(right, below),
+                          glm::dvec2(left, above),
+                          glm::dvec2(left, below),
                           glm::dvec2(right, above - lineHeight),
                           glm::dvec2(right, below + lineHeight)};
     for (const glm::dvec2& way : ways) {
         const Box box{place.at + way, place.at + way + extent};
         const bool isInside = box.low.x >= 0.0 && box.high.x <= double(size.x);
-        if (isInside && std::ranges::none_of(taken, [&box](const Box& other) {
-                return box.meets(other);
-            })) {
+        if (isInside &&
+            std::ranges::none_of(taken, [&box](const Box& other) { return box.meets(other); })) {
             return box;
         }
     }

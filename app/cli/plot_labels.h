@@ -8,16 +8,16 @@
 
 namespace patina {
 
-/// A point of a drawing that wants a name.
+/// Holds a point of a drawing that gets a label.
 struct NamedPoint {
     glm::dvec2 at{0.0}; ///< pixels from the top left
     std::string name;
-    bool isMain = false; ///< names the place where points lie upon each other
+    bool isMain = false; ///< its name is the one that is shown where points coincide
 };
 
-/// One text for each place ("exact and 4 more") that has room for one, beside its points and beside
-/// each other, in a drawing of this size; the first points have the first choice. Where they can,
-/// they keep clear of the middles of all marks.
+/// Returns one text for each place ("exact and 4 more") that has room for one, beside its points
+/// and without overlap, in a drawing of this size in pixels; the first points choose first. Where
+/// possible the texts stay clear of the marks.
 std::vector<PlotShape> labelsOf(const std::vector<NamedPoint>& points,
                                 const std::vector<glm::dvec2>& marks, glm::ivec2 size,
                                 const glm::dvec3& color);

@@ -31,12 +31,12 @@ struct RenderOptions {
     PictureOptions picture;
     PictureFile output;
     bool autoExposure = false;
-    int turntable = 0; ///< so many pictures of a whole turn; 0: one, unturned
+    int turntable = 0; ///< the number of pictures of a whole turn; 0 for a single one, unturned
     TurntableOf turns = TurntableOf::Object;
 };
 
 constexpr int maxPictures = 3600;
-constexpr int digits = 4; ///< of a picture's number in a series
+constexpr int digits = 4; ///< the width of a picture's number in a series
 
 Checked<void> checkRequest(const RenderOptions& options) {
     if (options.preset.empty() && options.picture.model.empty() && options.picture.scene.empty()) {
@@ -123,7 +123,7 @@ Checked<void> write(const PictureFile& file, const Image& image, AssetClient& cl
     return {};
 }
 
-/// "turn.png" -> "turn.0001.png".
+/// Returns the name of a picture in a series: "turn.0001.png" of "turn.png".
 PictureFile numbered(const PictureFile& file, int number) {
     const std::filesystem::path path(file.name);
     const std::string name =
@@ -131,7 +131,7 @@ PictureFile numbered(const PictureFile& file, int number) {
     return {(path.parent_path() / name).string()};
 }
 
-/// A whole turn in even steps; the picture after the last one would be the first again.
+/// Draws a whole turn in even steps; the picture after the last one would equal the first.
 Checked<void> renderSeries(const RenderOptions& options, const Catalog& catalog, const Scene& scene,
                            RequestDrawer& drawer, AssetClient& files) {
     for (int i = 0; i < options.turntable; ++i) {

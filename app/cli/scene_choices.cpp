@@ -27,11 +27,11 @@ Result<void> choosePart(Scene& scene, std::string_view kind, const std::string& 
     });
 }
 
-/// "NAME=ID" names one light, "ID" all of them.
+/// Holds a choice for lights: "NAME=ID" names one light, "ID" means all of them.
 struct LightChoice {
     std::string text; ///< as it was typed
     std::string name;
-    const Block* block = nullptr; ///< null: none
+    const Block* block = nullptr; ///< null where "none" is chosen
 };
 
 Result<LightChoice> lightChoice(const BlockKind& kind, const std::string& text,
@@ -53,7 +53,7 @@ Result<LightChoice> lightChoice(const BlockKind& kind, const std::string& text,
     });
 }
 
-/// Values that both kinds of light have carry over.
+/// Changes the kind of a light; values that both kinds have are kept.
 void giveKind(Light& light, const Block& block, const Catalog& catalog) {
     nlohmann::json left;
     light.block =
@@ -67,7 +67,8 @@ tl::unexpected<Error> noSuchLight(const Scene& scene, const BlockKind& kind,
         expectedLights(scene, choice.name));
 }
 
-/// The light of the name gets another kind, goes or comes; without a name one comes, or all go.
+/// Changes the kind of the named light, removes it or adds it; without a name it adds a light, or
+/// removes all.
 Result<void> chooseLight(Scene& scene, const BlockKind& kind, const LightChoice& choice,
                          const Catalog& catalog) {
     Light* named = choice.name.empty() ? nullptr : lightNamed(scene, choice.name);
@@ -108,7 +109,8 @@ Result<void> chooseShadow(Scene& scene, const BlockKind& kind, const LightChoice
     return {};
 }
 
-/// Lights without a name stand in place of those that the scene has.
+/// Applies the choices for lights or for their shadows. Lights without a name replace those of the
+/// scene.
 Result<void> chooseInLights(Scene& scene, const BlockKind& kind,
                             const std::vector<std::string>& texts, const Catalog& catalog) {
     std::vector<LightChoice> choices;

@@ -14,7 +14,7 @@
 
 namespace patina {
 
-/// Holds all meshes of a scene, there before the first frame.
+/// Holds all meshes of a scene, read before the first frame.
 class SceneMeshes {
   public:
     /// Reads every mesh the visible objects name; all that cannot be had are in the error.
@@ -23,8 +23,8 @@ class SceneMeshes {
 
     MeshView view(const Object& object) const;
 
-    /// Returns what had to be left out of the meshes that were read, and which of those with images
-    /// have no texture coordinates.
+    /// Returns warnings: what was left out of the meshes that were read, and which meshes with
+    /// images have no texture coordinates.
     Errors remarks() const;
 
   private:
@@ -33,10 +33,11 @@ class SceneMeshes {
     void nameMissingPlaces(const Scene& scene);
 
     Errors placeless_;
-    Errors remarks_; ///< of those that were read
+    Errors remarks_; ///< warnings of the meshes that were read
     std::map<MeshKey, Mesh> made_;
     std::map<MeshKey, std::shared_ptr<const SharedMesh>> read_;
-    std::map<MeshKey, std::vector<VertexOpenness>> openness_; ///< where the scene asks for it
+    /// Filled where the scene asks for it.
+    std::map<MeshKey, std::vector<VertexOpenness>> openness_;
 };
 
 } // namespace patina

@@ -31,7 +31,7 @@ bool needsObject(const std::string& preset, const PictureOptions& options) {
            !options.sets.empty() || choosesPart(options) || !options.textures.empty();
 }
 
-/// Notes what a file named that is not read, and how it would be.
+/// Withholds the files outside its folder that a file names, and notes how they can be read.
 void withhold(SceneSetup& setup, const OutsideFiles& outside, const std::string& by) {
     for (const OutsideFile& each : outside) {
         if (each.kind == OutsideFile::Kind::Mesh || each.kind == OutsideFile::Kind::Picture) {
@@ -50,7 +50,7 @@ ReadingRights rightsFor(const PictureOptions& options) {
     return rights;
 }
 
-/// The scene; where it is empty and options speak of an object, with that of the default scene.
+/// Reads the scene; where it has no object and options need one, it gets that of the default scene.
 Checked<SceneSetup> startScene(const std::string& preset, const PictureOptions& options,
                                const Catalog& catalog) {
     const auto file =
@@ -83,7 +83,8 @@ Checked<void> usePreset(SceneSetup& setup, const std::string& preset, const Read
     return {};
 }
 
-/// Another model than a preset's is swapped as in the editor; without a preset it starts afresh.
+/// Applies the chosen model and blocks. A preset's values are carried over to another model as in
+/// the editor; without a preset the model has its defaults.
 Result<void> chooseBlocks(Material& material, bool isPreset, const PictureOptions& options,
                           const Catalog& catalog) {
     if (!options.model.empty()) {
@@ -104,7 +105,7 @@ Result<void> chooseBlocks(Material& material, bool isPreset, const PictureOption
     return {};
 }
 
-/// An error of an assignment, with what was typed before it.
+/// Adds the assignment as it was typed to its error.
 Error namingSet(Error error, const std::string& assignment) {
     error.problem = fmt::format("--set {}: {}", assignment, error.problem);
     return error;
@@ -127,8 +128,8 @@ bool isShorthandSet(Material& material, std::string_view id, const Catalog& cata
     });
 }
 
-/// The assignments, those first that set several values at once: one given for a single value
-/// wins wherever it stands.
+/// Returns the assignments, beginning with those that set several values at once, so that one for a
+/// single value wins wherever it stands.
 std::vector<std::string> inOrder(std::vector<std::string> sets, Material& material,
                                  const Catalog& catalog) {
     std::stable_partition(sets.begin(), sets.end(), [&](const std::string& assignment) {
@@ -145,7 +146,7 @@ void useMesh(Object& object, const std::string& mesh) {
     }
 }
 
-/// What the options say of the object that is shown.
+/// Applies the options for the object that is shown.
 Checked<void> applyOptions(Object& object, bool isPreset, const PictureOptions& options,
                            const Catalog& catalog) {
     if (auto chosen = chooseBlocks(object.material, isPreset, options, catalog); !chosen) {
@@ -206,7 +207,7 @@ Checked<SceneSetup> sceneFor(const std::string& preset, const PictureOptions& op
         Object& object = setup->scene.objects.front();
         const bool isKnown = catalog.find(kinds::models, object.material.model.id) != nullptr;
         if (!isKnown && options.model.empty()) {
-            return tl::unexpected(setup->notes); // they say where in the file it is named
+            return tl::unexpected(setup->notes); // the notes say where in the file it is named
         }
         if (auto applied = applyOptions(object, !preset.empty(), options, catalog); !applied) {
             return tl::unexpected(applied.error());
@@ -219,7 +220,7 @@ Checked<SceneSetup> sceneFor(const std::string& preset, const PictureOptions& op
         setup->scene.exposure = *options.exposure;
     }
     for (const std::string& named :
-         {options.mesh, options.part(kinds::environment)}) { // by the user himself
+         {options.mesh, options.part(kinds::environment)}) { // named by the user directly
         std::error_code isEmpty;
         setup->rights.withheld.erase(std::filesystem::absolute(named, isEmpty).generic_string());
     }

@@ -11,15 +11,15 @@
 
 namespace patina {
 
-/// The scene to draw, and what its reader had to say.
+/// Holds the scene to draw, the warnings from reading it, and what may be read for it.
 struct SceneSetup {
     Scene scene;
     Errors notes;
-    FileRights rights; ///< to the meshes, pictures and links that it names
+    FileRights rights; ///< covers the meshes, pictures and links that the scene names
 };
 
-/// The scene of the options (or the shipped default scene) with a preset, when `preset` is not
-/// empty, and everything else that was asked for on its first object.
+/// Returns the scene of the options (or the shipped default scene), with `preset` on its first
+/// object unless that is empty, and all other options applied.
 Checked<SceneSetup> sceneFor(const std::string& preset, const PictureOptions& options,
                              const Catalog& catalog);
 

@@ -25,7 +25,7 @@ namespace patina {
 namespace {
 
 struct SheetOptions {
-    std::string source; ///< a preset or a sheet
+    std::string source; ///< the file of a preset or of a sheet
     std::string x;
     std::string y;
     std::optional<int> cell;
@@ -38,7 +38,7 @@ struct SheetOptions {
     bool isTable() const { return form() == SheetForm::Table; }
 };
 
-/// What is drawn: the sheet, and the preset that it starts from.
+/// Holds what is drawn: the sheet, and the preset that it starts from.
 struct SheetRequest {
     Sheet sheet;
     std::string preset;
@@ -123,7 +123,7 @@ Checked<SheetRequest> requestFor(const SheetOptions& options) {
     return request;
 }
 
-/// What draws the cells of a plan, read while the graphics driver starts.
+/// Draws the cells of a plan; meshes are read while the graphics driver starts.
 class SheetStudio {
   public:
     SheetStudio(const SheetPlan& plan, const Sheet& sheet, const SheetOptions& options,
@@ -206,7 +206,7 @@ Checked<void> write(const SheetOptions& options, const SheetMaker& maker, AssetC
     return checked(bytes);
 }
 
-/// Returns the status of the program.
+/// Returns the exit status.
 Checked<int> drawSheet(const SheetOptions& options) {
     if (auto checked = options.output.check(); !checked && !options.isTable()) {
         return tl::unexpected(oneError(checked.error()));

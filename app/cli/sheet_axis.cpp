@@ -34,7 +34,7 @@ std::vector<std::string> cutAt(const std::string& text, char separator) {
     return parts;
 }
 
-/// Three numbers; nothing for what is no range.
+/// Reads three numbers with colons between them; returns nothing for anything else.
 std::optional<SheetRange> rangeFrom(const std::string& text) {
     const std::vector<std::string> parts = cutAt(text, ':');
     if (parts.size() != 3) {

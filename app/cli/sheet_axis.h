@@ -8,9 +8,9 @@
 
 namespace patina {
 
-/// The axis that a person typed: "metalness=0:1:8" (from, to and steps), "lobe=strauss,ggx", values
-/// with commas between semicolons ("diffuse.color=1,0,0;0,1,0"), "models=lambert,strauss", or what
-/// it is of alone, for all there is: "smoothness", "models", "accuracy", "lights", "environments".
+/// Reads an axis as it is typed: "metalness=0:1:8" (from, to and steps), "lobe=strauss,ggx", values
+/// with commas between semicolons ("diffuse.color=1,0,0;0,1,0"), "models=lambert,strauss", or a
+/// name alone for all there is: "smoothness", "models", "accuracy", "lights", "environments".
 Result<SheetAxis> axisFromText(const std::string& text);
 
 } // namespace patina

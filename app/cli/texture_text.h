@@ -10,12 +10,12 @@
 
 namespace patina {
 
-/// "diffuse.color=wood.png" lays an image on a value, "normal=bumps.png" on the whole material, and
-/// "diffuse.color:wrap=mirror" changes how one lies that is there.
+/// Applies an assignment: "diffuse.color=wood.png" lays an image on a value, "normal=bumps.png" on
+/// the whole material, and "diffuse.color:wrap=mirror" changes a setting of an image that is there.
 Result<void> applyTexture(Material& material, const std::string& assignment,
                           const Catalog& catalog);
 
-/// Returns the full paths of the images among such assignments.
+/// Returns the absolute paths of the images that such assignments name.
 std::vector<std::string> filesIn(const std::vector<std::string>& assignments);
 
 } // namespace patina

@@ -30,14 +30,15 @@ Errors mistakesOf(const Checked<Reading>& reading) {
     return reading ? reading->notes : reading.error();
 }
 
-/// Blocks that a slot may name: those that are known, and those beside the file's own folder.
+/// Returns the ids that a slot may name: those of the catalogue, and those in the folder of the
+/// kind beside the file's own folder.
 std::vector<std::string> idsOfKind(const std::string& kind, const fs::path& file,
                                    const Catalog& catalog) {
     std::vector<std::string> ids;
     for (const Block* block : catalog.ofKind(kind)) {
         ids.push_back(block->id);
     }
-    std::error_code absent; // then there are none
+    std::error_code absent; // leaves the list empty
     const fs::path folder = fs::absolute(file).lexically_normal().parent_path().parent_path();
     for (const auto& entry : fs::directory_iterator(folder / kind, absent)) {
         if (entry.path().extension() == ".json") {
@@ -64,14 +65,14 @@ Errors descriptorMistakesIn(const fs::path& file, const Catalog& catalog) {
     return mistakes;
 }
 
-/// Tells whether a mesh can be read from its place; of the names of those made by code the reader
-/// tells.
+/// Tells whether the file of a mesh is missing; names of meshes made by code are checked by the
+/// reader.
 bool isMissing(const std::string& mesh) {
     std::error_code absent;
     return !builtinName(mesh) && !fs::is_regular_file(mesh, absent);
 }
 
-/// Images of a material, written at `place`, that are not there.
+/// Adds an error for each image that is missing, of a material written at `place` (a JSON pointer).
 void addImageMistakes(Errors& errors, const LocatedJson& document, const std::string& place,
                       const Material& material) {
     for (const auto& [key, use] : material.textures) {
@@ -85,7 +86,7 @@ void addImageMistakes(Errors& errors, const LocatedJson& document, const std::st
     }
 }
 
-/// Files that a scene names and that are not there.
+/// Returns an error for each file that a scene names and that is missing.
 Errors absentFiles(const fs::path& file, const Scene& scene) {
     const Result<LocatedJson> document = readJson(file, sceneLimits);
     Errors errors;
@@ -135,7 +136,7 @@ Errors sheetMistakesIn(const fs::path& file) {
     return errors;
 }
 
-/// A file says what it is by its name, and where that says nothing, by its "format".
+/// Returns the format that the file's name tells, or else its "format".
 std::string formatOf(const fs::path& file) {
     const std::string name = file.filename().string();
     const auto endsWith = [&name](std::string_view ending) {
