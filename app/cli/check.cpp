@@ -22,7 +22,8 @@ namespace {
 
 struct CheckOptions {
     std::string subject;
-    std::optional<std::size_t> cases; ///< empty for every edge case and 300 000 cases at least
+    /// Means every edge case and at least 300 000 cases where empty.
+    std::optional<std::size_t> cases;
     bool json = false;
 };
 

@@ -26,7 +26,7 @@ constexpr double marginRight = 150.0;
 constexpr double marginTop = 40.0;
 constexpr double marginBottom = 50.0;
 constexpr double dotRadius = 5.0;
-constexpr double ringRadius = 8.0; ///< larger than a dot, so that both are seen at one place
+constexpr double ringRadius = 8.0; ///< is larger than a dot, so that both are seen at one place
 constexpr double arrowLength = 22.0;
 constexpr double arrowHead = 4.0;
 
@@ -37,7 +37,7 @@ constexpr double minError = 1e-7;
 struct Axis {
     double low = 1.0; ///< exponents at its ends, of base two or ten
     double high = 2.0;
-    double from = 0.0; ///< pixels at the exponent `low`; `to` is at `high`
+    double from = 0.0; ///< pixels; `from` belongs to `low`, and `to` to `high`
     double to = 1.0;
 
     double place(double exponent) const {

@@ -31,7 +31,7 @@ struct PlotShape {
 /// what may be on it within the noise.
 std::vector<PlotShape> costPlot(const CostChart& chart, glm::ivec2 size);
 
-/// Returns the drawing as the text of an SVG file.
+/// Returns the drawing as the text of an SVG file, or as a picture with sRGB values, 0 .. 1.
 std::string plotSvg(const std::vector<PlotShape>& shapes, glm::ivec2 size);
 Image plotImage(const std::vector<PlotShape>& shapes, glm::ivec2 size);
 

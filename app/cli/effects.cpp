@@ -42,7 +42,8 @@ struct EffectsOptions {
     bool noCost = false;
     bool hasSize = false; ///< the command line gives the size
     double seconds = 10.0;
-    std::optional<std::string> object; ///< its name, or its number from 1; empty for the first one
+    /// Is its name, or its number from 1; empty for the first one.
+    std::optional<std::string> object;
 };
 
 /// Holds a scene and the index of the object that the options name.

@@ -146,7 +146,7 @@ class Evaluation {
   private:
     static constexpr std::ptrdiff_t enough = 1 << 17;  ///< GPU cases kept in memory at a time
     static constexpr std::size_t maxLines = 1u << 14;  ///< lines answered at a time
-    static constexpr std::size_t maxBytes = 16u << 20; ///< bytes of lines answered at a time
+    static constexpr std::size_t maxBytes = 16u << 20; ///< bytes of the lines answered at a time
 
     void write() {
         answerWaiting();

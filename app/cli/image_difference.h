@@ -7,9 +7,9 @@ namespace patina {
 
 /// Says how far two display images of the same size are apart. Channel values are 0 .. 1.
 struct ImageDifference {
-    double rootMeanSquare = 0.0; ///< taken over all channels but alpha
+    double rootMeanSquare = 0.0; ///< covers all channels but alpha
     double largest = 0.0;
-    /// Share of the pixels, 0 .. 1, that differ by at least one 8-bit step in a channel.
+    /// Says which share of the pixels, 0 .. 1, differs by at least one 8-bit step in a channel.
     double changedShare = 0.0;
 };
 

@@ -19,7 +19,7 @@ class LongWork {
     /// Writes the progress to standard error over the text before; only where that is a terminal.
     void tell(const std::string& text);
 
-    /// The exit status that shells expect of a program that Ctrl-C has ended.
+    /// Is the exit status that shells expect of a program that Ctrl-C has ended.
     static constexpr int stoppedStatus = 130;
 
   private:

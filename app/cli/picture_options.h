@@ -17,15 +17,15 @@ namespace patina {
 
 /// Holds what the commands that draw have in common.
 struct PictureOptions {
-    std::string model; ///< an id; empty where the preset's model is meant
+    std::string model; ///< is an id; empty where the preset's model is meant
     /// Maps a kind to an id, for material and scene.
     std::map<std::string, std::string, std::less<>> parts;
     std::map<std::string, std::vector<std::string>, std::less<>>
         ofLights;                      ///< maps a kind to "id" or "light=id"
     std::vector<std::string> sets;     ///< entries are "id=value"
     std::vector<std::string> textures; ///< entries are "id=file" or "id:setting=value"
-    std::string mesh;  ///< a file or "builtin:<name>"; empty where the scene's mesh is meant
-    std::string scene; ///< a file; empty where the shipped default scene is meant
+    std::string mesh;  ///< is a file or "builtin:<name>"; empty where the scene's mesh is meant
+    std::string scene; ///< is a file; empty where the shipped default scene is meant
     /// Allows reading files outside the folder of the file that names them.
     bool allowsOutside = false;
     /// Directions per pixel of an environment's light; 0 where directionsFor() decides.

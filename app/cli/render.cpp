@@ -31,12 +31,12 @@ struct RenderOptions {
     PictureOptions picture;
     PictureFile output;
     bool autoExposure = false;
-    int turntable = 0; ///< the number of pictures of a whole turn; 0 for a single one, unturned
+    int turntable = 0; ///< counts the pictures of a whole turn; 0 for a single one, unturned
     TurntableOf turns = TurntableOf::Object;
 };
 
 constexpr int maxPictures = 3600;
-constexpr int digits = 4; ///< the width of a picture's number in a series
+constexpr int digits = 4; ///< counts the digits of a picture's number in a series
 
 Checked<void> checkRequest(const RenderOptions& options) {
     if (options.preset.empty() && options.picture.model.empty() && options.picture.scene.empty()) {

@@ -31,7 +31,7 @@ Result<void> choosePart(Scene& scene, std::string_view kind, const std::string& 
 struct LightChoice {
     std::string text; ///< as it was typed
     std::string name;
-    const Block* block = nullptr; ///< null where "none" is chosen
+    const Block* block = nullptr; ///< is null where "none" is chosen
 };
 
 Result<LightChoice> lightChoice(const BlockKind& kind, const std::string& text,

@@ -36,7 +36,7 @@ class SceneMeshes {
     Errors remarks_; ///< warnings of the meshes that were read
     std::map<MeshKey, Mesh> made_;
     std::map<MeshKey, std::shared_ptr<const SharedMesh>> read_;
-    /// Filled where the scene asks for it.
+    /// Is filled where the scene asks for it.
     std::map<MeshKey, std::vector<VertexOpenness>> openness_;
 };
 

@@ -25,7 +25,7 @@ namespace patina {
 namespace {
 
 struct SheetOptions {
-    std::string source; ///< the file of a preset or of a sheet
+    std::string source; ///< is the file of a preset or of a sheet
     std::string x;
     std::string y;
     std::optional<int> cell;

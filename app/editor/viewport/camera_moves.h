@@ -53,7 +53,8 @@ bool isSameView(const Camera& a, const Camera& b);
 /// pivot is nearer than 1 mm to the eye.
 Camera pivotedAt(const Camera& camera, const glm::dvec3& pivot);
 
-/// Returns the camera's axis to the right, in world space; a unit vector.
+/// Returns an axis of the camera in world space, a unit vector: the one to the right or the one
+/// upwards.
 glm::dvec3 rightOf(const Camera& camera);
 glm::dvec3 upOf(const Camera& camera);
 

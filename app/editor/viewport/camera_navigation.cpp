@@ -20,7 +20,7 @@ constexpr double dollyPerPixel = 0.005;
 /// One notch of an ordinary wheel changes the distance by about 13 percent.
 constexpr double dollyPerNotch = 0.12;
 
-/// degrees and pixels that one press of an arrow key moves the camera by
+/// One press of an arrow key orbits by these degrees or pans by these pixels.
 constexpr double degreesPerKey = 5.0;
 constexpr double pixelsPerKey = 30.0;
 

@@ -19,7 +19,7 @@ constexpr double knobRadius = 6.0;
 constexpr double turnStep = 15.0; ///< degrees; the line turns in these steps with Shift
 constexpr int labelMargin = 8;
 constexpr int labelPadding = 6;
-constexpr int labelOpacity = 225; ///< of 255
+constexpr int labelOpacity = 225; ///< 0 .. 255
 
 Side otherThan(Side side) {
     return side == Side::A ? Side::B : Side::A;

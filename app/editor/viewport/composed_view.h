@@ -79,10 +79,10 @@ class ComposedView : public QWidget {
     bool blinksSecond_ = false;
     bool flipped_ = false;
     Part dragged_ = Part::View;
-    QPointF pivot_; ///< the point that the dragged line turns about
-    /// The view that got the press of the mouse; null while no button is down.
+    QPointF pivot_; ///< holds the point that the dragged line turns about
+    /// Points to the view that got the press of the mouse; null while no button is down.
     Viewport* held_ = nullptr;
-    Viewport* under_ = nullptr; ///< the view that the pointer is over; null where it is over none
+    Viewport* under_ = nullptr; ///< points to the view under the pointer; null where there is none
 };
 
 } // namespace patina

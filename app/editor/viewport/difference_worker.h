@@ -87,7 +87,8 @@ class DifferenceWorker : public QObject {
                                       std::function<void(const std::optional<TimeRatio>&)> done);
 
   Q_SIGNALS:
-    /// Sent when a request is done; `problem` says why nothing was drawn, and is empty otherwise.
+    /// Is sent when a request is done; `problem` says why nothing was drawn, and is empty
+    /// otherwise.
     void finished(const patina::DrawnPair& drawn, const QString& problem);
 
   private:

@@ -21,8 +21,8 @@ class FrameStopwatch {
     void begin() { timer_->begin(); }
     void end() { timer_->end(); }
 
-    /// milliseconds of the last frame whose time is known; 0 before there is one. open() has to
-    /// come before.
+    /// Returns the milliseconds of the last frame whose time is known; 0 before there is one.
+    /// open() has to come before.
     double milliseconds() const { return timer_->milliseconds(); }
 
     /// Returns the last time and the method, as in "1.3 ms (GPU timer)"; empty before the first.
@@ -36,7 +36,7 @@ class FrameStopwatch {
   private:
     const ViewContext& context_;
     std::optional<FrameTimer> timer_; ///< exists from open() to close()
-    QString text_;                    ///< the last text, kept while no newer time is known
+    QString text_;                    ///< holds the last text while no newer time is known
 };
 
 } // namespace patina

@@ -34,7 +34,7 @@ class LightHandles : public HandleSet {
     /// Describes a light as it is drawn in a view.
     struct Shown {
         LightPose place;
-        /// The point it shines at, or the pivot for a light that shines everywhere.
+        /// Is the point it shines at, or the pivot for a light that shines everywhere.
         glm::dvec3 target{0.0};
         bool isOn = true;
         QColor color;
@@ -51,11 +51,11 @@ class LightHandles : public HandleSet {
     Document& document_;
     const HandleModes& modes_;
     SurfaceAt surfaceAt_;
-    int light_ = -1; ///< the index of the light that is dragged; -1 before the first drag
-    int part_ = 0;   ///< the part of it that is dragged
-    QPointF from_;   ///< where the drag began, in the view
-    Shown start_;    ///< the light when the drag began
-    Values held_;    ///< the light's values when the drag began
+    int light_ = -1; ///< is the index of the dragged light; -1 before the first drag
+    int part_ = 0;   ///< says which Part of the light is dragged
+    QPointF from_;   ///< says where the drag began, in the view
+    Shown start_;    ///< holds the light as it was when the drag began
+    Values held_;    ///< holds the light's values as they were when the drag began
 };
 
 } // namespace patina

@@ -12,11 +12,11 @@ namespace patina {
 /// Says where a light is and where it shines, in world space. It fits every kind: the kind's
 /// descriptor says which of its values are a point, a direction, a cone.
 struct LightPose {
-    glm::dvec3 point{0.0}; ///< metres; a place along its direction for a light without a position
-    /// A unit vector along which it shines; empty where it shines everywhere.
+    glm::dvec3 point{0.0}; ///< metres; lies along the direction for a light without a position
+    /// Is a unit vector along which it shines; empty where it shines everywhere.
     std::optional<glm::dvec3> direction;
     double angle = 0.0; ///< degrees between the axis and the side of its cone
-    /// The parameter that holds the point; null where there is none.
+    /// Holds the point; null where the light has none.
     const Parameter* pointOf = nullptr;
     const Parameter* directionOf = nullptr;
     const Parameter* angleOf = nullptr;

@@ -41,9 +41,10 @@ class ObjectGizmo : public HandleSet {
     Document& document_;
     const HandleModes& modes_;
     int handle_ = 0;
-    QPointF from_;               ///< where the drag began, in the view
-    Frame start_;                ///< the frame when the drag began
-    std::map<int, Object> held_; ///< the objects when the drag began, by their index
+    QPointF from_; ///< says where the drag began, in the view
+    Frame start_;  ///< holds the frame as it was when the drag began
+    /// Maps their index to the objects as they were when the drag began.
+    std::map<int, Object> held_;
 };
 
 } // namespace patina

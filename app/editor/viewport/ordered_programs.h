@@ -28,13 +28,13 @@ class OrderedPrograms : public QObject {
     void forget() { number_ = 0; }
 
   Q_SIGNALS:
-    void came(); ///< everything that could be made is there
+    void came(); ///< is sent when all programs that could be made are there
 
   private:
     void take(quint64 number);
 
     const ViewedScene& viewed_;
-    quint64 number_ = 0; ///< what ProgramWorker::ask() returned; 0 where nothing is awaited
+    quint64 number_ = 0; ///< is what ProgramWorker::ask() returned; 0 while nothing is awaited
 };
 
 } // namespace patina

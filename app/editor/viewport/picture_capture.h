@@ -57,7 +57,7 @@ class PictureCapture : public QObject {
     FrameLoop& frames_;
     const ViewedScene& viewed_;
     std::optional<Order> order_;
-    Renderer* lent_ = nullptr; ///< null unless the order is being drawn
+    Renderer* lent_ = nullptr; ///< is null unless the order is being drawn
     bool isBegun_ = false; ///< the order's picture has been begun, and its next turn continues it
     QTimer turn_;
 };

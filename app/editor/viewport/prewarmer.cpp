@@ -15,8 +15,8 @@ Prewarmer::Prewarmer(FrameLoop& frames, const ViewedScene& viewed)
     connect(&programs_, &OrderedPrograms::came, this, &Prewarmer::prepare);
 }
 
-/// Adds the frame of a change last, as the list is worked off from its end and a change is shown
-/// first.
+/// Adds the frame of a change last, as frames are taken from the end of the list and a change is
+/// shown first.
 void Prewarmer::add(const Scene& ahead) {
     if (frames_.canDraw() && !frames_.isInspecting()) {
         ahead_.push_back({ahead, false});

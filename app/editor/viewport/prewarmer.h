@@ -40,8 +40,8 @@ class Prewarmer : public QObject {
 
     FrameLoop& frames_;
     const ViewedScene& viewed_;
-    std::vector<Ahead> ahead_; ///< the frames whose programs are still to be made
-    OrderedPrograms programs_; ///< the programs of the last of them
+    std::vector<Ahead> ahead_; ///< holds the frames whose programs are still to be made
+    OrderedPrograms programs_; ///< orders the programs of the last of them
     QTimer turn_;              ///< runs one of them per turn of the event loop
 };
 

@@ -18,8 +18,8 @@ constexpr double never = std::numeric_limits<double>::infinity();
 /// Holds a point on a triangle of a mesh.
 struct Met {
     double distance = never;
-    std::size_t first = 0; ///< the first of the triangle's three indices
-    double u = 0.0;        ///< weight of the triangle's second corner; v is that of the third
+    std::size_t first = 0; ///< is the position of the triangle's first index among the mesh's
+    double u = 0.0;        ///< is the weight of the second corner, as v is that of the third
     double v = 0.0;
 };
 

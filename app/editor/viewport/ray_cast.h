@@ -25,7 +25,7 @@ struct Hit {
     int object = -1; ///< index in the scene; -1 where nothing was hit
     double distance = 0.0;
     glm::dvec3 point{0.0};
-    /// Unit vector, interpolated between vertices, on the side that the ray meets.
+    /// Is a unit vector, interpolated between vertices, on the side that the ray meets.
     glm::dvec3 normal{0.0};
 
     friend bool operator==(const Hit&, const Hit&) = default;

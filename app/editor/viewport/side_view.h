@@ -115,9 +115,9 @@ class SideView : public QFrame {
     EffectSwitches& switches_;
     Side side_;
     QLabel* title_;
-    ViewLinks* links_; ///< beside the title
+    ViewLinks* links_; ///< stands beside the title
     Viewport* viewport_;
-    InspectionPanel* inspection_ = nullptr; ///< null until it is first wanted
+    InspectionPanel* inspection_ = nullptr; ///< is null until it is first wanted
     std::optional<bool> awaited_; ///< holds what awaitLightPick() got until the next click
     bool turning_ = false;
     Camera atPress_;                ///< holds the camera when a drag began
@@ -129,7 +129,7 @@ class SideView : public QFrame {
     bool focusShown_ = false;
 };
 
-/// Returns the colour of a side, which is never shown without its letter.
+/// Returns the colour or the letter of a side; neither view nor picture shows the colour alone.
 QColor colourOf(Side side);
 QString letterOf(Side side);
 

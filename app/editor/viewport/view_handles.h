@@ -29,7 +29,7 @@ class ViewHandles : public QObject {
     void draw(QPainter& painter) const;
 
   Q_SIGNALS:
-    void changed(); ///< Sent when another handle is under the pointer, or while one is dragged
+    void changed(); ///< is sent when another handle is under the pointer, or while one is dragged
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -50,7 +50,7 @@ class ViewHandles : public QObject {
 
     Viewport& viewport_;
     std::vector<std::unique_ptr<HandleSet>> sets_;
-    std::optional<Handle> hot_; ///< the handle under the pointer or being dragged
+    std::optional<Handle> hot_; ///< is the handle under the pointer or being dragged
     bool isDragged_ = false;
     bool isWaiting_ = false; ///< a drag was cancelled, and the button is still down
 };

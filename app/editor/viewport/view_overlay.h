@@ -23,7 +23,8 @@ class ViewOverlay : public QWidget {
     ViewOverlay(Viewport& viewport, Document& document, MeshLibrary& meshes,
                 const ViewHandles& handles, const HandleModes& modes);
 
-    /// Stops drawing, as while a turntable shows things elsewhere than the document has them.
+    /// Hides the overlay or shows it again; a turntable hides it, as it shows things elsewhere than
+    /// the document has them.
     void setSuspended(bool suspended);
 
   protected:

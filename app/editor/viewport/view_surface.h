@@ -37,7 +37,7 @@ class ViewSurface {
 
       private:
         ViewSurface& surface_;
-        unsigned shown_; ///< the widget's texture
+        unsigned shown_; ///< is the OpenGL name of the widget's texture
         std::unique_ptr<ViewContext::Current> current_;
     };
 

@@ -30,8 +30,8 @@ class ViewTurntable : public QObject {
     const Scene& turned(const Scene& scene, Side side);
 
   Q_SIGNALS:
-    void moved();   ///< what the views show has turned a little further
-    void changed(); ///< something else turns, or nothing
+    void moved();   ///< is sent when what the views show has turned a little further
+    void changed(); ///< is sent when something else turns, or nothing
 
   private:
     const Document& document_;

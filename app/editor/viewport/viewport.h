@@ -83,7 +83,8 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     PixelProber prober_;
     PictureCapture capture_;
     bool resizing_ = false;
-    std::unique_ptr<StretchedPicture> last_; ///< the last picture; null unless the size is changing
+    /// Holds the last picture; null unless the size is changing.
+    std::unique_ptr<StretchedPicture> last_;
 };
 
 } // namespace patina

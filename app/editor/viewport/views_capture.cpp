@@ -14,7 +14,7 @@ namespace patina {
 namespace {
 
 constexpr int channels = 3;
-constexpr double titleLines = 2.0; ///< the height of a title in lines of text
+constexpr double titleLines = 2.0; ///< lines of text that a title is high
 
 float* pixelOf(Image& image, int x, int y) {
     return image.pixels.data() + channels * (std::size_t(y) * std::size_t(image.width) + x);

@@ -10,7 +10,8 @@
 namespace patina {
 namespace {
 
-constexpr double knobShare = 0.3; ///< share of the picture's shorter edge between grip and knob
+/// Is the distance of grip and knob, as a share of the picture's shorter edge.
+constexpr double knobShare = 0.3;
 
 double radians(double degrees) {
     return degrees * std::numbers::pi / 180.0;

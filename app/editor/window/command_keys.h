@@ -17,10 +17,10 @@ class Session;
 
 /// Describes an action that a menu offers.
 struct Command {
-    QString id;   ///< its path through the menus, as in "File/Save"; names it in the session
-    QString name; ///< its text in the menu, without "&" and "…"
+    QString id;   ///< is its path through the menus, as in "File/Save"; names it in the session
+    QString name; ///< is its text in the menu, without "&" and "…"
     QAction* action = nullptr;
-    QList<QKeySequence> usual; ///< its keys, until the user gives it others
+    QList<QKeySequence> usual; ///< are its keys until the user gives it others
 };
 
 /// Knows every command of the menus and the keys that it has, the user's own among them.

@@ -12,8 +12,8 @@ namespace {
 
 struct Stop {
     QWidget* widget;
-    QPoint panel; ///< top left of its panel, in the window
-    QRect place;  ///< in the window
+    QPoint panel; ///< is the top left corner of its panel, in the window
+    QRect place;  ///< is its rectangle in the window
 };
 
 /// Returns the window's own child that a widget lies in: a dock, a tool bar, the views.

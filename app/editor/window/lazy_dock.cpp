@@ -10,7 +10,7 @@
 namespace patina {
 namespace {
 
-/// Share of the height that the views and a dock below them have together.
+/// Limits the height of a dock below the views, as a share of their height and its own together.
 constexpr double maxShare = 0.45;
 
 } // namespace

@@ -14,7 +14,7 @@ namespace patina {
 namespace {
 
 constexpr int outlineAlpha = 130; ///< 0 .. 255
-constexpr qreal inset = 0.28;     ///< margin around a sign, as a share of the icon
+constexpr qreal inset = 0.28;     ///< is the margin around a sign, as a share of the icon
 constexpr qreal penShare = 0.09;
 constexpr int rowMargin = 4; ///< pixels above and below a large icon, together
 

@@ -18,7 +18,7 @@
 namespace patina {
 namespace {
 
-constexpr int saidMs = 4000; ///< milliseconds; how long the status line says what was done
+constexpr int saidMs = 4000; ///< milliseconds; the status line says for so long what was done
 
 } // namespace
 

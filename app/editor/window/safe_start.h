@@ -18,7 +18,7 @@ class StartMark {
     bool foundCrash() const { return foundCrash_; }
 
   private:
-    std::filesystem::path mark_; ///< empty where the file could not be made
+    std::filesystem::path mark_; ///< is empty where the file could not be made
     bool foundCrash_ = false;
 };
 

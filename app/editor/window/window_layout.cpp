@@ -17,8 +17,8 @@ constexpr int layoutVersion = 7;
 
 constexpr QSize preferredSize{1600, 1000};
 
-/// pixels of a title bar and edges, at least as large as desktops draw them; the true size is known
-/// only when the window is shown
+/// Reserves pixels for a title bar and edges, at least as large as desktops draw them; the true
+/// size is known only when the window is shown.
 constexpr QSize usualFrame{12, 48};
 
 constexpr int narrowWindow = 1400;
