@@ -46,7 +46,7 @@ struct PlacedMesh {
 Camera framed(const Camera& camera, std::span<const PlacedMesh> objects, double aspect);
 Camera framed(const Camera& camera, const Object& object, const MeshView& mesh, double aspect);
 
-/// Tells whether two cameras show the same picture but for rounding.
+/// Tells whether two cameras show the same picture, apart from rounding errors.
 bool isSameView(const Camera& a, const Camera& b);
 
 /// Returns the camera turned to look at another pivot from where its eye is; `camera` where the

@@ -20,7 +20,8 @@ class InspectionPanel : public QFrame {
   public:
     explicit InspectionPanel(QWidget* parent = nullptr);
 
-    /// Shows the numbers of a pixel; nothing where no surface is under the pointer.
+    /// Shows the numbers of a pixel, or a hint where `probe` is empty as no surface is under the
+    /// pointer.
     void showNumbers(const std::optional<PixelProbe>& probe, const Scene& scene);
 
   private:

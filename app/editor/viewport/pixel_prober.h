@@ -20,12 +20,12 @@ class PixelProber : public QObject {
     /// Both references outlive it; `widget` shows the frames.
     PixelProber(FrameLoop& frames, const QWidget& widget);
 
-    /// Sets where the pointer is, in the widget's coordinates; nothing when it is not over the
-    /// view.
+    /// Sets where the pointer is, in the widget's coordinates; it is empty while the pointer is not
+    /// over the view.
     void setPointer(std::optional<QPoint> pointer);
 
   Q_SIGNALS:
-    /// Sends the numbers under the pointer; nothing where there is no surface.
+    /// Sends the numbers under the pointer; `numbers` is empty where there is no surface.
     void probed(const std::optional<patina::PixelProbe>& numbers);
 
   private:

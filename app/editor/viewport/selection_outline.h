@@ -19,8 +19,8 @@ class SelectionOutline {
   public:
     using Meshes = std::function<MeshView(const Object&)>;
 
-    /// Returns a picture of `size` pixels, transparent but for the lines around these objects of
-    /// the scene; valid until the next call.
+    /// Returns a picture of `size` pixels with the lines around these objects of the scene; all
+    /// else is transparent. It stays valid until the next call.
     const QImage& draw(const Scene& scene, const std::vector<int>& objects, const Camera& camera,
                        const QSize& size, const Meshes& meshes);
 

@@ -21,7 +21,8 @@ class ViewTurntable : public QObject {
   public:
     explicit ViewTurntable(const Document& document, QObject* parent = nullptr);
 
-    /// Starts turning `what`; nothing stops it. Fails where there is nothing to turn.
+    /// Starts turning `what`, or stops turning where it is empty. Fails where the scene has nothing
+    /// of that to turn.
     Result<void> setTurning(std::optional<TurntableOf> what);
     const std::optional<TurntableOf>& turning() const { return what_; }
 
@@ -31,7 +32,7 @@ class ViewTurntable : public QObject {
 
   Q_SIGNALS:
     void moved();   ///< is sent when what the views show has turned a little further
-    void changed(); ///< is sent when something else turns, or nothing
+    void changed(); ///< is sent when another thing begins to turn, or the turning stops
 
   private:
     const Document& document_;
