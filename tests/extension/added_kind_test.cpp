@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "catalog/catalog.h"
+#include "catalog/json_schema.h"
 #include "cli/eval_line.h"
 #include "cli/picture_options.h"
 #include "cli/scene_setup.h"
@@ -25,6 +26,7 @@ namespace patina::tests::added_kind_test {
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::json;
 
 constexpr std::string_view kind = "sheen";
 
@@ -79,6 +81,18 @@ TEST(AddedKind, InAPreset_IsReadAsWritten) {
     ASSERT_TRUE(reading);
     EXPECT_EQ(text(reading->notes), "");
     EXPECT_EQ(reading->material.parts, material.parts);
+}
+
+TEST(AddedKind, InAPreset_FollowsTheSchema) {
+    const Result<JsonSchema> schema = JsonSchema::load("preset");
+    ASSERT_TRUE(schema);
+    const auto mistakes = [&](const Json& sheen) {
+        Json preset = toJson(defaultMaterial(*catalog()->ofKind(kinds::models).front()), {});
+        preset[std::string(kind)] = sheen;
+        return schema->check({"a.patina.json", preset, {}}).size();
+    };
+    EXPECT_EQ(mistakes({{"id", "velvet"}, {"parameters", {{"width", 3}}}}), 0u);
+    EXPECT_EQ(mistakes({{"id", 3}}), 1u);
 }
 
 TEST(AddedKind, OnTheCommandLine_IsChosenAndSet) {
