@@ -9,7 +9,7 @@
 
 namespace patina {
 
-/// Tells what a block of a kind belongs to.
+/// Tells what holds a block of a kind, or settings. Objects hold settings alone so far.
 enum class BlockOwner { Material, Light, Scene, Object };
 
 /// Describes a function that the program calls of every block of a kind. Its name is the block's

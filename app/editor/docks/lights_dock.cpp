@@ -11,6 +11,7 @@
 #include "docks/check_list.h"
 #include "docks/light_actions.h"
 #include "docks/panel.h"
+#include "docks/part_panel.h"
 #include "document/scene_edits.h"
 #include "files/file_actions.h"
 #include "parameters/document_form.h"
@@ -42,6 +43,7 @@ LightsDock::LightsDock(const DockContext& context)
     layout->addWidget(new DocumentForm(document_, context.textures, kinds::lights));
     layout->addWidget(labelled(tr("&Shadows"), shadow_));
     layout->addWidget(new DocumentForm(document_, context.textures, kinds::shadows));
+    addPartPanels(*layout, BlockOwner::Light, document_, context.textures);
     fillPanel(this, {list_, rowOf({kind_, solo_, add_, remove_})}, forms);
     connectList(context.files);
     connect(kinds_, &QMenu::aboutToShow, this, &LightsDock::fillMenu);

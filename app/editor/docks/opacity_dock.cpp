@@ -7,21 +7,11 @@
 
 #include "docks/block_chooser.h"
 #include "docks/panel.h"
+#include "docks/part_panel.h"
 #include "docks/refraction_panel.h"
-#include "docks/slot_panel.h"
 #include "parameters/document_form.h"
 
 namespace patina {
-
-namespace {
-
-/// Returns whether another dock or panel edits the blocks of this kind; this dock edits all others
-/// of a material.
-bool hasPlaceElsewhere(std::string_view kind) {
-    return kind == kinds::fresnel || kind == kinds::specular || kind == kinds::refraction;
-}
-
-} // namespace
 
 OpacityDock::OpacityDock(const DockContext& context)
     : document_(context.document), transparency_(new BlockChooser(document_, kinds::transparency,
@@ -44,14 +34,7 @@ OpacityDock::OpacityDock(const DockContext& context)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(new DocumentForm(document_, context.textures, settings::material));
     layout->addWidget(new RefractionPanel(document_, context.textures, forms));
-    for (const std::string_view kind : partKinds(BlockOwner::Material)) {
-        if (!hasPlaceElsewhere(kind)) {
-            const std::string_view label = findKind(kind)->label;
-            layout->addWidget(new SlotPanel(
-                document_, context.textures, kind,
-                QString::fromUtf8(label.data(), static_cast<qsizetype>(label.size()))));
-        }
-    }
+    addPartPanels(*layout, BlockOwner::Material, document_, context.textures);
     layout->addWidget(scene);
     layout->addStretch(1);
     fillPanel(this, {hint}, forms);

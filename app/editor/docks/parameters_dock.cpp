@@ -11,7 +11,7 @@
 #include "docks/material_actions.h"
 #include "docks/notice_bar.h"
 #include "docks/panel.h"
-#include "docks/slot_panel.h"
+#include "docks/part_panel.h"
 #include "parameters/choice_box.h"
 #include "parameters/document_form.h"
 
@@ -32,7 +32,7 @@ ParametersDock::ParametersDock(const DockContext& context)
       notice_(new NoticeBar(this)), accuracy_(new QGroupBox(tr("Accuracy"))) {
     accuracy_->setToolTip(tr("The same look, computed exactly or more cheaply"));
     auto* model = new DocumentForm(document_, context.textures, kinds::models);
-    auto* slot = new SlotPanel(document_, context.textures, kinds::specular, tr("Highlight"));
+    auto* slot = new PartPanel(document_, context.textures, kinds::specular, tr("Highlight"));
     auto* levels = new DocumentForm(document_, context.textures, settings::accuracy);
     forms_ = {model, &slot->form(), levels};
     auto* inside = new QVBoxLayout(accuracy_);

@@ -15,6 +15,7 @@
 #include "docks/check_list.h"
 #include "docks/object_actions.h"
 #include "docks/panel.h"
+#include "docks/part_panel.h"
 #include "document/scene_edits.h"
 #include "files/file_actions.h"
 #include "parameters/document_form.h"
@@ -62,6 +63,7 @@ SceneDock::SceneDock(const DockContext& context)
     layout->addWidget(titled(tr("Scene"), scene));
     addAutoExposure(*scene, context.views);
     layout->addWidget(titled(tr("Display"), display(context)));
+    addPartPanels(*layout, BlockOwner::Scene, document_, context.textures);
     layout->addWidget(
         titled(tr("Camera"), new DocumentForm(document_, context.textures, settings::camera)));
     auto* heading = new QLabel(tr("Objects"), this);
