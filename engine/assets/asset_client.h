@@ -69,16 +69,16 @@ class AssetClient {
     /// crashed ("stopped unexpectedly while reading"), ran out of time or memory, or was cancelled.
     Result<std::shared_ptr<const SharedMesh>> loadMesh(const MeshRequest&, Progress* = nullptr);
 
-    /// PNG, JPEG, EXR, HDR, ...; 8-bit formats are decoded from sRGB to linear.
+    /// Writes PNG, JPEG, EXR, HDR, ...; 8-bit formats are decoded from sRGB to linear.
     Result<Image> loadImage(const std::filesystem::path& file, Progress* = nullptr);
 
-    /// An image for a surface, with its smaller versions. Some of the work is done on the caller's
-    /// thread.
+    /// Returns an image for a surface, with its smaller versions. Some of the work is done on the
+    /// caller's thread.
     Result<std::shared_ptr<const TexturePicture>>
     loadTexture(const std::filesystem::path& file, TextureDecoding decoding, Progress* = nullptr);
 
-    /// Format by extension: .png and .jpg are encoded to sRGB, .exr and .hdr keep linear floats.
-    /// Written atomically.
+    /// Chooses the format by extension: .png and .jpg are encoded to sRGB, .exr and .hdr keep
+    /// linear floats. Written atomically.
     Result<void> saveImage(const std::filesystem::path& file, const Image&, Progress* = nullptr);
 
     /// Returns the bytes of such a file, for standard output. `extension` such as ".png".

@@ -6,7 +6,7 @@
 
 namespace patina {
 
-/// A picture on a page of comparison.
+/// Represents a picture on a page of comparison.
 struct PagePicture {
     std::string letter; ///< that marks it
     std::string name;

@@ -14,7 +14,7 @@ namespace patina {
 /// thread that started it, with this object, and with its memory limit.
 class FilesProcess {
   public:
-    /// Errors: the program is missing or cannot be run.
+    /// Fails where the program is missing or cannot be run.
     static Result<FilesProcess> start(const std::filesystem::path& program,
                                       std::size_t memoryLimitBytes);
 

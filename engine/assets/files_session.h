@@ -39,7 +39,7 @@ class FilesSession {
     /// Starts the process when there is none, and has it load the image formats if told so.
     void warmUp(bool images);
 
-    /// The answer made no sense: ends the process and says so.
+    /// Says that the answer made no sense: ends the process and says so.
     Error refuse(const Request& request, const std::string& why);
 
   private:

@@ -12,7 +12,7 @@ namespace patina {
 /// Tells how an image lies in a shared block: a 32-byte header, then the floats.
 class ImageBlock {
   public:
-    /// The block's size in bytes; 0 when there can be no such image (no pixels, a number of
+    /// Returns the block's size in bytes; 0 when there can be no such image (no pixels, a number of
     /// channels other than 1, 3 or 4, more than a gigabyte).
     static std::size_t sizeFor(int width, int height, int channels);
 

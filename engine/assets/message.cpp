@@ -11,7 +11,7 @@ constexpr std::uint32_t messageMagic = 0x4d544150; // "PATM"
 constexpr std::uint32_t messageVersion = 1;
 constexpr std::size_t maxNumbers = 16;
 constexpr std::size_t maxTexts = 4;
-/// Longer than any path (4096) or useful sentence.
+/// Is longer than any path (4096) or useful sentence.
 constexpr std::size_t maxTextBytes = std::size_t(12) * 1024;
 
 constexpr char pathEnd = '\0';

@@ -34,17 +34,17 @@ struct Message {
     friend bool operator==(const Message&, const Message&) = default;
 };
 
-/// Many paths as one text; where it is cut, whole paths are missing.
+/// Returns many paths as one text; where it is cut, whole paths are missing.
 std::string joinedPaths(std::span<const std::string> paths);
 std::vector<std::string> splitPaths(std::string_view joined);
 
 /// No encoded message is longer, in bytes.
 inline constexpr std::size_t maxMessageBytes = std::size_t(64) * 1024;
 
-/// The bytes that travel. Texts are cut so that the whole stays within maxMessageBytes.
+/// Returns the bytes that travel. Texts are cut so that the whole stays within maxMessageBytes.
 std::string encoded(const Message& message);
 
-/// The message in these bytes; nothing when they are not exactly one valid message.
+/// Returns the message in these bytes; nothing when they are not exactly one valid message.
 std::optional<Message> decodedMessage(std::span<const std::byte> bytes);
 
 } // namespace patina

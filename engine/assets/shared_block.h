@@ -11,8 +11,9 @@
 
 namespace patina {
 
-/// Memory shared between two processes. It has no name, so nothing is left behind whichever
-/// process dies when. Once sealed nobody can write or shrink it, so what was checked stays true.
+/// Is memory shared between two processes. It has no name, so nothing is left behind
+/// whichever process dies when. Once sealed nobody can write or shrink it, so what was checked
+/// stays true.
 class SharedBlock {
   public:
     /// Returns new zeroed memory of this size, writable until sealed.

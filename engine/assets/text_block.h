@@ -19,7 +19,7 @@ class TextBlock {
     /// Writes the text into a block of sizeFor(...) bytes.
     static void write(std::span<std::byte> block, std::string_view text);
 
-    /// The bytes another process wrote; their number is checked against the block's length.
+    /// Returns the bytes another process wrote; their number is checked against the block's length.
     static Result<std::string> checked(std::span<const std::byte> block);
 };
 

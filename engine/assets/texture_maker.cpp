@@ -164,13 +164,13 @@ glm::vec4 decoded(glm::vec4 texel, int bits) {
     return texel;
 }
 
-/// The luminance of Rec. 709; of a grey the number itself.
+/// Returns the luminance of Rec. 709; of a grey the number itself.
 float greyOf(const glm::vec4& texel) {
     return texel.g + 0.2126f * (texel.r - texel.g) + 0.0722f * (texel.b - texel.g);
 }
 
-/// The image itself, from the bottom row up. Where it has no alpha its grey stands there: that of
-/// its numbers, but where they are said to be encoded that of the light.
+/// Fills in the image itself, from the bottom row up. Where it has no alpha its grey stands there:
+/// that of its numbers, but where they are said to be encoded that of the light.
 void fill(TexturePicture& picture, const FileImage& source, bool decodes, bool keepsCodes) {
     const Image& image = source.image;
     const Texels texels(picture.format);

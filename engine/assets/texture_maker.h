@@ -21,7 +21,7 @@ struct FileImage {
     int bits = 0; ///< of each whole number; 0: the file holds floats
 };
 
-/// The texture of an image. What is not finite is 0, and nothing is beyond +-65504. Smaller
+/// Returns the texture of an image. What is not finite is 0, and nothing is beyond +-65504. Smaller
 /// versions are means of light, not of codes. Stops early, with fewer of them, when `cancelled`.
 TexturePicture madeTexture(const FileImage& source, TextureDecoding decoding,
                            const std::function<bool()>& cancelled = {});

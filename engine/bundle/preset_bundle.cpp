@@ -88,7 +88,7 @@ class BundleWriter {
     }
 
   private:
-    /// The path of an image in the bundle.
+    /// Returns the path of an image in the bundle.
     Result<std::string> addImage(const std::string& file) {
         const auto [known, isNew] = images_.try_emplace(file);
         if (isNew) {

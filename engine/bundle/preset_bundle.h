@@ -20,7 +20,7 @@ struct BundledPreset {
     std::string picture{}; ///< a PNG file's bytes; empty: none
 };
 
-/// What became of one preset or file.
+/// Says what became of one preset or file.
 struct BundleOutcome {
     std::string name;
     std::string problem; ///< empty: it was done
@@ -40,7 +40,7 @@ struct BundleLimits {
 Result<std::vector<BundleOutcome>> exportBundle(const std::filesystem::path& file,
                                                 const std::vector<BundledPreset>& presets);
 
-/// What importing gave: the new folder, and what became of each file.
+/// Says what importing gave: the new folder, and what became of each file.
 struct BundleImport {
     std::filesystem::path folder;
     std::vector<BundleOutcome> outcomes;

@@ -21,7 +21,7 @@ class Buffer {
 
     enum class Content { Lasting, Changing };
 
-    /// Room for `size` bytes; the content is undefined.
+    /// Makes room for `size` bytes; the content is undefined.
     void reserve(unsigned target, std::size_t size, Content content = Content::Changing);
 
     /// Overwrites bytes from `offset` on; the buffer has room for them.

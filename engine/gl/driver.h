@@ -7,8 +7,8 @@
 
 namespace patina::gl {
 
-/// Version, renderer and vendor of the current context in one line: what a message shows and what
-/// tells one driver from another.
+/// Returns version, renderer and vendor of the current context in one line: what a message shows
+/// and what tells one driver from another.
 std::string driverText();
 
 /// True when the driver draws on the CPU, as far as its name tells.

@@ -22,7 +22,7 @@ unsigned colorAttachment(std::size_t location);
 /// is none.
 unsigned colorTextureOf(unsigned framebuffer);
 
-/// A framebuffer object. What is attached must outlive it.
+/// Represents a framebuffer object. What is attached must outlive it.
 class Framebuffer {
   public:
     Framebuffer() = default;
@@ -40,7 +40,8 @@ class Framebuffer {
     void attachDepth(const TargetTexture& texture);
     /// All layers, which a program writes to the locations from 0 on.
     void attachColors(const TextureArray& texture);
-    /// A layer of depths; it may be attached again and again, and no colours are drawn then.
+    /// Attaches a layer of depths; it may be attached again and again, and no colours are drawn
+    /// then.
     void attachDepth(const TextureArray& texture, int layer);
 
     /// Tells whether it can be drawn to; the error says what the driver does not like.

@@ -21,7 +21,7 @@ class TimeQuery {
     /// True when the result can be had without waiting.
     bool ready() const;
 
-    /// Nanoseconds; waits for the device when it is not ready.
+    /// Returns nanoseconds; waits for the device when it is not ready.
     std::uint64_t nanoseconds() const;
 
   private:

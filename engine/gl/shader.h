@@ -12,7 +12,7 @@ namespace patina::gl {
 
 void deleteShader(unsigned name);
 
-/// One compiled stage. `stage` is GL_VERTEX_SHADER and the like.
+/// Represents one compiled stage. `stage` is GL_VERTEX_SHADER and the like.
 class Shader {
   public:
     /// The error is the driver's log as it came.

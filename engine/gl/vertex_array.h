@@ -21,7 +21,7 @@ class VertexArray {
     void attribute(unsigned location, const Buffer& buffer, int components, std::size_t stride,
                    std::size_t offset);
 
-    /// Four 16-bit whole numbers as floats of the same value; leaves the vertex array bound.
+    /// Feeds four 16-bit whole numbers as floats of the same value; leaves the vertex array bound.
     void shorts(unsigned location, const Buffer& buffer);
 
     /// `count` attributes of four floats from `location` on, one behind the other in `buffer`, that

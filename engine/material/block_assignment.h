@@ -31,7 +31,8 @@ std::vector<std::string> parameterIds(const Block& block, const std::string& pre
 /// The kind that files call so; null where there is none.
 const BlockKind* kindCalled(std::string_view singular);
 
-/// The block of a kind with this id; the error names those that there are, and the nearest of them.
+/// Returns the block of a kind with this id; the error names those that there are, and the nearest
+/// of them.
 Result<const Block*> knownBlock(const Catalog& catalog, std::string_view kind,
                                 const std::string& id);
 

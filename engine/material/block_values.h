@@ -11,9 +11,9 @@ namespace patina {
 /// Returns a block with all parameters at their defaults, rounded to float as all in a document.
 BlockValues defaultBlockValues(const Block& block);
 
-/// The values for another block, or for another version of the same one: values whose id and type
-/// both have carry over, what does not fit goes to `parked`, and parked values that fit come back.
-/// `from` is null when the block of the values is not known.
+/// Returns the values for another block, or for another version of the same one: values whose id
+/// and type both have carry over, what does not fit goes to `parked`, and parked values that fit
+/// come back. `from` is null when the block of the values is not known.
 BlockValues carriedOver(const BlockValues& values, const Block* from, const Block& to,
                         nlohmann::json& parked);
 

@@ -84,7 +84,8 @@ class ValuesReader {
         values_.unknown["parameters"][id] = json;
     }
 
-    /// The block's parameters. A choice that sets others sets those that the file does not have.
+    /// Reads the block's parameters. A choice that sets others sets those that the file does not
+    /// have.
     void readKnown(const Block& block) {
         Values given;
         for (const Parameter& parameter : block.parameters) {

@@ -15,8 +15,8 @@
 
 namespace patina {
 
-/// A block chosen by id, with its values. The id may be one that the catalogue does not know: the
-/// values are then kept as they came.
+/// Represents a block chosen by id, with its values. The id may be one that the catalogue does not
+/// know: the values are then kept as they came.
 struct BlockValues {
     std::string id;
     int version = 1;
@@ -39,7 +39,8 @@ const Block* blockOf(const BlockParts& parts, std::string_view kind, const Catal
 /// Chooses a block of a kind, or none.
 void setPart(BlockParts& parts, std::string_view kind, std::optional<BlockValues> values);
 
-/// A lighting model with parameter values: the thing an artist makes, and what a preset holds.
+/// Represents a lighting model with parameter values: the thing an artist makes, and what a preset
+/// holds.
 struct Material {
     std::string name;
     std::string description;
@@ -66,11 +67,11 @@ struct Material {
 /// Returns a material of `model` with every parameter at its default.
 Material defaultMaterial(const Block& model);
 
-/// The material with another model: values whose parameter id and type both models have carry
-/// over, the others are parked; parked values that the new model knows come back.
+/// Returns the material with another model: values whose parameter id and type both models have
+/// carry over, the others are parked; parked values that the new model knows come back.
 Material withModel(const Material& material, const Block* oldModel, const Block& newModel);
 
-/// The same for a part; nullptr turns it off and parks its values.
+/// Returns the same for a part; nullptr turns it off and parks its values.
 Material withPart(const Material& material, std::string_view kind, const Block* oldBlock,
                   const Block* newBlock);
 

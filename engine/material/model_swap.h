@@ -9,12 +9,12 @@ namespace patina {
 /// sum of the lights, as Fresnel blocks do without one.
 bool hasPlaceFor(const Block& model, std::string_view kind);
 
-/// The material with another model of the catalogue: its values as withModel carries them over, and
-/// its parts as models use them. A part that filled a slot rests while the model has no such slot,
-/// where it would work on the whole surface, and comes back with the slot; so does a part that was
-/// turned on for models without the slot. What rests is kept in `parked`, and so in files.
-/// Where only black would carry over (a metal has no diffuse colour) and nothing could be seen, the
-/// new model's own colours are used until the next swap.
+/// Returns the material with another model of the catalogue: its values as withModel carries them
+/// over, and its parts as models use them. A part that filled a slot rests while the model has no
+/// such slot, where it would work on the whole surface, and comes back with the slot; so does a
+/// part that was turned on for models without the slot. What rests is kept in `parked`, and so in
+/// files. Where only black would carry over (a metal has no diffuse colour) and nothing could be
+/// seen, the new model's own colours are used until the next swap.
 Material swappedModel(const Material& material, const Block& newModel, const Catalog& catalog);
 
 } // namespace patina

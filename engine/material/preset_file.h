@@ -26,15 +26,15 @@ struct PresetReading {
 Checked<PresetReading> materialFromJson(const LocatedJson& document, const std::string& pointer,
                                         const Catalog& catalog, const ReadingRights& rights = {});
 
-/// The preset's JSON, every parameter written; paths of images relative to `folder`, or as they are
-/// where it is empty.
+/// Returns the preset's JSON, every parameter written; paths of images relative to `folder`, or as
+/// they are where it is empty.
 nlohmann::json toJson(const Material& material, const std::filesystem::path& folder = {});
 
 Checked<PresetReading> readPreset(const std::filesystem::path& path, const Catalog& catalog,
                                   const ReadingRights& rights = {});
 
-/// The JSON of a preset's file: of a variant (see variant.h) only what it does not share with its
-/// parent.
+/// Returns the JSON of a preset's file: of a variant (see variant.h) only what it does not share
+/// with its parent.
 nlohmann::json presetJson(const Material& material, const std::filesystem::path& file,
                           const Catalog& catalog);
 

@@ -20,7 +20,7 @@ struct TextureReading {
 /// are where there is none. What loses nothing is noted, the rest are errors of the reader's list.
 TextureReading readTextures(JsonReader& preset, References& references, Errors& notes);
 
-/// The JSON of one image, every setting written.
+/// Returns the JSON of one image, every setting written.
 nlohmann::json toJson(const TextureUse& use, std::string_view key,
                       const std::filesystem::path& folder);
 

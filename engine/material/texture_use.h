@@ -29,7 +29,7 @@ enum class TextureMode { Replace, Multiply, Add };
 enum class TextureWrap { Repeat, Clamp, Mirror };
 enum class TextureFilter { Smooth, Nearest };
 
-/// An image on a surface: which file, and how it is read and laid on.
+/// Represents an image on a surface: which file, and how it is read and laid on.
 struct TextureUse {
     std::string file;     ///< a full path with forward slashes
     bool outside = false; ///< a file named it that may not: it is not read until the user agrees
@@ -57,8 +57,8 @@ TextureRole textureRole(std::string_view key);
 /// Returns an image laid on as usual for that key.
 TextureUse textureUse(std::string_view key, std::string file);
 
-/// The settings of an image in this role, described as the parameters of a block; `channels` are
-/// those that the parameter takes.
+/// Returns the settings of an image in this role, described as the parameters of a block;
+/// `channels` are those that the parameter takes.
 Block textureSettings(TextureRole role, const std::vector<std::string>& channels = {});
 
 /// A setting's value, and another one in its place. The id must be one of textureSettings().

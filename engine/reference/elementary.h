@@ -4,7 +4,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-/// The exact twins of shaders/lib/elementary.glsl over the C++ library: same names, same
+/// Are the exact twins of shaders/lib/elementary.glsl over the C++ library: same names, same
 /// arguments, same meaning outside the domain, good to a few units in the last place.
 namespace patina::reference {
 

@@ -10,7 +10,7 @@
 namespace patina::reference {
 namespace {
 
-/// "ggx_d" -> "ggxD"; a name without underscores stays.
+/// Makes "ggxD" of "ggx_d"; a name without underscores stays.
 std::string camelCase(std::string_view name) {
     std::string result;
     bool capital = false;
@@ -31,7 +31,7 @@ bool sameLetters(std::string_view a, std::string_view b) {
     });
 }
 
-/// Not std::max: that would turn a NaN into a zero and hide it.
+/// Is not std::max: that would turn a NaN into a zero and hide it.
 double cut(double x) {
     return x < 0.0 ? 0.0 : x;
 }

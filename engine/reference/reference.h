@@ -9,7 +9,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-/// The shading code of shaders/ compiled for the CPU in double precision: what the GPU's answers
+/// Is the shading code of shaders/ compiled for the CPU in double precision: what the GPU's answers
 /// are held against. Nothing else in the program compiles a block.
 namespace patina::reference {
 
@@ -71,7 +71,7 @@ struct Field {
 
 struct Block;
 
-/// A compiled block with its values: what fills a slot.
+/// Represents a compiled block with its values: what fills a slot.
 struct Filler {
     const Block* block = nullptr;
     Parameters parameters; ///< block->size numbers, which must outlive it
@@ -80,8 +80,8 @@ struct Filler {
 /// What fills a model's slots, in any order: at most one of each kind. A slot without one is black.
 using Fillers = std::span<const Filler>;
 
-/// A function of a block, called with plain numbers: a vec3 is three of them, a struct its fields
-/// in order.
+/// Represents a function of a block, called with plain numbers: a vec3 is three of them, a struct
+/// its fields in order.
 struct BlockCall {
     std::string_view suffix; ///< of its name, after the block's
     std::size_t arguments = 0;
@@ -115,7 +115,8 @@ struct Block {
     glm::dvec3 toned(const glm::dvec3& light, Parameters) const;
     /// Returns how much a surface at the depth 0 .. 1 counts.
     double transparency(double depth, double opacity, Parameters) const;
-    /// Refraction: the way on, the share mirrored, and what is left after so many metres.
+    /// Returns what refraction gives: the way on, the share mirrored, and what is left after so
+    /// many metres.
     glm::dvec3 refract(const Crossing&, Parameters) const;
     double mirrored(const Crossing&, Parameters) const;
     glm::dvec3 left(double way, Parameters) const;
@@ -123,7 +124,7 @@ struct Block {
     glm::dvec2 outline(const Edge& edge, Parameters) const;
     glm::dvec3 lineColor(Parameters) const;
 
-    /// The function with a suffix, called with these numbers; `Count` of them come back.
+    /// Returns the function with a suffix, called with these numbers; `Count` of them come back.
     template <std::size_t Count>
     std::array<double, Count> call(std::string_view suffix, std::span<const double> arguments,
                                    Parameters parameters) const {
@@ -149,8 +150,8 @@ glm::dvec3 modelValue(const Block& model, const Geometry& geometry, Parameters p
 glm::dvec3 shade(const Block& model, const Geometry& geometry, Parameters parameters,
                  Fillers fillers = {});
 
-/// A function of shaders/lib/ called with plain numbers: a vec3 argument is three of them, a
-/// struct its fields in order; out parameters are results after the returned value.
+/// Represents a function of shaders/lib/ called with plain numbers: a vec3 argument is three of
+/// them, a struct its fields in order; out parameters are results after the returned value.
 struct Function {
     std::string_view name;
     std::string_view signature; ///< as it is declared

@@ -27,7 +27,7 @@ struct View {
     /// Whose effects the programs have; nothing: the scene's own. The same objects and lights with
     /// other values, so that a value may pass what makes an effect needless without a new program.
     const Scene* effects = nullptr;
-    /// The picture of the scene's environment; nothing: it is not there yet, and black.
+    /// Is the picture of the scene's environment; nothing: it is not there yet, and black.
     std::shared_ptr<const EnvironmentImage> environmentImage;
     /// Directions per pixel that are drawn for an environment's light, from four on in whole rounds
     /// of four; 0: what takes about as long as the lights.

@@ -9,13 +9,15 @@
 
 namespace patina {
 
-/// A point of a profile: distance from the axis and height, with the unit normal of the solid.
+/// Represents a point of a profile: distance from the axis and height, with the unit normal of the
+/// solid.
 struct ProfilePoint {
     glm::dvec2 position;
     glm::dvec2 normal;
 };
 
-/// A smooth piece of a profile; where one span ends and the next begins the surface has an edge.
+/// Represents a smooth piece of a profile; where one span ends and the next begins the surface has
+/// an edge.
 using Span = std::vector<ProfilePoint>;
 
 /// Holds the outline of a solid of revolution about +y, from the bottom to the top.

@@ -22,7 +22,7 @@ enum class PictureChoice : std::uint8_t {
 
 inline constexpr std::size_t pictureChoices = 8;
 
-/// The level of each choice, 0 the exact one. A new one draws as Patina always does.
+/// Holds the level of each choice, 0 the exact one. A new one draws as Patina always does.
 class PictureAccuracy {
   public:
     std::size_t level(PictureChoice choice) const {

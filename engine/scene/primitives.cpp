@@ -59,7 +59,7 @@ Mesh cone() {
     return finished(std::move(mesh));
 }
 
-/// A square grid of side 2 centred at `n`, facing along `n`; uv runs along t and n x t.
+/// Adds a square grid of side 2 centred at `n`, facing along `n`; uv runs along t and n x t.
 void addSquare(Mesh& mesh, const glm::vec3& centre, const glm::vec3& n, const glm::vec3& t,
                int cells) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
@@ -113,8 +113,9 @@ glm::mat3 turnedTo(const glm::vec3& up) {
     return {x, up, glm::cross(x, up)};
 }
 
-/// The ball: a sphere that a plane cuts flat, with a chamfer round the cut, and a round channel
-/// that runs parallel to the cut. Everything is a surface of revolution about the cut's normal.
+/// Returns the ball: a sphere that a plane cuts flat, with a chamfer round the cut, and a round
+/// channel that runs parallel to the cut. Everything is a surface of revolution about the cut's
+/// normal.
 Profile ballProfile() {
     const double radius = 0.82;
     const double groove = 0.05;
@@ -140,7 +141,8 @@ Profile ballProfile() {
             segment(onSphere(cutAngle + 0.045), cutRim, 2), segment(cutRim, {0.0, cutRim.y}, 2)};
 }
 
-/// The pedestal: a disc with a crisp rim that a hollow curve draws in to a neck under the ball.
+/// Returns the pedestal: a disc with a crisp rim that a hollow curve draws in to a neck under the
+/// ball.
 Profile pedestalProfile() {
     const glm::dvec2 underside(0.0, -1.0);
     const glm::dvec2 foot(0.66, -1.0);

@@ -15,7 +15,7 @@ glm::dmat4 rotated(const glm::dmat4& matrix, double degrees, const glm::dvec3& a
     return glm::rotate(matrix, glm::radians(degrees), axis);
 }
 
-/// Camera space -> world space without the pivot.
+/// Leads from camera space -> world space without the pivot.
 glm::dmat4 orbit(const Camera& camera) {
     return rotated(rotated(glm::dmat4(1.0), camera.yaw, up), -camera.pitch, right);
 }

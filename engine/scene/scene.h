@@ -53,7 +53,7 @@ struct Light {
     friend bool operator==(const Light&, const Light&) = default;
 };
 
-/// A perspective camera that orbits a pivot. World space is right-handed with +y up.
+/// Represents a perspective camera that orbits a pivot. World space is right-handed with +y up.
 struct Camera {
     glm::dvec3 pivot{0.0};
     double yaw = 30.0;         ///< degrees about +y; 0 looks along -z
@@ -106,7 +106,7 @@ struct Scene {
     friend bool operator==(const Scene&, const Scene&) = default;
 };
 
-/// Object space -> world space: translation * rotation * scale.
+/// Leads from object space -> world space: translation * rotation * scale.
 glm::dmat4 worldMatrix(const Object& object);
 
 glm::dvec3 eye(const Camera& camera);

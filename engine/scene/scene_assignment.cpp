@@ -115,7 +115,7 @@ Result<void> assignInLight(Light& light, const Block* block, const Assignment& o
     return assignInBlock(block, &light.block, own, what, "--light");
 }
 
-/// "key.intensity": the light's name, and what is set of it.
+/// Sets "key.intensity": the light's name, and what is set of it.
 Result<void> assignInLights(Scene& scene, const Assignment& inner, const Catalog& catalog) {
     for (Light& light : scene.lights) {
         const std::string name = lowered(light.name);
@@ -174,7 +174,8 @@ NamedParameter parameterOfLights(const Scene& scene, const BlockKind& kind, std:
     return {};
 }
 
-/// "key.intensity", "key.shadow.softness": of the light's block, what every light has, or a part.
+/// Finds "key.intensity", "key.shadow.softness" of the light's block, what every light has, or a
+/// part.
 NamedParameter parameterOfLight(const Scene& scene, const std::string& id, const Catalog& catalog) {
     const auto light = std::ranges::find_if(scene.lights, [&](const Light& each) {
         return !Assignment{lowered(id), {}}.inside(lowered(each.name)).empty();

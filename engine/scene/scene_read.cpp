@@ -25,7 +25,7 @@ using Json = nlohmann::json;
 
 constexpr int maxBookmarks = 9; ///< one for each digit but 0
 
-/// "khronos-neutral" of "khronosNeutral".
+/// Returns "khronos-neutral" of "khronosNeutral".
 std::string kebabCase(std::string_view word) {
     std::string text;
     for (const char c : word) {

@@ -11,7 +11,7 @@
 namespace patina {
 namespace {
 
-/// The words for the values of an enumeration in descriptors and files.
+/// Holds the words for the values of an enumeration in descriptors and files.
 template <class T, std::size_t N>
 using SettingWords = std::array<std::pair<std::string_view, T>, N>;
 
@@ -83,7 +83,7 @@ const MemberTable<Camera>& cameraMembers() {
     return members;
 }
 
-/// No factor flattens an object.
+/// Lets no factor flatten an object.
 MemberAccess<Object> scale() {
     const MemberAccess<Object> plain = member(&Object::scale);
     return {plain.read, [plain](Object& object, const Value& value) {

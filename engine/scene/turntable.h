@@ -18,7 +18,7 @@ inline constexpr std::array<std::string_view, 3> turntableWords{"object", "light
 /// A vector turned about a unit vector by degrees, as a right-handed screw.
 glm::dvec3 turnedAbout(const glm::dvec3& vector, const glm::dvec3& axis, double degrees);
 
-/// Degrees about x, then y, then z of a rotation matrix Rz Ry Rx.
+/// Returns degrees about x, then y, then z of a rotation matrix Rz Ry Rx.
 glm::dvec3 anglesOf(const glm::dmat3& rotation);
 
 /// An object's rotation (degrees about x, then y, then z) after it was turned about a unit vector

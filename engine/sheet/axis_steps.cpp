@@ -115,7 +115,7 @@ std::string labelOfLevels(const Material& material, const std::string& levels,
     return label.empty() ? "Exact" : label;
 }
 
-/// The exact way, and every other level by itself.
+/// Returns the exact way, and every other level by itself.
 std::vector<std::string> everyLevel(const Material& material, const Catalog& catalog) {
     std::vector<std::string> all{exactWord};
     for (const AccuracyChoice* choice : choicesOf(material, catalog)) {
@@ -277,7 +277,7 @@ std::vector<std::string> rangeEntries(const SheetRange& range, const Parameter& 
     return entries;
 }
 
-/// All choices of an enum, both states of a switch, or the slider's range of a number.
+/// Returns all choices of an enum, both states of a switch, or the slider's range of a number.
 Result<void> chooseEntries(SheetAxis& axis, const Parameter& parameter) {
     const ParameterTypeInfo& info = infoOf(parameter.type);
     if (info.isChoice) {
@@ -410,7 +410,7 @@ std::vector<std::string> everyEntry(AxisKind kind, const Scene& scene, std::size
     return {};
 }
 
-/// By AxisKind.
+/// Are ordered as AxisKind is.
 constexpr std::array<const char*, 5> titles{"Model", "Environment", "Light", "Accuracy", "Value"};
 
 } // namespace

@@ -13,7 +13,7 @@ namespace patina {
 /// come last, since another model or light brings its own.
 enum class AxisKind { Models, Environments, Lights, Accuracy, Value };
 
-/// Numbers from one to another, both included: at even distances, or at even ratios where the
+/// Holds numbers from one to another, both included: at even distances, or at even ratios where the
 /// parameter's slider is logarithmic and both are above 0.
 struct SheetRange {
     double from = 0.0;
@@ -23,7 +23,7 @@ struct SheetRange {
     friend bool operator==(const SheetRange&, const SheetRange&) = default;
 };
 
-/// One axis of a sheet.
+/// Represents one axis of a sheet.
 struct SheetAxis {
     AxisKind kind = AxisKind::Value;
     std::string value{};               ///< of AxisKind::Value: its id, as for --set
@@ -55,7 +55,7 @@ inline constexpr int minCellPixels = 16;  ///< of a side of a cell
 inline constexpr int maxCellPixels = 1024;
 inline constexpr double maxSheetPixels = double(1 << 25); ///< of all cells together
 
-/// A contact sheet: pictures of one object, whose axes are what varies. A value.
+/// Represents a contact sheet: pictures of one object, whose axes are what varies. A value.
 struct Sheet {
     std::string name{};
     std::string preset{}; ///< a full path of what it starts from; empty: whoever draws it knows

@@ -61,7 +61,7 @@ Json jsonOfTyped(const std::string& text) {
     return number && shortestFloatText(*number) == text ? Json(*number) : Json(text);
 }
 
-/// A mistake in one of an array's values.
+/// Returns a mistake in one of an array's values.
 ValueError wrongAt(std::size_t index, std::string problem, const char* expected) {
     return {Error{{}, 0, 0, std::move(problem), expected}, fmt::format("/{}", index)};
 }

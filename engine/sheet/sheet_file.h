@@ -36,7 +36,7 @@ Result<void> writeSheet(const std::filesystem::path& path, const Sheet& sheet);
 /// Returns the sheets that ship, by their files' names.
 std::vector<std::filesystem::path> shippedSheets();
 
-/// The word of a number in files and on the command line: "time", "error", "albedo".
+/// Returns the word of a number in files and on the command line: "time", "error", "albedo".
 std::string_view wordOf(CellNumber number);
 std::optional<CellNumber> cellNumberOf(std::string_view word);
 

@@ -43,7 +43,7 @@ void addValues(std::vector<AxisOffer>& offers, const Block& block, const std::st
     }
 }
 
-/// The levels of each choice by itself.
+/// Adds the levels of each choice by itself.
 void addChoices(std::vector<AxisOffer>& offers, const Block& block) {
     for (const AccuracyChoice& choice : block.accuracy) {
         const bool isNew = std::ranges::none_of(

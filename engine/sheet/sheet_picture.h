@@ -8,8 +8,8 @@
 
 namespace patina {
 
-/// The picture of a whole sheet: its name, the titles and labels of its axes, and the cells, whose
-/// pixels are as they were drawn.
+/// Holds the picture of a whole sheet: its name, the titles and labels of its axes, and the cells,
+/// whose pixels are as they were drawn.
 class SheetPicture {
   public:
     struct Look {
@@ -29,7 +29,7 @@ class SheetPicture {
     /// Puts a text where a cell cannot be.
     void putProblem(int column, int row, const std::string& why);
 
-    /// The cell's top left.
+    /// Returns the cell's top left.
     glm::ivec2 corner(int column, int row) const;
 
     const Image& image() const { return image_; } ///< three channels

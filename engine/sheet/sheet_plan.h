@@ -31,8 +31,8 @@ struct PlannedAxis {
     friend bool operator==(const PlannedAxis&, const PlannedAxis&) = default;
 };
 
-/// A sheet of one object of a scene: which steps its axes have, and which scene each cell shows. A
-/// pure function of the scene.
+/// Represents a sheet of one object of a scene: which steps its axes have, and which scene each
+/// cell shows. A pure function of the scene.
 class SheetPlan {
   public:
     /// Plans a sheet of `start`'s object with this number. Every step that cannot be is in the
@@ -57,7 +57,8 @@ class SheetPlan {
     /// The sheet with the steps that its axes have, also where they were all that there are.
     Sheet shown(Sheet sheet) const;
 
-    /// The scene of a cell: the start in the control row. An error where the cell cannot be.
+    /// Returns the scene of a cell: the start in the control row. An error where the cell cannot
+    /// be.
     Result<Scene> scene(int column, int row) const;
 
     /// Brings a cell's values into an object of a scene and into the scene itself. Nothing in the

@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// One cell of a sheet's table.
+/// Represents one cell of a sheet's table.
 struct CellRow {
     int column = 0;
     int row = 0;
@@ -17,8 +17,8 @@ struct CellRow {
 /// its numbers, and why there is none. Milliseconds, relative error, albedo.
 std::string sheetCsv(const SheetPlan& plan, const std::vector<CellRow>& cells);
 
-/// "1.2 ms", "error 0.003", "albedo 0.82": a line for each of these kinds, empty where there is no
-/// number.
+/// Returns "1.2 ms", "error 0.003", "albedo 0.82": a line for each of these kinds, empty where
+/// there is no number.
 std::vector<std::string> captionOf(const CellNumbers& numbers,
                                    const std::vector<CellNumber>& kinds);
 

@@ -42,7 +42,7 @@ class TrialDrawer {
     explicit TrialDrawer(std::shared_ptr<const Catalog> catalog)
         : catalog_(std::move(catalog)), mesh_(builtinMesh(Object()).value_or(Mesh())) {}
 
-    /// Nothing: no context could be made.
+    /// Is false where no context could be made.
     bool open() {
         context_ = gl::HeadlessContext::create().value_or(nullptr);
         renderer_ = context_ ? Renderer::create({}).value_or(nullptr) : nullptr;

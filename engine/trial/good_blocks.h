@@ -10,7 +10,7 @@ namespace patina {
 /// keys. A folder that cannot be written to costs nothing but the time to try again.
 class GoodBlocks {
   public:
-    /// Empty: nothing is kept.
+    /// Keeps nothing where the folder is empty.
     explicit GoodBlocks(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
     bool has(const std::string& key) const;

@@ -69,7 +69,7 @@ class TrialGate::Run {
         const std::atomic<bool>& isStopped)
         : process_(std::move(process)), blocks_(blocks), limits_(limits), isStopped_(isStopped) {}
 
-    /// What came of a block.
+    /// Says what came of a block.
     struct Verdict {
         const StrangerBlock* block = nullptr;
         Errors mistakes{};
@@ -215,7 +215,7 @@ std::string TrialGate::keyOf(const StrangerBlock& block, const std::string& driv
         generate("patina trial 1\n" + nameOf(block) + '\n' + block.hash + '\n' + driver));
 }
 
-/// Null: it was never tried.
+/// Is null where it was never tried.
 const Errors* TrialGate::known(const std::string& key) {
     const std::lock_guard lock(mutex_);
     const auto found = known_.find(key);

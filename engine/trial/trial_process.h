@@ -25,8 +25,8 @@ class TrialProcess {
     TrialProcess& operator=(TrialProcess&&) noexcept;
     ~TrialProcess();
 
-    /// The next line of its standard output, waited for so long; nothing: there is none yet, or
-    /// none will come (hasEnded()).
+    /// Returns the next line of its standard output, waited for so long; nothing: there is none
+    /// yet, or none will come (hasEnded()).
     std::optional<std::string> line(std::chrono::milliseconds patience);
 
     /// Its output is at its end.

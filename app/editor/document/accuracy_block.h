@@ -7,8 +7,8 @@
 
 namespace patina {
 
-/// The accuracy choices of blocks as enum parameters of one block, so that the one form and the one
-/// command serve them, too; blocks share a choice of the same id.
+/// Returns the accuracy choices of blocks as enum parameters of one block, so that the one form and
+/// the one command serve them, too; blocks share a choice of the same id.
 Block accuracyBlock(std::span<const Block* const> blocks);
 
 } // namespace patina

@@ -338,7 +338,7 @@ void Document::setScenePart(const BlockPath& path, const Block* wanted) {
         new SceneBlockCommand(*this, path, std::move(after), blockLabel(path.kind, wanted)));
 }
 
-/// Values with the same id carry over.
+/// Carries over values with the same id.
 void Document::setOwnEnvironment(const BlockPath& path, const Block* wanted) {
     OwnView own = state_.ownViews[indexOf(path.side)];
     const BlockValues* held = own.environment ? &*own.environment : nullptr;

@@ -54,7 +54,7 @@ class Document : public QObject {
     const Scene& scene(Side side) const;
     /// The same without what is laid over it while ways to draw the picture are compared.
     Scene ownScene(Side side) const;
-    /// The current object's material of that side; null when there is none.
+    /// Returns the current object's material of that side; null when there is none.
     const Material* material(Side side) const;
     bool isComparing() const { return state_.second.has_value(); }
     std::size_t shownSides() const { return patina::shownSides(state_); } ///< 1: none is compared
@@ -90,7 +90,7 @@ class Document : public QObject {
                    const TextureEdits& textures = {});
 
     // Images on values of a material.
-    /// The image of a value; null where there is none.
+    /// Returns the image of a value; null where there is none.
     const TextureUse* texture(const BlockPath& path, std::string_view parameterId) const;
     /// Lays an image on a value, changes it, or takes it away (nullopt).
     void setTexture(const BlockPath& path, std::string_view parameterId,
@@ -98,8 +98,8 @@ class Document : public QObject {
 
     // Blocks and materials. Edits of the scene's lists are in scene_edits.h, those of what is
     // compared in compare_edits.h.
-    /// Another block of the path's kind; values with the same id carry over. Empty: none, where the
-    /// kind is a part.
+    /// Sets another block of the path's kind; values with the same id carry over. Empty: none,
+    /// where the kind is a part.
     void setBlock(const BlockPath& path, std::string_view blockId);
     void setModel(Side side, std::string_view modelId);
     void replaceMaterial(Side side, const Material& material, const QString& label,

@@ -213,7 +213,8 @@ void DocumentFiles::tell(const Errors& messages) {
     }
 }
 
-/// Absolute: what a path means must not depend on the folder that some later program starts in.
+/// Makes the path absolute: what a path means must not depend on the folder that some later program
+/// starts in.
 void DocumentFiles::setFile(DocumentFile file) {
     file_ = std::move(file);
     std::error_code ignored; // it then stays as it is

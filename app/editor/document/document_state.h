@@ -50,7 +50,7 @@ struct DocumentState {
     std::optional<Material> second; ///< side B, shown on the current object; absent: no comparing
     std::optional<MaterialPreview> preview = std::nullopt; ///< absent: side A shows its own
     std::optional<ComparedPicture> picture = std::nullopt; ///< absent: both draw as the scene says
-    /// Sides C and D, shown on the current object, too; they rest while nothing is compared.
+    /// Holds sides C and D, shown on the current object, too; they rest while nothing is compared.
     std::vector<Material> further{};
     std::array<OwnView, sides.size()> ownViews{}; ///< by side; they rest in the same way
     std::vector<Snapshot> snapshots{}; ///< in the order in which they were taken

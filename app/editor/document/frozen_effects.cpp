@@ -11,7 +11,7 @@
 namespace patina {
 namespace {
 
-/// A value of the parameter's type with this number in every component.
+/// Returns a value of the parameter's type with this number in every component.
 Value filled(const Parameter& parameter, double number) {
     const double inside = std::clamp(number, parameter.min, parameter.max);
     const Value& type = parameter.defaultValue;
@@ -87,7 +87,7 @@ Value apart(const Parameter& parameter, const std::vector<Value>& edges) {
     return isEdge ? filled(parameter, 0.3 * parameter.softMin + 0.7 * parameter.softMax) : usual;
 }
 
-/// The keys of the programs for the objects and the ground, and of the one behind them.
+/// Holds the keys of the programs for the objects and the ground, and of the one behind them.
 using Keys = std::array<std::uint64_t, 4>;
 
 Keys keysOf(const DocumentState& state, const BlockPath& path, const Catalog& catalog) {

@@ -46,7 +46,7 @@ const Block* farLight(const Catalog& catalog) {
     return found == all.end() ? nullptr : *found;
 }
 
-/// The shadows of lamps with a size; null: there are none.
+/// Returns the shadows of lamps with a size; null: there are none.
 const Block* softShadows(const Catalog& catalog) {
     const std::vector<const Block*> all = catalog.ofKind(kinds::shadows);
     const auto found = std::ranges::find_if(

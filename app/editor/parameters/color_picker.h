@@ -17,8 +17,8 @@ class HueStrip;
 class NumberEdit;
 class SaturationField;
 
-/// A popup that edits a colour live: hue, saturation and brightness as a screen shows them, and
-/// the linear numbers the shader gets.
+/// Represents a popup that edits a colour live: hue, saturation and brightness as a screen shows
+/// them, and the linear numbers the shader gets.
 class ColorPicker : public QFrame {
     Q_OBJECT
 

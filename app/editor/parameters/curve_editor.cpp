@@ -30,7 +30,7 @@ QColor faint(const QPalette& palette, float share) {
     return color;
 }
 
-/// The curve from the left edge of a rectangle to its right one.
+/// Returns the curve from the left edge of a rectangle to its right one.
 QPolygonF curveLine(const CurvePoints& points, const Parameter& parameter, const QRectF& place) {
     QPolygonF line;
     if (points.size() < minCurvePoints) {
@@ -136,7 +136,8 @@ class CurveField : public HandleArea {
 
 } // namespace
 
-/// Edits a curve live: its points in a field, the chosen one as numbers, and curves to begin with.
+/// Edits a curve live: its points in a field, the chosen one as numbers, and curves to
+/// begin with.
 class CurvePopup : public QFrame {
   public:
     CurvePopup(const Parameter& parameter, CurveEditor* editor)

@@ -14,7 +14,8 @@ namespace patina {
 class ParameterRow;
 class TexturePopup;
 
-/// The images on a form's values: asks for files, takes dropped ones, shows how an image lies.
+/// Handles the images on a form's values: asks for files, takes dropped ones, shows how an image
+/// lies.
 class FormTextures : public QObject {
     Q_OBJECT
 

@@ -16,7 +16,7 @@ namespace patina {
 
 namespace {
 
-/// Letters of a unit; more would leave no room for the number.
+/// Is the most letters of a unit; more would leave no room for the number.
 constexpr int maxUnit = 6;
 
 const QColor wrong(196, 64, 48); // readable on light and dark

@@ -6,8 +6,8 @@
 
 namespace patina {
 
-/// A field for one number. It shows few digits and, once it is edited, all of them; what is not
-/// touched is never rounded. Enter or leaving it asks for the number that was typed.
+/// Represents a field for one number. It shows few digits and, once it is edited, all of them; what
+/// is not touched is never rounded. Enter or leaving it asks for the number that was typed.
 class NumberBox : public ValueBox {
     Q_OBJECT
 

@@ -13,8 +13,8 @@ class NumberBox;
 class ScrubLabel;
 class ValueSlider;
 
-/// A slider and a number box for one number. Whatever way a number is changed, it goes through
-/// here: it is made finite, whole where it must be, and kept inside the hard range.
+/// Represents a slider and a number box for one number. Whatever way a number is changed, it goes
+/// through here: it is made finite, whole where it must be, and kept inside the hard range.
 class NumberEdit : public QWidget {
     Q_OBJECT
 

@@ -6,7 +6,7 @@
 
 namespace patina {
 
-/// The number a person typed: `.` or `,` as the decimal mark in any locale, + - * / and
+/// Returns the number a person typed: `.` or `,` as the decimal mark in any locale, + - * / and
 /// parentheses, and a unit that converts to `unit` ("45deg", "500 nm" where the unit is "um",
 /// "50%"). Nothing for anything else, and never NaN or infinity.
 std::optional<double> evaluateNumber(std::string_view text, std::string_view unit);

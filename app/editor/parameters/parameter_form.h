@@ -31,7 +31,7 @@ enum class RowFilter {
     Changed ///< those that are not at their default, and those with an image
 };
 
-/// The form of a block: one row per parameter, lined up in sections, made from the descriptor
+/// Shows the form of a block: one row per parameter, lined up in sections, made from the descriptor
 /// alone. It holds no values; it asks its source.
 class ParameterForm : public QWidget {
     Q_OBJECT

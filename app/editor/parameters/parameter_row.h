@@ -23,8 +23,9 @@ class TextureLine;
 class WarningMark;
 struct TexturePreview;
 
-/// One line of a form: label, editor, and the marks of an unusual and of a changed value. While
-/// the parameter does not count it is grey and folded; it can be opened and set all the same.
+/// Represents one line of a form: label, editor, and the marks of an unusual and of a changed
+/// value. While the parameter does not count it is grey and folded; it can be opened and set all
+/// the same.
 class ParameterRow : public QWidget {
     Q_OBJECT
 
@@ -35,7 +36,7 @@ class ParameterRow : public QWidget {
     ParameterEditor* editor() const { return editor_; }
     ScrubLabel* label() const { return label_; }
     QToolButton* foldButton() const { return foldButton_; }
-    /// The line of the value's image; null while the row was not told that it takes one.
+    /// Returns the line of the value's image; null while the row was not told that it takes one.
     TextureLine* textureLine() const { return textureLine_; }
     TextureLine* makeTextureLine();
     /// Puts a button behind the editor, which the row takes.

@@ -12,7 +12,7 @@ namespace patina {
 
 class ParameterRow;
 
-/// A heading that folds the rows below it.
+/// Represents a heading that folds the rows below it.
 class ParameterSection : public QWidget {
     Q_OBJECT
 

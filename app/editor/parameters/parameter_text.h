@@ -18,7 +18,7 @@ QString tooltipOf(const Parameter& parameter);
 /// Why a parameter counts or does not: "Falloff is Polynomial".
 QString enabledReason(const Parameter& parameter, std::span<const Parameter> siblings);
 
-/// The warning for a value outside the range of real things; empty when there is none.
+/// Returns the warning for a value outside the range of real things; empty when there is none.
 QString physicalWarning(const Parameter& parameter, const Value& value);
 
 } // namespace patina

@@ -7,8 +7,8 @@ class QToolButton;
 
 namespace patina {
 
-/// A picture's file: its name, which opens a dialog to choose another one. Takes files that are
-/// dropped on it.
+/// Represents a picture's file: its name, which opens a dialog to choose another one. Takes files
+/// that are dropped on it.
 class PictureFileEditor : public ParameterEditor {
     Q_OBJECT
 

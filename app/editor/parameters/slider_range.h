@@ -24,7 +24,7 @@ class SliderRange {
     void widenFor(double value);
     void reset();
 
-    /// 0 .. 1 along the slider; values beyond it are at its ends.
+    /// Returns the place along the slider, 0 .. 1; values beyond it are at its ends.
     double positionOf(double value) const;
     double valueAt(double position) const;
 

@@ -23,7 +23,7 @@ QPixmap faded(const QPixmap& picture, double share) {
     return result;
 }
 
-/// Four fields of a checker: "an image" without words; in alarming colours a missing one.
+/// Draws four fields of a checker: "an image" without words; in alarming colours a missing one.
 QIcon checker(const QColor& light, const QColor& dark) {
     QPixmap picture(thumbnailSide, thumbnailSide);
     picture.fill(dark);

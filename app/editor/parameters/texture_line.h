@@ -11,8 +11,8 @@ class QToolButton;
 
 namespace patina {
 
-/// The image on a value, in one line: a small picture, whether it counts, its name, how it lies,
-/// and away with it. Without an image only a button that asks for one.
+/// Shows the image on a value, in one line: a small picture, whether it counts, its name, how it
+/// lies, and away with it. Without an image only a button that asks for one.
 class TextureLine : public QWidget {
     Q_OBJECT
 

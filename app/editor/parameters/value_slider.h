@@ -8,8 +8,9 @@
 
 namespace patina {
 
-/// A slider over real values. It shows what it is told and asks for changes: dragging moves
-/// (Shift: ten times finer, Ctrl: in round steps), Esc takes a drag back, keys and the wheel step.
+/// Represents a slider over real values. It shows what it is told and asks for changes: dragging
+/// moves (Shift: ten times finer, Ctrl: in round steps), Esc takes a drag back, keys and the wheel
+/// step.
 class ValueSlider : public QWidget {
     Q_OBJECT
 

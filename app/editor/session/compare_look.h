@@ -56,7 +56,7 @@ CompareLook withAmount(CompareLook look, double share);
 /// Where in its range the number is; 0 where the mode has none.
 double amountOf(const CompareLook& look);
 
-/// An angle within -180 .. 180 degrees.
+/// Returns an angle within -180 .. 180 degrees.
 double wrappedAngle(double degrees);
 
 } // namespace patina

@@ -25,7 +25,7 @@ class CellTable : public QAbstractTableModel {
     const Sheet& sheet() const { return sheet_.sheet; }
     const SheetCell& cell(const QModelIndex& index) const;
     int dueCells() const; ///< that are not drawn yet
-    /// The lines below its picture.
+    /// Returns the lines below its picture.
     QStringList caption(const QModelIndex& index) const;
     bool isControl(int row) const { return sheet_.plan && sheet_.plan->isControl(row); }
 

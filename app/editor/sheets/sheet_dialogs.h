@@ -15,7 +15,7 @@ QString askForSheet(QWidget* parent, Session& session);
 /// `name`: of the file that is offered, without its ending, as in the next.
 QString askWhereToSaveSheet(QWidget* parent, Session& session, const QString& name);
 
-/// A picture, or a table of numbers.
+/// Tells a picture from a table of numbers.
 QString askWhereToExportSheet(QWidget* parent, Session& session, const QString& name);
 
 } // namespace patina

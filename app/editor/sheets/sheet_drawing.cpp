@@ -48,7 +48,7 @@ class SheetDrawing::Studio {
     Studio(std::filesystem::path programCache, std::unique_ptr<Renderer> renderer)
         : programCache_(std::move(programCache)), renderer_(std::move(renderer)) {}
 
-    /// The maker of a request's cells: for a file, or without a form for the window.
+    /// Returns the maker of a request's cells: for a file, or without a form for the window.
     CellMaker& cellsOf(const Request& request, std::optional<SheetForm> form) {
         if (!cells_ || request.catalog != catalog_) {
             catalog_ = request.catalog;

@@ -23,7 +23,7 @@ struct SheetCell {
     bool isShown = false; ///< it is what the document shows
 };
 
-/// A plan with its cells, row by row.
+/// Represents a plan with its cells, row by row.
 struct PlannedSheet {
     std::shared_ptr<const SheetPlan> plan;
     Sheet sheet; ///< that was asked for
@@ -37,7 +37,7 @@ struct SheetRefusal {
     bool isYDead = false;
 };
 
-/// How a sheet ended.
+/// Tells how a sheet ended.
 struct SheetEnd {
     int drawn = 0; ///< cells, but for those that were there
     bool isWhole = false;
@@ -88,7 +88,7 @@ class SheetDrawing : public QObject {
     void drawn(int index, const patina::SheetCell& cell);
     void finished(const patina::SheetEnd& end);
     void progressed(double share, const QString& doing); ///< share: 0 .. 1
-    /// An empty file: it was cancelled, and nothing is written.
+    /// Tells where the sheet is. An empty file: it was cancelled, and nothing is written.
     void written(const QString& file, const patina::Errors& problems);
 
   private:

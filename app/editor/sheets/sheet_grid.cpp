@@ -91,7 +91,8 @@ class CellDelegate : public QStyledItemDelegate {
         }
     }
 
-    /// "0.82" of "albedo 0.82"; what stands before the number goes first where room is short.
+    /// Returns "0.82" of "albedo 0.82"; what stands before the number goes first where room is
+    /// short.
     static QString withoutName(const QString& line) {
         return line.front().isDigit() ? line : line.section(QLatin1Char(' '), -1);
     }

@@ -24,8 +24,9 @@ class SheetControls;
 class SheetGrid;
 class VerticalTitle;
 
-/// A live contact sheet: what the active side shows, again and again along one or two axes. It
-/// follows the document while it is seen. A click on a cell, or Enter, gives the document its look.
+/// Represents a live contact sheet: what the active side shows, again and again along one or two
+/// axes. It follows the document while it is seen. A click on a cell, or Enter, gives the document
+/// its look.
 class SheetsDock : public QWidget {
     Q_OBJECT
 

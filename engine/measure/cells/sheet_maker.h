@@ -26,9 +26,9 @@ class SheetMaker {
     /// The plan and the cells' maker outlive it. A table of a sheet without numbers has them all.
     SheetMaker(const SheetPlan& plan, Sheet sheet, SheetForm form, CellMaker& cells);
 
-    /// All cells; those that cannot be drawn say why. `goesOn` is asked before each of them, and
-    /// while one is measured; false where it said no. An error where there is no cell at all, and
-    /// where an environment's picture cannot be had.
+    /// Draws all cells; those that cannot be drawn say why. `goesOn` is asked before each of
+    /// them, and while one is measured; false where it said no. An error where there is no cell at
+    /// all, and where an environment's picture cannot be had.
     using GoesOn = std::function<bool(int done, int cells)>;
     Checked<bool> run(const GoesOn& goesOn);
 

@@ -61,11 +61,12 @@ std::vector<Choice> choicesOfPicture(const Scene& scene, const Catalog& catalog)
 /// The levels that the material has now, without those that are exact.
 ChosenLevels levelsOf(const Material& material, const std::vector<Choice>& choices);
 
-/// The same of the picture of the scene. A level that is none of the choice's is named as it is.
+/// Returns the same of the picture of the scene. A level that is none of the choice's is named as
+/// it is.
 ChosenLevels levelsOfPicture(const Scene& scene, const std::vector<Choice>& choices,
                              const Catalog& catalog);
 
-/// A frame: a scene and how it is looked at.
+/// Represents a frame: a scene and how it is looked at.
 struct ChosenFrame {
     Scene scene;
     View view;

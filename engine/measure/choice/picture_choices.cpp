@@ -29,7 +29,7 @@ int numberOf(const std::string& level) {
     return std::atoi(level.c_str());
 }
 
-/// "8" with a label such as "8 layers".
+/// Returns "8" with a label such as "8 layers".
 ChoiceLevel counted(int count, std::string_view what) {
     const std::string number = std::to_string(count);
     return {number, fmt::format("{} {}", number, what), {}};
@@ -221,7 +221,7 @@ Choice choiceOf(const PictureChoiceText& text) {
     return choice;
 }
 
-/// Null for the choices of the table above.
+/// Is null for the choices of the table above.
 const PictureChoiceText* textOf(const Choice& choice) {
     const std::string_view id = choice.id;
     return id.starts_with(prefix) ? pictureChoiceText(id.substr(prefix.size())) : nullptr;

@@ -23,7 +23,7 @@ class CellMeter {
         std::shared_ptr<const EnvironmentImage> environment{};
     };
 
-    /// Milliseconds of a frame: the median of a few, after one that only warms up.
+    /// Returns milliseconds of a frame: the median of a few, after one that only warms up.
     Result<double> milliseconds(const Subject& subject);
     std::string method() const { return frames_->method(); }
 

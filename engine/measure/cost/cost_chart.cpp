@@ -68,7 +68,8 @@ bool isFaster(const CostPoint& a, const CostPoint& b) {
     return timeOf(a) < timeOf(b) && !tiesInTime(a, b);
 }
 
-/// From the most accurate point on; of equally accurate ones the exact one, then the fastest.
+/// Orders from the most accurate point on; of equally accurate ones the exact one, then the
+/// fastest.
 bool comesBefore(const CostPoint& a, const CostPoint& b) {
     if (knownError(a) != knownError(b)) {
         return knownError(a) < knownError(b);

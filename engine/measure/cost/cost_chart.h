@@ -100,7 +100,7 @@ enum class Standing {
     Beaten
 };
 
-/// The standing of each point.
+/// Returns the standing of each point.
 std::vector<Standing> standings(const std::vector<CostPoint>& points);
 
 /// The points that may be worth choosing: the front, the fastest first, then its ties.

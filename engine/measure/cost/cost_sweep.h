@@ -52,7 +52,7 @@ class CostSweep {
     /// Holds what was measured so far.
     const CostChart& chart() const;
 
-    /// Why it ended before its time; empty while all is well.
+    /// Says why it ended before its time; empty while all is well.
     const Errors& problems() const;
 
     /// The frame that errors are measured against, of points with the exact one's directions of an

@@ -58,7 +58,7 @@ std::string tiesText(const CostChart& chart) {
     return text;
 }
 
-/// A line below the table; none for an empty text.
+/// Returns a line below the table; none for an empty text.
 std::string lineOf(const std::string& text) {
     return text.empty() ? text : text + '\n';
 }

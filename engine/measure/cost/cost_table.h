@@ -30,12 +30,12 @@ std::string boundsCsv(const MedianInterval& interval, int samples); ///< "<lower
 nlohmann::json countJson(const std::optional<InstructionCount>& count);
 std::string instructionsText(const std::optional<InstructionCount>& count); ///< or "-"
 
-/// "0.512 (0.509 .. 0.514)?": a ratio with so many digits after the point and what is to be doubted
-/// of it; "<" and ">" before a bound, "-" where nothing is known of it.
+/// Returns "0.512 (0.509 .. 0.514)?": a ratio with so many digits after the point and what is to be
+/// doubted of it; "<" and ">" before a bound, "-" where nothing is known of it.
 std::string ratioText(const ChoiceCost& cost, RatioBound bound, int digits);
 /// Returns nanoseconds per pixel; "<" before a bound.
 std::string nanosecondsText(const ChoiceCost& cost);
-/// '!': too few runs for an interval, '?': it is wider than was wanted, ' '.
+/// Returns '!' for too few runs for an interval, '?': it is wider than was wanted, ' '.
 char doubtOf(const ChoiceCost& cost);
 /// Stands below a table with such ratios to the time of `what`.
 std::string signsText(std::string_view what);

@@ -41,7 +41,7 @@ glm::ivec2 effectSize(glm::ivec2 wanted) {
     return gl::isSoftware() ? effectSizeOnCpu : effectSizeOnDevice;
 }
 
-/// In the same shape; no smaller than one pixel, no larger than it is.
+/// Keeps the shape; no smaller than one pixel, no larger than it is.
 glm::ivec2 withShortEdge(glm::ivec2 size, double edge) {
     const double part = std::min(1.0, edge / std::min(size.x, size.y));
     return glm::max(glm::ivec2(part * glm::dvec2(size)), glm::ivec2(1));
@@ -113,8 +113,8 @@ class EffectCostMeter::Implementation {
     int warmUpFrames() const { return 1 + static_cast<int>(ready_); }
     int pairs() const { return static_cast<int>(frames_.size()); }
 
-    /// Milliseconds of a frame. What it takes altogether, or up to `most` seconds of that, counts
-    /// as spent.
+    /// Returns milliseconds of a frame. What it takes altogether, or up to `most` seconds of that,
+    /// counts as spent.
     double timeOf(const Scene& scene, double maxSeconds = std::numeric_limits<double>::infinity()) {
         const auto began = Clock::now();
         const double time = drawn_->timeOf(scene, view_);

@@ -33,8 +33,8 @@ using NumberText = std::function<std::string(double number, char format, int dig
 /// Writes a number as programs do, with a point.
 std::string plainNumber(double number, char format, int digits);
 
-/// The law in words: "linear: 1.2 ms + 34.5 ms per million pixels, R² 0.998", or "twice the pixels
-/// take 1.79 times as long; a straight line has R² 0.95".
+/// Returns the law in words: "linear: 1.2 ms + 34.5 ms per million pixels, R² 0.998", or "twice the
+/// pixels take 1.79 times as long; a straight line has R² 0.95".
 std::string lawText(const ScalingCurve& curve, const NumberText& number = plainNumber);
 
 /// For people, as lines with a line of names before them, and for programs.

@@ -9,7 +9,7 @@ namespace {
 /// Enough of them to tell how long thousands take.
 constexpr int fewDirections = 64;
 
-/// The ground truth, a converged one, and the exact one: captured, and a pair of it.
+/// Counts the ground truth, a converged one, and the exact one: captured, and a pair of it.
 constexpr double exactFrames = 5.0;
 
 /// How many frames with every choice exact take as long as all points.

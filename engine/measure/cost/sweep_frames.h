@@ -6,7 +6,8 @@
 
 namespace patina {
 
-/// The frames of a sweep: what is drawn for a point of its chart, and what is left without it.
+/// Holds the frames of a sweep: what is drawn for a point of its chart, and what is left without
+/// it.
 class SweepFrames {
   public:
     /// The subject's scene loses what is not measured.

@@ -149,7 +149,7 @@ void SweepPlan::addCombinations(const CostChart& chart) {
     }
 }
 
-/// One level more: the one that saves most for the error that it brings.
+/// Adds one level more: the one that saves most for the error that it brings.
 void SweepPlan::addGreedy(const CostChart& chart) {
     const Candidates candidates = gaining(chart);
     std::optional<ChosenLevels> best;

@@ -5,8 +5,8 @@
 
 namespace patina {
 
-/// The pixels of a sweep's frames: those of the options, or what the device of the current context
-/// is up to.
+/// Returns the pixels of a sweep's frames: those of the options, or what the device of the current
+/// context is up to.
 glm::ivec2 sweepSize(const CostSweep::Subject& subject, const CostSweep::Options& options);
 
 } // namespace patina

@@ -25,7 +25,7 @@ struct DisplayCurve {
     /// Returns what the scene's light is multiplied by.
     static double factor(double exposure);
 
-    /// 0 .. 1 per channel, not rounded to steps.
+    /// Returns 0 .. 1 per channel, not rounded to steps.
     glm::dvec3 shown(const glm::dvec3& light) const;
 };
 

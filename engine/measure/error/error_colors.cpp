@@ -11,7 +11,7 @@
 namespace patina {
 namespace {
 
-/// One for every factor of ten; each is lighter than the one before.
+/// Holds a colour for every factor of ten; each is lighter than the one before.
 constexpr std::array<glm::vec3, 7> colorStops{{{0.00f, 0.00f, 0.00f},
                                           {0.16f, 0.08f, 0.35f},
                                           {0.42f, 0.10f, 0.46f},

@@ -14,8 +14,8 @@ namespace patina {
 inline constexpr double minErrorShown = 1e-6;
 inline constexpr double greatestErrorShown = 1.0;
 
-/// The colour of a relative error, sRGB: from black by violet, red and orange to pale yellow, with
-/// equal steps for equal factors; what is not a number is as bright as the worst.
+/// Returns the colour of a relative error, sRGB: from black by violet, red and orange to pale
+/// yellow, with equal steps for equal factors; what is not a number is as bright as the worst.
 glm::vec3 errorColor(double relative);
 
 /// Returns a map of relative errors, rows from the top, as a picture of these colours, sRGB.

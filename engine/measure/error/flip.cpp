@@ -26,10 +26,10 @@ constexpr double featurePower = 0.5;
 constexpr double nearShare = 0.4;
 constexpr double nearScale = 0.95;
 
-/// The width of the eye's detector of edges, in degrees.
+/// Is the width of the eye's detector of edges, in degrees.
 constexpr double detectorWidth = 0.082;
 
-/// Linear Rec. 709 to CIE XYZ relative to the white of D65.
+/// Leads from linear Rec. 709 to CIE XYZ relative to the white of D65.
 const glm::dmat3& toRelativeXyz() {
     static const glm::dmat3 matrix = [] {
         const glm::dmat3 xyz = glm::transpose(
@@ -46,8 +46,8 @@ const glm::dmat3& toRelativeXyz() {
     return matrix;
 }
 
-/// Lightness, red against green and yellow against blue: linear in light (YCxCz), or with the cube
-/// root in between (L*a*b*).
+/// Returns lightness, red against green and yellow against blue: linear in light (YCxCz), or with
+/// the cube root in between (L*a*b*).
 glm::dvec3 opponent(const glm::dvec3& xyz) {
     return {116.0 * xyz.y - 16.0, 500.0 * (xyz.x - xyz.y), 200.0 * (xyz.y - xyz.z)};
 }
@@ -71,7 +71,7 @@ glm::dvec3 perceived(const glm::dvec3& light) {
     return {lab.x, 0.01 * lab.x * lab.y, 0.01 * lab.x * lab.z};
 }
 
-/// HyAB: city blocks between lightness and colour.
+/// Returns the HyAB distance: city blocks between lightness and colour.
 double distance(const glm::dvec3& a, const glm::dvec3& b) {
     const glm::dvec3 d = a - b;
     return std::abs(d.x) + std::hypot(d.y, d.z);
@@ -162,7 +162,7 @@ void balance(Kernel& kernel) {
     }
 }
 
-/// The first or the second derivative of a Gaussian, and the Gaussian across it.
+/// Holds the first or the second derivative of a Gaussian, and the Gaussian across it.
 struct Detector {
     Kernel along;
     Kernel across;

@@ -17,7 +17,7 @@ namespace patina {
 /// pictures of a display, which it compares as the eye filters them.
 class Flip {
   public:
-    /// A display 0.7 m wide with 3840 pixels, seen from 0.7 m.
+    /// Is that of a display 0.7 m wide with 3840 pixels, seen from 0.7 m.
     static constexpr double usualPixelsPerDegree = 3840.0 * std::numbers::pi / 180.0;
 
     /// `right`: sRGB values 0 .. 1, rows from the top.

@@ -22,7 +22,7 @@ unsigned char eightBits(double share) {
     return static_cast<unsigned char>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
 }
 
-/// IEC 61966-2-1.
+/// Returns the sRGB code of linear light (IEC 61966-2-1).
 double encoded(double light) {
     return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1.0 / 2.4) - 0.055;
 }

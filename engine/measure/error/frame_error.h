@@ -44,7 +44,7 @@ class ErrorMeter {
     /// are.
     void addErrorOf(ParallelJob& work, const LinearFrame& frame, FrameError& error) const;
 
-    /// The relative error of each pixel, rows from the top; 0 where nothing counts.
+    /// Returns the relative error of each pixel, rows from the top; 0 where nothing counts.
     std::vector<double> mapOf(const LinearFrame& frame) const;
 
     const LinearFrame& groundTruth() const { return groundTruth_; }

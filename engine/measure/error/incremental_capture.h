@@ -21,10 +21,10 @@ class IncrementalCapture {
     /// Draws for about so long; true when all is there.
     Result<bool> step(std::chrono::milliseconds patience);
 
-    /// 0 .. 1, by the samples of an environment, which are what takes long.
+    /// Returns 0 .. 1, by the samples of an environment, which are what takes long.
     double progress() const;
 
-    /// The frame before exposure; no pixel of it counts yet.
+    /// Returns the frame before exposure; no pixel of it counts yet.
     Result<LinearFrame> frame() const;
 
   private:

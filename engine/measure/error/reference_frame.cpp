@@ -8,7 +8,7 @@
 namespace patina {
 namespace {
 
-/// Some milliseconds of a costly model; threads cost much less than that.
+/// Takes some milliseconds of a costly model; threads cost much less than that.
 constexpr std::size_t pixelsAtOnce = 8192;
 
 } // namespace

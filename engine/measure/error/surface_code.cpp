@@ -138,7 +138,8 @@ class Collector {
         }
     }
 
-    /// As packScene() laid them out: a header, then light after light; of a drawing's the key one.
+    /// Finds them as packScene() laid them out: a header, then light after light; of a drawing's
+    /// the key one.
     void addLights() {
         const bool takesOne = takesKeyAlone(effects_);
         std::size_t share = 0;

@@ -7,8 +7,8 @@
 
 namespace patina {
 
-/// The double-precision code of a block. An error when the block was added since the program was
-/// built, or has other parameters now.
+/// Returns the double-precision code of a block. An error when the block was added since the
+/// program was built, or has other parameters now.
 Result<const reference::Block*> compiledBlock(const Block& block);
 
 } // namespace patina

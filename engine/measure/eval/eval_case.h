@@ -28,8 +28,8 @@ struct EvalBlock {
 
 /// Says where a block is evaluated. Each kind of block reads what it is a function of.
 struct EvalPlace {
-    /// As given, of any length. A light's point is in `l`; fog's eye is there, and in `v` the unit
-    /// direction from it.
+    /// Is as given, of any length. A light's point is in `l`; fog's eye is there, and in `v` the
+    /// unit direction from it.
     glm::dvec3 n{0.0, 0.0, 1.0};
     glm::dvec3 t{1.0, 0.0, 0.0};
     glm::dvec3 l{0.0};
@@ -42,8 +42,8 @@ struct EvalPlace {
 /// One function of a block at one place, to be evaluated on the CPU or on the graphics device; or
 /// one function of the shader library.
 struct EvalCase : EvalPlace {
-    /// Model: a block's function of directions; Fields: of the fields of another struct, of a
-    /// number, or of the block's values alone.
+    /// Tells what a case calls. Model: a block's function of directions; Fields: of the fields of
+    /// another struct, of a number, or of the block's values alone.
     enum class Subject { Model, Fresnel, Light, Fog, Fields, Function };
 
     nlohmann::json id; ///< whatever tells the case from others; goes back with its answer
@@ -51,7 +51,7 @@ struct EvalCase : EvalPlace {
     bool gpu = false;
 
     EvalBlock block;
-    /// The function of the block's kind; null: its first one.
+    /// Is the function of the block's kind; null: its first one.
     const BlockFunction* called = nullptr;
     EvalBlock slot; ///< what fills the model's slot; null block when it has none
 

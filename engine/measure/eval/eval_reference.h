@@ -11,9 +11,9 @@ namespace patina {
 /// another number of arguments.
 Result<const reference::Function*> findEvalFunction(const EvalCase& request);
 
-/// The numbers that answer a case, in double precision: what the function of the block returns, of
-/// a light its direction and then its radiance; of the library's functions also their out
-/// parameters behind it. Blocks that were not there when the program was built, or have changed
+/// Returns the numbers that answer a case, in double precision: what the function of the block
+/// returns, of a light its direction and then its radiance; of the library's functions also their
+/// out parameters behind it. Blocks that were not there when the program was built, or have changed
 /// since, are an error.
 Result<std::vector<double>> evaluatedInDouble(const EvalCase& request);
 

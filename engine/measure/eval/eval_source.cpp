@@ -44,7 +44,7 @@ std::string programKey(const EvalBlock& block) {
     return key;
 }
 
-/// Texels before the parameters: n, t, l and v, or the one argument.
+/// Returns texels before the parameters: n, t, l and v, or the one argument.
 int argumentTexels(const EvalCase& request) {
     if (request.subject == Subject::Fields) {
         return texelsOf(numbersOf(fieldsOf(request)));
@@ -83,7 +83,7 @@ void addSlots(SourceBuilder& builder, const EvalCase& request) {
     }
 }
 
-/// "fog_ray" of "FogRay": how files of shaders/passes call a type.
+/// Returns "fog_ray" of "FogRay": how files of shaders/passes call a type.
 std::string typeWord(std::string_view type) {
     std::string word;
     for (const char c : type) {
@@ -94,12 +94,12 @@ std::string typeWord(std::string_view type) {
     return word;
 }
 
-/// The number `index` of a case's first texels.
+/// Returns the number `index` of a case's first texels.
 std::string numberText(std::size_t index) {
     return fmt::format("caseData({})[{}]", index / 4, index % 4);
 }
 
-/// A field, of the numbers from the first on.
+/// Returns a field, of the numbers from the first on.
 std::string fieldText(const ArgumentField& field, std::size_t first) {
     const std::string number = numberText(first);
     if (field.isTriple()) {

@@ -34,10 +34,10 @@ Result<EvalShape> evalShape(const EvalCase& request);
 Checked<ShaderSource> evalSource(const EvalCase& request, const EvalShape& shape,
                                  const std::filesystem::path& shaders);
 
-/// The first numbers of a case's texels: where it is evaluated, or a function's arguments.
+/// Returns the first numbers of a case's texels: where it is evaluated, or a function's arguments.
 std::vector<float> placeTexels(const EvalCase& request);
 
-/// The numbers after them: the values of the block and of what fills its slot.
+/// Returns the numbers after them: the values of the block and of what fills its slot.
 std::vector<float> valueTexels(const EvalCase& request);
 
 } // namespace patina

@@ -8,7 +8,7 @@
 
 namespace patina {
 
-/// The double-precision code of a case: of its block and of what fills its slot.
+/// Holds the double-precision code of a case: of its block and of what fills its slot.
 struct ReferenceCode {
     EvalCase::Subject subject = EvalCase::Subject::Model;
     const reference::Block* block = nullptr;
@@ -22,7 +22,7 @@ struct ReferenceCode {
 /// Returns where a model is evaluated at a place, its vectors normalised.
 reference::Geometry geometryOf(const EvalPlace& place);
 
-/// The numbers that answer a case; what is not used is 0.
+/// Holds the numbers that answer a case; what is not used is 0.
 using ReferenceNumbers = std::array<double, 6>;
 
 /// A block and what fills its slot with packed values, ready to be evaluated at many places.

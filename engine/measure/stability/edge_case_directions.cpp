@@ -23,7 +23,7 @@ constexpr double cosines[] = {0.0,  smallestFloat, 1e-30,      6e-17,      1e-12
                               1e-6, 1e-4,          1e-2,       0.1,        0.3,        0.5,
                               0.7,  0.9,           1.0 - 1e-4, 1.0 - 1e-6, 1.0 - 1e-8, 1.0};
 
-/// Between light and viewer, in radians; pi is the mirror's side.
+/// Are the azimuths between light and viewer, in radians; pi is the mirror's side.
 constexpr double azimuths[] = {0.0,
                                1e-7,
                                1e-4,
@@ -59,8 +59,8 @@ EvalPlace upright(const glm::dvec3& l, const glm::dvec3& v) {
     return place;
 }
 
-/// Every pair of cosines and azimuths; one pair in five once more with the light or the viewer, or
-/// both, below the horizon.
+/// Returns every pair of cosines and azimuths; one pair in five once more with the light or the
+/// viewer, or both, below the horizon.
 Places uprightPlaces() {
     Places places;
     std::size_t count = 0;
@@ -83,7 +83,7 @@ Places uprightPlaces() {
     return places;
 }
 
-/// l = v, l = -v and the exact mirror direction, and a little off each.
+/// Adds l = v, l = -v and the exact mirror direction, and a little off each.
 void addRelated(Places& places) {
     constexpr double offsets[] = {0.0, 1e-8, 1e-6, 1e-4, 1e-2};
     for (const double c : cosines) {
@@ -165,7 +165,8 @@ Places edgeCasePoints() {
     return places;
 }
 
-/// Distances, each from some eyes and in some directions, among them along an axis and next to it.
+/// Returns distances, each from some eyes and in some directions, among them along an axis and next
+/// to it.
 Places edgeCaseRays() {
     constexpr glm::dvec3 eyes[] = {{0.0, 0.0, 0.0},  {0.5, -1.0, 2.0},  {2.0, 0.5, 2.0},
                                    {1e3, 1e3, -1e3}, {1e-20, 5.0, 0.0}, {0.0, -1e6, 1e6}};
@@ -187,7 +188,7 @@ Places edgeCaseRays() {
     return places;
 }
 
-/// Numbers of one fixed sequence.
+/// Holds numbers of one fixed sequence.
 class Random {
   public:
     double uniform(double low, double high) {

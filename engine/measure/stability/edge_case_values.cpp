@@ -8,7 +8,8 @@
 namespace patina {
 namespace {
 
-/// The next float; above 0 the smallest normal one, because devices take what is smaller as 0.
+/// Returns the next float; above 0 the smallest normal one, because devices take what is smaller as
+/// 0.
 double nextFloat(double x) {
     using Limits = std::numeric_limits<float>;
     return x == 0.0
@@ -16,7 +17,7 @@ double nextFloat(double x) {
                : static_cast<double>(std::nextafter(static_cast<float>(x), Limits::infinity()));
 }
 
-/// Sorted by importance; what lies outside the range is left out.
+/// Returns them sorted by importance; what lies outside the range is left out.
 std::vector<double> edgeCaseNumbers(const Parameter& parameter) {
     std::vector<double> numbers{parameter.min,
                                 parameter.max,

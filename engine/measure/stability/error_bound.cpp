@@ -36,8 +36,8 @@ bool moves(const ParameterField& field) {
     return field.parameter != nullptr && infoOf(field.parameter->type).isContinuous;
 }
 
-/// A value moved by its rounding, within the parameter's range. What is written of a function is
-/// not its values alone.
+/// Returns a value moved by its rounding, within the parameter's range. What is written of a
+/// function is not its values alone.
 double moved(const Parameter& parameter, double x, double sign) {
     const double next = x + sign * rounding * std::abs(x);
     if (infoOf(parameter.type).function != nullptr) {

@@ -32,7 +32,8 @@ std::string elevationText(const char* name, double degreesUp) {
                        degreesUp < 0.0 ? "below" : "above");
 }
 
-/// Between the projections of light and viewer onto the surface; 180 is the mirror's side.
+/// Returns the angle between the projections of light and viewer onto the surface; 180 is the
+/// mirror's side.
 double azimuth(const EvalCase& request) {
     const glm::dvec3 n = glm::normalize(request.n);
     const glm::dvec3 l = request.l - glm::dot(n, request.l) * n;

@@ -12,14 +12,14 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// A node of a rule along one angle.
+/// Represents a node of a rule along one angle.
 struct Node {
     double x = 0.0;
     double weight = 0.0;
 };
 
-/// A zero of the Legendre polynomial of degree n from near `x` by Newton's method, and its weight
-/// (Abramowitz and Stegun 25.4.29).
+/// Returns a zero of the Legendre polynomial of degree n from near `x` by Newton's method, and its
+/// weight (Abramowitz and Stegun 25.4.29).
 Node legendreNode(int n, double x) {
     double slope = 1.0;
     for (int iteration = 0; iteration < 10; ++iteration) {
@@ -36,7 +36,7 @@ Node legendreNode(int n, double x) {
     return {x, 2.0 / ((1.0 - x * x) * slope * slope)};
 }
 
-/// On -1 .. 1.
+/// Is for the interval -1 .. 1.
 std::vector<Node> gaussLegendre(int n) {
     std::vector<Node> nodes;
     for (int i = 0; i < n; ++i) {
@@ -72,7 +72,7 @@ std::vector<double> panels(std::vector<double> breaks, double low, double high, 
     return ends;
 }
 
-/// From the normal, 0 .. pi/2; light and mirror direction are at the same angle.
+/// Returns angles from the normal, 0 .. pi/2; light and mirror direction are at the same angle.
 std::vector<double> polarPanels(double theta, double widest) {
     std::vector<double> breaks{theta};
     for (const double step : mirrorSteps) {
@@ -85,7 +85,7 @@ std::vector<double> polarPanels(double theta, double widest) {
     return panels(std::move(breaks), 0.0, pi / 2, widest);
 }
 
-/// About the normal from the light, 0 .. 2 pi; the mirror direction is at pi.
+/// Returns the angle about the normal from the light, 0 .. 2 pi; the mirror direction is at pi.
 std::vector<double> azimuthPanels(double widest) {
     std::vector<double> breaks{pi};
     for (const double step : mirrorSteps) {

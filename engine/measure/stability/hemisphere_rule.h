@@ -19,11 +19,11 @@ struct HemisphereRuleSize {
     double widestPanel = 0.25; ///< in radians
 };
 
-/// Viewers all over the hemisphere about the normal (0, 0, 1): the sum of weight times a model's
-/// value, over n.l, is the directional albedo for light from `l`, the integral of f (n.v). The rule
-/// is composite Gauss-Legendre in elevation and azimuth; panels shrink by steps towards the mirror
-/// direction (to 0.0005 rad, for lobes as sharp as an exponent of 100 000), towards the horizon and
-/// the light.
+/// Returns viewers all over the hemisphere about the normal (0, 0, 1): the sum of weight times a
+/// model's value, over n.l, is the directional albedo for light from `l`, the integral of f (n.v).
+/// The rule is composite Gauss-Legendre in elevation and azimuth; panels shrink by steps towards
+/// the mirror direction (to 0.0005 rad, for lobes as sharp as an exponent of 100 000), towards the
+/// horizon and the light.
 std::vector<WeightedDirection> hemisphereRule(const glm::dvec3& l,
                                               const HemisphereRuleSize& size = {});
 

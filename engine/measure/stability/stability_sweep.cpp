@@ -83,8 +83,8 @@ std::size_t strideFor(std::size_t places) {
     return stride;
 }
 
-/// Evenly spread ones, so many of all; `phase` from 0 to 1 says where between two the first one
-/// lies.
+/// Returns evenly spread ones, so many of all; `phase` from 0 to 1 says where between two the first
+/// one lies.
 template <class Item>
 std::vector<Item> thinned(std::vector<Item> all, std::size_t count, double phase) {
     if (count >= all.size()) {
@@ -110,8 +110,8 @@ struct StabilitySweep::Share {
     double phase = 0.0; ///< of what is left out, between 0 and 1
 };
 
-/// One program's cases, numbered: every place with the variant's own values, then a few places,
-/// edge cases and ordinary ones, with every other row of values.
+/// Holds one program's cases, numbered: every place with the variant's own values, then a few
+/// places, edge cases and ordinary ones, with every other row of values.
 class StabilitySweep::Variant {
   public:
     Variant(const EvalCase& variant, const SweepOptions& options, const Share& share)
@@ -392,7 +392,7 @@ StabilitySweep::Share StabilitySweep::shareOf(std::size_t index) const {
     return {options_.cases / count, static_cast<double>(index) / static_cast<double>(count)};
 }
 
-/// Program after program. A step makes one, or evaluates a slice of its cases.
+/// Goes from program to program. A step makes one, or evaluates a slice of its cases.
 Steps StabilitySweep::run() {
     for (; done_ < variants_.size(); ++done_) {
         if (done_ > 0) {

@@ -15,7 +15,7 @@ struct SweepOptions {
     bool cpu = true;
     bool gpu = true;   ///< an OpenGL context must be current while the sweep exists
     bool error = true; ///< compare the two where both are evaluated
-    /// About so many cases in all.
+    /// Is roughly the number of all cases.
     std::size_t cases = 300000;
     /// Every edge case of each program, and 16 with each set of edge-case values, even where they
     /// are more. Otherwise an even part of them, another one for each program.
@@ -51,8 +51,8 @@ class StabilitySweep {
 
     const SweepReport& report() const { return report_; }
 
-    /// The block whose code cannot be evaluated in double precision, and why; empty text when all
-    /// can.
+    /// Returns the block whose code cannot be evaluated in double precision, and why; empty text
+    /// when all can.
     const std::string& withoutReference() const { return withoutReference_; }
 
   private:

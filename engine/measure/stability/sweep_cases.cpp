@@ -196,7 +196,8 @@ void addChoices(std::string& text, const EvalBlock& block) {
     }
 }
 
-/// A material's levels serve its model and its Fresnel block: each takes those that it knows.
+/// A material's levels serve its model and its Fresnel block: each takes those that it
+/// knows.
 EvalBlock valued(const Block& block, const BlockValues& values, const AccuracyLevels& levels) {
     EvalBlock made = defaults(block);
     for (const auto& [id, level] : levels) {
@@ -221,7 +222,8 @@ EvalCase caseOf(EvalBlock block, const BlockFunction& function) {
     return made;
 }
 
-/// One function of the block with each of its programs. Only a function of directions has slots.
+/// Adds one function of the block with each of its programs. Only a function of directions has
+/// slots.
 void addVariants(std::vector<EvalCase>& variants, const Catalog& catalog, const Block& block,
                  const BlockFunction& function) {
     std::vector<std::size_t> counts = compiledCounts(block);

@@ -8,13 +8,13 @@
 
 namespace patina {
 
-/// Every function of the block once with each of its programs: its compiled choices, accuracy
-/// levels and what can fill its slot (with its own compiled choices) such that every two choices
-/// meet in some case. Other values are the defaults. Empty for a block of a kind that cannot be
-/// evaluated.
+/// Returns every function of the block once with each of its programs: its compiled choices,
+/// accuracy levels and what can fill its slot (with its own compiled choices) such that every two
+/// choices meet in some case. Other values are the defaults. Empty for a block of a kind that
+/// cannot be evaluated.
 std::vector<EvalCase> sweepVariants(const Catalog& catalog, const Block& block);
 
-/// The one program of a material, with its values. A block that is missing is an error.
+/// Returns the one program of a material, with its values. A block that is missing is an error.
 Result<EvalCase> sweepVariant(const Catalog& catalog, const Material& material);
 
 /// The functions of a material's Fresnel block alone, where it is blended over a model that has no

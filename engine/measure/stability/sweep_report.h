@@ -35,7 +35,7 @@ struct SweepFinding {
     ReferenceNumbers value{}; ///< what was returned, as many numbers as the block answers
     std::size_t numbers = 3;
     ReferenceNumbers exact{}; ///< in double precision, or by the claim; for a claim one number
-    /// How bad: |error| over its bound for Inaccurate and claims, else the size of the number.
+    /// Is how bad: |error| over its bound for Inaccurate and claims, else the size of the number.
     double excess = 0.0;
 };
 

@@ -9,8 +9,8 @@
 
 namespace patina {
 
-/// The instructions of a shader by kind, for single numbers: one on a vec3 counts three times. As
-/// they stand in its text: what a loop repeats is counted once.
+/// Holds the instructions of a shader by kind, for single numbers: one on a vec3 counts three
+/// times. As they stand in its text: what a loop repeats is counted once.
 struct InstructionCount {
     int arithmetic = 0;     ///< sums, products, comparisons, choices, conversions
     int transcendental = 0; ///< divisions, roots, powers, logarithms and angles

@@ -13,7 +13,7 @@ namespace patina {
 std::string unitFile(const Block& block);
 std::string unitScope(const Block& block);
 
-/// The C++ file of one block: its struct, constants, shader code and entry for the table.
+/// Returns the C++ file of one block: its struct, constants, shader code and entry for the table.
 /// `lines` are the block's file and what it includes.
 std::string blockSource(const Block& block, const GlslLines& lines);
 

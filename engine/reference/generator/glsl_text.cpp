@@ -25,7 +25,7 @@ bool isBlank(const std::string& text) {
     return text.find_first_not_of(" \t\r") == std::string::npos;
 }
 
-/// In double precision. A constant is one that a translation unit may not need.
+/// Writes it in double precision. A constant is one that a translation unit may not need.
 std::string cppLine(const std::string& text) {
     std::string line = text.starts_with("const ") ? "[[maybe_unused]] " : "";
     const char* done = text.data();

@@ -40,7 +40,8 @@ class GlslReader {
     GlslLines lines_;
 };
 
-/// The lines as C++: `float` becomes `double`, and #line names the shader's own file and line.
+/// Returns the lines as C++: `float` becomes `double`, and #line names the shader's own file and
+/// line.
 std::string asCpp(const GlslLines& lines);
 
 /// The same of a text that stands in no file.

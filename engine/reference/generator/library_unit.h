@@ -17,8 +17,8 @@ struct LibraryUnit {
     Declarations callable; ///< the structs and the functions that the table lists
 };
 
-/// The C++ file: the code, a wrapper that turns numbers into arguments for each function, and the
-/// table of them, sorted by name.
+/// Returns the C++ file: the code, a wrapper that turns numbers into arguments for each function,
+/// and the table of them, sorted by name.
 std::string librarySource(const LibraryUnit& unit);
 
 } // namespace patina

@@ -255,7 +255,7 @@ bool FrameJob::hasHeldPrograms() {
            passes_.programs.hasHeld(plan_, *shared_);
 }
 
-/// The programs of the picture, and those of a drag.
+/// Makes the programs of the picture, and those of a drag.
 void FrameJob::prewarm() {
     const bool isMissing = passes_.programs.missing(plan_, *shared_) != 0;
     if (isMissing || !passes_.display.has(*plan_.effects, *shared_->catalog)) {

@@ -18,9 +18,9 @@
 
 namespace patina {
 
-/// A frame on its way from a scene to a picture: its plan, its targets and how far it is. One job
-/// makes one frame after the other of its view and keeps its memory; the jobs of other views, which
-/// share what is in the GPU's memory, may take their steps in between.
+/// Represents a frame on its way from a scene to a picture: its plan, its targets and how far it
+/// is. One job makes one frame after the other of its view and keeps its memory; the jobs of other
+/// views, which share what is in the GPU's memory, may take their steps in between.
 class FrameJob {
   public:
     enum class Progress { More, Done };
@@ -64,8 +64,8 @@ class FrameJob {
     /// mixed with what is there. A sketch is shown whole.
     void show(unsigned framebuffer, double share = 1.0);
 
-    /// The frame as linear floats (RGBA, straight alpha), with the exposure in them, or as the
-    /// 8-bit display values / 255. An exposure that is given takes the place of the scene's.
+    /// Returns the frame as linear floats (RGBA, straight alpha), with the exposure in them, or as
+    /// the 8-bit display values / 255. An exposure that is given takes the place of the scene's.
     Result<Image> read(bool display, std::optional<double> exposure = {});
 
     /// Samples per pixel of the environment's light in the picture; 0 where programs look at none.

@@ -24,7 +24,7 @@ inline constexpr unsigned behindDepth = 2;
 /// The tables that a material's blocks read in place of computing.
 inline constexpr unsigned blockTables = 3;
 
-/// An environment: where it is bright, its picture, and that in small.
+/// Is an environment: where it is bright, its picture, and that in small.
 inline constexpr unsigned environmentTable = 4;
 inline constexpr unsigned environmentImage = 5;
 inline constexpr unsigned environmentSmall = 6;

@@ -12,9 +12,9 @@
 
 namespace patina {
 
-/// A mesh in the GPU's memory. Attributes: 0 position, 1 normal, 2 tangent,
-/// 3 texture coordinates, 4 on which side the bitangent is; then those of Instance; 11 openness,
-/// once it is there: without it nothing is hidden.
+/// Represents a mesh in the GPU's memory. Attributes: 0 position, 1 normal, 2 tangent, 3 texture
+/// coordinates, 4 on which side the bitangent is; then those of Instance; 11 openness, once it is
+/// there: without it nothing is hidden.
 class GpuMesh {
   public:
     /// Makes room for this mesh; upload() brings the content. `serial` tells it from every other

@@ -15,7 +15,7 @@ namespace patina {
 /// sizes and a sample of their content, so that a new mesh at an old address is seen.
 class GpuMeshStore {
   public:
-    /// The mesh; uploads it when it is not there yet.
+    /// Returns the mesh, and uploads it when it is not there yet.
     const GpuMesh& get(const MeshView& mesh);
 
     /// The mesh, with room for its content when it is new; it may be incomplete. It stays for as

@@ -47,7 +47,7 @@ GlFormat formatOf(TexelFormat format, bool decodes) {
     }
 }
 
-/// Linear numbers of 16 bits for sRGB codes and alpha.
+/// Returns linear numbers of 16 bits for sRGB codes and alpha.
 std::vector<std::uint16_t> decoded(std::span<const std::byte> codes) {
     static const SrgbTable table;
     const auto whole = [](float x) { return static_cast<std::uint16_t>(x * 65535.0f + 0.5f); };

@@ -9,7 +9,8 @@
 
 namespace patina {
 
-/// An image in the GPU's memory. Its small versions come first, and are shown until it is whole.
+/// Represents an image in the GPU's memory. Its small versions come first, and are shown until it
+/// is whole.
 class GpuTexture {
   public:
     /// Makes room for this picture. What is larger than the driver takes is left out. `isOpaque`:

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint64_t texturesKept = 120;
 
-/// A texel of four numbers.
+/// Represents a texel of four numbers.
 using Texel = std::array<float, 4>;
 
 /// Eight by eight fields that nobody takes for a real look.

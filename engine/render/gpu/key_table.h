@@ -20,7 +20,7 @@ class KeyTable {
         }
     }
 
-    /// The key's number: `next` when it is new.
+    /// Returns the key's number: `next` when it is new.
     std::size_t find(std::uint64_t key, std::size_t next) {
         const std::size_t mask = places_.size() - 1;
         std::size_t at = (key * 0x9e3779b97f4a7c15u >> 32) & mask;

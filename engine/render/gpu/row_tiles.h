@@ -24,8 +24,8 @@ class RowTiles {
         Slow     ///< took more than a window should wait
     };
 
-    /// A new frame: what it is made of, the rows of the image that it is drawn in, and how many
-    /// times over an environment's light is looked at.
+    /// Begins a new frame: what it is made of, the rows of the image that it is drawn in, and how
+    /// many times over an environment's light is looked at.
     void begin(std::span<const void* const> programs, glm::ivec2 drawn, std::int64_t triangles,
                int rounds = 0);
     Pace pace() const;

@@ -13,7 +13,8 @@ class SlicePace {
   public:
     using Clock = std::chrono::steady_clock;
 
-    /// A new frame. Triangles of one that has many are small; of others the pixels may take long.
+    /// Begins a new frame. Triangles of one that has many are small; of others the pixels may take
+    /// long.
     void begin(bool isLarge) {
         maxTriangles_ = isLarge ? maxAtOnce : 1;
         drawn_ = 0;

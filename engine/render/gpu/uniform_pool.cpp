@@ -9,7 +9,7 @@
 namespace patina {
 namespace {
 
-/// vec4s; no driver asks for blocks to begin at multiples of more than 256 bytes.
+/// Is a number of vec4s; no driver asks for blocks to begin at multiples of more than 256 bytes.
 constexpr std::size_t alignment = 256 / sizeof(glm::vec4);
 constexpr std::size_t firstRoom = 16 * alignment;
 

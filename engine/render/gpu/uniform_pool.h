@@ -11,7 +11,8 @@
 
 namespace patina {
 
-/// Many uniform blocks of vec4s in one buffer. What did not change is not written to the GPU again.
+/// Keeps many uniform blocks of vec4s in one buffer. What did not change is not written to the
+/// GPU again.
 class UniformPool {
   public:
     /// A block's place, which holds until the next clear().

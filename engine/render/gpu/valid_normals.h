@@ -12,9 +12,9 @@ namespace patina {
 /// normal leaves. Shaders scale normals and make them unit, and look for nothing else.
 bool haveValidNormals(std::span<const Vertex> vertices);
 
-/// The same vertices with such normals. Of others those that have a direction keep it and become
-/// unit; those that have none (a component is infinite or not a number) become zero. A surface
-/// without a normal is shaded as if it faced the viewer.
+/// Returns the same vertices with such normals. Of others those that have a direction keep it and
+/// become unit; those that have none (a component is infinite or not a number) become zero. A
+/// surface without a normal is shaded as if it faced the viewer.
 std::vector<Vertex> withValidNormals(std::span<const Vertex> vertices);
 
 } // namespace patina

@@ -74,7 +74,7 @@ EnvironmentTexels texelsOf(const Colors& colors, glm::ivec2 size) {
     return texels;
 }
 
-/// No more than `widest` wide and half as high as that, in each direction.
+/// Limits it to `widest` wide and half as high, in each direction.
 glm::ivec2 limited(glm::ivec2 size, int widest) {
     return glm::max(glm::min(size, glm::ivec2(widest, widest / 2)), glm::ivec2(1));
 }

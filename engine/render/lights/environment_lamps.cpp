@@ -35,7 +35,7 @@ constexpr double minShare = 0.02;
 /// Less of all the light is not worth a lamp.
 constexpr double minShareOfAll = 0.01;
 
-/// The directions of a small picture.
+/// Holds the directions of a small picture.
 class Sky {
   public:
     explicit Sky(const EnvironmentRadiance& environment) : environment_(environment) {

@@ -9,7 +9,7 @@
 
 namespace patina {
 
-/// A lamp in an environment: what a small part of all directions sends above a limit.
+/// Represents a lamp in an environment: what a small part of all directions sends above a limit.
 struct EnvironmentLamp {
     glm::dvec3 direction{0.0}; ///< unit, towards it, in the environment's own space
     glm::dvec3 radiance{0.0};  ///< E / pi on a surface that faces it, linear

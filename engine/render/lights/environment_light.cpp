@@ -131,7 +131,7 @@ void EnvironmentLight::pack(const BlockValues& values) {
     }
 }
 
-/// Another picture, or the next part of it. False where all of it is there.
+/// Takes another picture, or the next part of it. False where all of it is there.
 bool EnvironmentLight::takeImage(const Subject& subject) {
     static const std::shared_ptr<const EnvironmentImage> none;
     const auto& image = pictureParameter(current_->use.block()) != nullptr ? subject.image : none;

@@ -29,7 +29,8 @@ void accumulate(std::span<const double> weights, std::span<glm::vec2> out) {
     out[weights.size() - 1].x = 1.0f;
 }
 
-/// The squared sine of the angle from straight up to the upper edge of a row; 1 below the horizon.
+/// Returns the squared sine of the angle from straight up to the upper edge of a row; 1 below the
+/// horizon.
 double heightAbove(double row, int rows) {
     const double sine = std::sin(std::numbers::pi * std::min(row / double(rows), 0.5));
     return sine * sine;

@@ -25,7 +25,7 @@ std::size_t area(glm::ivec2 size) {
 /// 8 MiB of a picture: a few milliseconds.
 constexpr std::size_t halvesAtOnce = std::size_t(4) << 20;
 
-/// The size of the next coarser level.
+/// Returns the size of the next coarser level.
 glm::ivec2 halved(glm::ivec2 size) {
     return glm::max(size / 2, glm::ivec2(1));
 }

@@ -20,8 +20,8 @@ class EnvironmentTexture {
     /// A picture, which goes on over its left and right edges and is smooth between texels.
     void fill(const EnvironmentTexels& texels);
 
-    /// The same bit by bit: room for a picture, and then some megabytes of it for each call, from
-    /// where the last one came to. False where there was nothing left of it.
+    /// Does the same bit by bit: room for a picture, and then some megabytes of it for each call,
+    /// from where the last one came to. False where there was nothing left of it.
     void begin(glm::ivec2 size);
     bool fillSome(const EnvironmentTexels& texels);
 

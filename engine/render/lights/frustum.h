@@ -26,12 +26,13 @@ class DepthRange {
     /// Adds a distance from the eye.
     void addReach(double distance);
 
-    /// Distances of the near and the far plane: around everything that was added, the near one at
-    /// least a ten-thousandth of the far one so that depths stay apart. 0.1 and 100 for nothing.
+    /// Returns distances of the near and the far plane: around everything that was added, the near
+    /// one at least a ten-thousandth of the far one so that depths stay apart. 0.1 and 100 for
+    /// nothing.
     double near() const;
     double far() const;
 
-    /// The distance from the eye to the farthest point; 0 for nothing.
+    /// Returns the distance from the eye to the farthest point; 0 for nothing.
     double farthest() const { return farthestPoint_; }
 
   private:

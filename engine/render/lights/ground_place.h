@@ -44,8 +44,8 @@ glm::dmat4 worldMatrix(const GroundPlace& place);
 Mesh groundMesh();
 Bounds groundBounds();
 
-/// The lowest height of a mesh in the world. Exact: a box's corners lie lower than what is in it
-/// when it is turned.
+/// Returns the lowest height of a mesh in the world. Exact: a box's corners lie lower than what is
+/// in it when it is turned.
 double lowestPoint(const MeshView& mesh, const glm::dmat4& world);
 
 } // namespace patina

@@ -17,7 +17,7 @@ namespace patina {
 /// memory from frame to frame.
 class LightKinds {
   public:
-    /// A new frame. `effects` has the effects that the programs are to have.
+    /// Begins a new frame. `effects` has the effects that the programs are to have.
     void begin(const Scene& effects, const Catalog& catalog);
 
     /// The number of the kinds that are missing in a list, the same for lists in which the same

@@ -32,7 +32,7 @@ Ball ballAround(const GroundPlace& ground);
 /// by the same lights share a list. Keeps its memory from frame to frame.
 class LightLists {
   public:
-    /// A new frame: only the list with all lights is there, number 0.
+    /// Begins a new frame: only the list with all lights is there, number 0.
     void begin(const Scene& scene, const Catalog& catalog);
 
     /// The number of the list for an object. There are at most `most` of them; objects beyond get

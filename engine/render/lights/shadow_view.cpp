@@ -60,7 +60,7 @@ LightFrame frameOf(const Block& light, const Values& values, const glm::dmat4& c
     return frame;
 }
 
-/// A frame about `forward`; which way up it stands does not matter, but it never jumps far.
+/// Makes a frame about `forward`; which way up it stands does not matter, but it never jumps far.
 void turnTo(ShadowView& view, const glm::dvec3& forward) {
     const glm::dvec3 aside =
         std::abs(forward.y) < 0.9 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0);
@@ -133,7 +133,7 @@ ShadowView parallelView(const LightFrame& frame, std::span<const CasterBox> cast
     return view;
 }
 
-/// Depths from `nearest` to `farthest`, with a margin.
+/// Sets depths from `nearest` to `farthest`, with a margin.
 void setDepths(ShadowView& view, double nearest, double farthest) {
     view.far = 1.01 * std::max(farthest, 1e-6);
     view.near = std::max(0.99 * nearest, nearestShare * view.far);
@@ -164,7 +164,8 @@ ShadowView coneView(const LightFrame& frame, std::span<const CasterBox> casters,
     return view;
 }
 
-/// Metres from the light to the nearest point of the boxes, seen along the axes of the faces.
+/// Returns metres from the light to the nearest point of the boxes, seen along the axes of the
+/// faces.
 double nearestOf(const ShadowView& view, std::span<const CasterBox> casters) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const CasterBox& caster : casters) {

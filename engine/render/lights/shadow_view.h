@@ -32,7 +32,7 @@ struct ShadowView {
     friend bool operator==(const ShadowView&, const ShadowView&) = default;
 };
 
-/// One of the eight corners of a box, as a point.
+/// Returns one of the eight corners of a box, as a point.
 glm::dvec4 cornerOf(const Bounds& box, int corner);
 
 /// Holds what casts shadows: a box of its own space and its way into the world.
@@ -43,9 +43,9 @@ struct CasterBox {
     friend bool operator==(const CasterBox&, const CasterBox&) = default;
 };
 
-/// The view of a light of kind `light` with these values: as narrow as the casters allow, in steps
-/// so that what moves does not make edges swim. Which parameter holds the position, the direction
-/// and the angle follows from their `space` and type. `texels` is the map's size.
+/// Returns the view of a light of kind `light` with these values: as narrow as the casters allow,
+/// in steps so that what moves does not make edges swim. Which parameter holds the position, the
+/// direction and the angle follows from their `space` and type. `texels` is the map's size.
 ShadowView shadowViewOf(const Block& light, const Values& values, const glm::dmat4& cameraToWorld,
                         std::span<const CasterBox> casters, int texels);
 

@@ -11,7 +11,7 @@ bool BatchDrawer::drawTriangles(FrameGpu& gpu, const DrawBatch& batch, StepBudge
     });
 }
 
-/// As solid objects: lines hide each other by their depth.
+/// Draws as solid objects are drawn: lines hide each other by their depth.
 bool BatchDrawer::drawLines(const FramePlan& plan, FrameGpu& gpu, const DrawBatch& batch,
                             StepBudget& budget) {
     if (!plan.materials[batch.material].hasLines() || !batch.mesh->hasEdges() ||

@@ -43,7 +43,8 @@ void packLight(std::span<glm::vec4> out, const LightPlace& place, const SceneToP
     }
 }
 
-/// The key light: while a value is dragged it stays one that the programs have the code for.
+/// Returns the key light: while a value is dragged it stays one that the programs have the code
+/// for.
 std::optional<std::size_t> keyLightOf(const SceneToPack& packing, const Pipeline& pipeline) {
     const Catalog& catalog = *pipeline.catalog;
     const std::optional<std::size_t> key = keyLight(packing.scene, catalog);

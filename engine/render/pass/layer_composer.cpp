@@ -177,9 +177,9 @@ void LayerComposer::endCondition() const {
     }
 }
 
-/// C. Everitt, Interactive order-independent transparency, 2001. Each layer is blended under those
-/// before it: their alpha is what they transmit. Once no sample has another layer, the device
-/// draws nothing any more.
+/// Follows C. Everitt, Interactive order-independent transparency, 2001. Each layer is blended
+/// under those before it: their alpha is what they transmit. Once no sample has another layer, the
+/// device draws nothing any more.
 bool LayerComposer::drawInOrder(const HdrTarget& target, const DrawObjects& drawObjects) {
     if (!std::exchange(progress_.isCleared, true)) {
         clearLayers();
@@ -246,7 +246,7 @@ bool LayerComposer::drawLayer(const DrawObjects& drawObjects) const {
     return isDone;
 }
 
-/// McGuire and Bavoil 2013: a weighted sum, and the product of what the surfaces transmit.
+/// Follows McGuire and Bavoil 2013: a weighted sum, and the product of what the surfaces transmit.
 bool LayerComposer::drawMixed(const HdrTarget& target, const DrawObjects& drawObjects) {
     mixed_.attachDepth(target.depth()); // it may be another one than in the last frame
     maskColors(GL_TRUE);

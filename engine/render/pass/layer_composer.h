@@ -66,7 +66,7 @@ class LayerComposer {
         bool isPeeled = false;
         friend bool operator==(const Shape&, const Shape&) = default;
     };
-    /// Depths of one layer; the other side has those of the layer before it.
+    /// Holds the depths of one layer; the other side has those of the layer before it.
     struct Side {
         gl::TargetTexture depths;
         gl::Framebuffer framebuffer;

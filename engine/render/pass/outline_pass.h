@@ -7,7 +7,7 @@
 
 namespace patina {
 
-/// The lines of the solid objects: over them and the ground, and behind what is transparent.
+/// Draws the lines of the solid objects: over them and the ground, and behind what is transparent.
 class OutlinePass : public Pass {
   public:
     Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;

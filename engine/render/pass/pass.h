@@ -9,7 +9,8 @@ struct FramePlan;
 struct FrameGpu;
 class StepBudget;
 
-/// A part of drawing a frame. It is prepared and drawn again for every frame, and keeps its memory.
+/// Represents a part of drawing a frame. It is prepared and drawn again for every frame, and keeps
+/// its memory.
 class Pass {
   public:
     Pass() = default;

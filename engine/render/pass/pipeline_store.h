@@ -12,7 +12,8 @@
 
 namespace patina {
 
-/// Pipelines by the keys of their effects. Asking for one that is there allocates nothing.
+/// Keeps pipelines by the keys of their effects. Asking for one that is there allocates
+/// nothing.
 class PipelineStore {
   public:
     struct Entry {
@@ -24,7 +25,7 @@ class PipelineStore {
     explicit PipelineStore(std::filesystem::path programCache,
                            SurfaceOutput output = SurfaceOutput::Picture);
 
-    /// The vec4s of the scene's block in its programs: as many as the driver has room for.
+    /// Returns the vec4s of the scene's block in its programs: as many as the driver has room for.
     int sceneCapacity() const { return sceneCapacity_; }
 
     void setCatalog(std::shared_ptr<const Catalog> catalog);

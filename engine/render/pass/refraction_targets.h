@@ -23,7 +23,7 @@ class RefractionTargets {
         bool behind = false; ///< the scene
     };
 
-    /// For pictures of `size` pixels, as HdrTarget::averagedSize().
+    /// Begins for pictures of `size` pixels, as HdrTarget::averagedSize().
     Result<void> begin(glm::ivec2 size, Needs needs, const Catalog& catalog, ProgramCache& cache);
 
     /// Draws go to the farthest surface of a body within the ball, whose picture is cleared first

@@ -71,7 +71,7 @@ int ShadowLayers::needed() const {
     return layers;
 }
 
-/// One after the other; a light that does not fit has no map.
+/// Places one after the other; a light that does not fit has no map.
 void ShadowLayers::placeFaces() {
     const int maxCount = maxLayers();
     int next = 0;

@@ -19,7 +19,7 @@ bool SolidPass::draw(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) {
     return isDone_;
 }
 
-/// All of them in each tile.
+/// Draws all of them in each tile.
 bool SolidPass::drawTiles(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) {
     StepBudget whole;
     tiles_.passed(StepBudget::Clock::now()); // one that the last step did not wait for

@@ -8,8 +8,8 @@
 
 namespace patina {
 
-/// The surfaces of the solid objects: slice by slice where there are many triangles, and tile by
-/// tile where it is the pixels of few that take long.
+/// Draws the surfaces of the solid objects: slice by slice where there are many triangles, and tile
+/// by tile where it is the pixels of few that take long.
 class SolidPass : public Pass {
   public:
     Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;

@@ -16,8 +16,8 @@
 
 namespace patina {
 
-/// The tables of a frame's materials on the GPU: what their blocks read in place of computing. Only
-/// materials that read some have a texture.
+/// Holds the tables of a frame's materials on the GPU: what their blocks read in place of
+/// computing. Only materials that read some have a texture.
 class TableStore {
   public:
     /// Makes room for so many materials; allocates nothing when there were as many.

@@ -105,7 +105,7 @@ void DrawList::sortBatches(std::span<const DrawMaterial> materials) {
     order_.resize(first);
 }
 
-/// Each item to its batch, then near ones before far ones.
+/// Puts each item into its batch, then near ones before far ones.
 void DrawList::placeItems(std::span<const DrawItem> items) {
     for (DrawBatch& batch : batches_) {
         batch.count = 0;

@@ -124,8 +124,8 @@ DrawItem FramePlanner::itemOf(FramePlan& plan, std::size_t index, const MeshView
             materialOf(plan, index, missingKinds(plan, lights), catalog)};
 }
 
-/// The number of an object's material. Two objects share one when both its values and the effects
-/// of their programs are the same.
+/// Returns the number of an object's material. Two objects share one when both its values and the
+/// effects of their programs are the same.
 std::size_t FramePlanner::materialOf(FramePlan& plan, std::size_t object, std::size_t missing,
                                      const Catalog& catalog) {
     const Material& effects = plan.effects->objects[object].material;
@@ -173,7 +173,7 @@ bool FramePlanner::Lowest::isOf(const DrawItem& item) const {
            vertices.size() == item.view.vertices.size() && bounds == item.view.bounds;
 }
 
-/// The lowest height of an object's mesh; looked up again only when the object has changed.
+/// Returns the lowest height of an object's mesh; looked up again only when the object has changed.
 double FramePlanner::lowestHeight(const DrawItem& item) {
     if (lowest_.size() <= item.index) {
         lowest_.resize(item.index + 1);

@@ -61,7 +61,7 @@ Result<Image> InspectionDrawer::capture(const Scene& scene, const View& view,
     return readDisplay(view.size, [&](unsigned target) { show(scene, view, target); });
 }
 
-/// Into the linear target: red is the luminance, green the PixelDefect.
+/// Draws into the linear target: red is the luminance, green the PixelDefect.
 Result<void> InspectionDrawer::drawLinear(const Scene& scene, const View& view,
                                           const MeshSource& meshes) {
     Result<void> ready = prepare(scene, view, meshes);

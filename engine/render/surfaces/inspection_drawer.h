@@ -31,7 +31,7 @@ class InspectionDrawer {
     Result<Image> capture(const Scene& scene, const View& view, const MeshSource& meshes,
                           bool display);
 
-    /// The numbers of a pixel, (0, 0) at the top left; nothing where there is no object.
+    /// Returns the numbers of a pixel, (0, 0) at the top left; nothing where there is no object.
     Result<std::optional<PixelProbe>> probe(const Scene& scene, const View& view,
                                             const MeshSource& meshes, glm::ivec2 pixel);
 

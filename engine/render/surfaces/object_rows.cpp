@@ -23,7 +23,7 @@ namespace {
 constexpr std::string_view textureKind = "texture/";
 constexpr std::string_view environmentKind = "environment/";
 
-/// From a point to a box of object space.
+/// Returns the distance from a point to a box of object space.
 double distanceTo(const Bounds& bounds, const glm::dmat4& world, const glm::dvec3& point) {
     const glm::dvec3 way = point - ballAround(bounds, world).center;
     glm::dvec3 outside(0.0);

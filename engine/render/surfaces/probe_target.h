@@ -14,8 +14,8 @@ namespace patina {
 /// The colours that a program of the inspection writes: the picture's, then the terms.
 inline constexpr int inspectionOutputs = 8;
 
-/// A few pixels of a frame in whole floats: the four that are shaded together with one pixel, so
-/// that its derivatives are those of the whole frame.
+/// Represents a few pixels of a frame in whole floats: the four that are shaded together with one
+/// pixel, so that its derivatives are those of the whole frame.
 class ProbeTarget {
   public:
     using Outputs = std::array<glm::vec4, inspectionOutputs>;

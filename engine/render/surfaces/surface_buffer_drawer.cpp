@@ -47,7 +47,7 @@ class BufferTarget {
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     }
 
-    /// Rows from the top.
+    /// Returns the values, rows from the top.
     std::vector<glm::vec4> read(int output) const {
         const auto columns = static_cast<std::size_t>(size_.x);
         const auto rows = static_cast<std::size_t>(size_.y);

@@ -69,8 +69,8 @@ struct ShadowLayout {
     static constexpr int vec4s = 6;
 };
 
-/// The array `objectData`: a material's values, shared by all objects that have them. Where an
-/// object is comes to the vertices (render/instance.h).
+/// Holds the array `objectData`: a material's values, shared by all objects that have them. Where
+/// an object is comes to the vertices (render/instance.h).
 struct ObjectLayout : PartPlaces, OwnData<Material> {
     static constexpr int surface = 0; ///< x: opacity; y: one over what the model does not pass
     static constexpr int fixed = 1;   ///< the model's values follow
@@ -94,7 +94,8 @@ struct ObjectLayout : PartPlaces, OwnData<Material> {
     /// Tells whether such surfaces are put in order, one layer after the other.
     bool isPeeled() const;
 
-    /// x: the depth of the nearest surface of that sort; y: one over that from there to the last.
+    /// Returns in x the depth of the nearest surface of that sort; y: one over that from there to
+    /// the last.
     int layers() const { return transparency->first + transparency->vec4s(); }
 
     int texture(std::size_t index) const {
@@ -102,9 +103,9 @@ struct ObjectLayout : PartPlaces, OwnData<Material> {
     }
 };
 
-/// The array `sceneData`: fog, ambient and lights, shared by all programs of a scene. The effects
-/// place their data from the last one to the first: lights, of which there may be any number, end
-/// it.
+/// Holds the array `sceneData`: fog, ambient and lights, shared by all programs of a scene. The
+/// effects place their data from the last one to the first: lights, of which there may be any
+/// number, end it.
 struct SceneLayout : PartPlaces, OwnData<Scene> {
     static constexpr int ambient = 0;
     static constexpr int fixed = 1;

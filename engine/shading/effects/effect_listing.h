@@ -24,7 +24,7 @@ struct EffectLine {
 std::string effectName(std::string_view kind, std::string_view id);
 std::string effectName(const BlockUse& use);
 
-/// "distribution=ggx, shadowing=exact": what of it is compiled.
+/// Returns "distribution=ggx, shadowing=exact": what of it is compiled.
 std::string compiledText(const BlockUse& use);
 
 /// Takes the lines of what is in a program. A reason is asked for only where somebody reads it.
@@ -32,7 +32,7 @@ class EffectListing {
   public:
     using Reason = std::function<std::string(const EffectSubject&)>;
 
-    /// A null subject: names and details only.
+    /// With a null subject it lists names and details only.
     explicit EffectListing(const EffectSubject* subject) : subject_(subject) {}
 
     const EffectSubject* subject() const { return subject_; }

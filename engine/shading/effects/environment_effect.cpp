@@ -133,7 +133,7 @@ void writeFitted(SurfaceText& text, const EnvironmentEffect& effect) {
     }
 }
 
-/// The parameter that no direction's light exceeds; null where there is no limit.
+/// Returns the parameter that no direction's light exceeds; null where there is no limit.
 const Parameter* limitOf(const BlockUse& use) {
     const Parameter* limit = use.block().withRole(roles::limit);
     const std::vector<CompiledValue> compiled = use.compiled();

@@ -36,8 +36,8 @@ enum class EnvironmentWay : std::uint8_t {
     None      ///< not at all: a drawing takes another light
 };
 
-/// The scene's environment. It is left out where it is dark, unless an object refracts what is
-/// behind it, and where it lacks its picture.
+/// Holds the scene's environment. It is left out where it is dark, unless an object refracts what
+/// is behind it, and where it lacks its picture.
 struct EnvironmentEffect {
     std::optional<BlockUse> environment;
     bool wantsFitted = false; ///< as the scene or the view says

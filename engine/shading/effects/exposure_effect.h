@@ -8,7 +8,7 @@ namespace patina {
 
 struct DisplaySet;
 
-/// The exposure of the picture. It is left out where it is 0 stops.
+/// Holds the exposure of the picture. It is left out where it is 0 stops.
 struct ExposureEffect {
     bool isExposed = false;
 

@@ -40,7 +40,7 @@ double ramp(double from, double to, double distance) {
     return std::clamp((distance - from) / (to - from), 0.0, 1.0);
 }
 
-/// The brightest channel of the fog's colour; 1 where no parameter is that.
+/// Returns the brightest channel of the fog's colour; 1 where no parameter is that.
 double brightness(const Block& block, const Values& values) {
     const Parameter* parameter = block.withRole(roles::color);
     const glm::dvec3* color =
@@ -75,7 +75,7 @@ std::string named(const Block& block, const Values& values, const std::string& i
     return fmt::format("{} {:.4g}{}", parameter->label, number(block, values, id), unit);
 }
 
-/// Two digits, but for all of it.
+/// Writes two digits, but for all of it.
 std::string percentText(double share) {
     return share >= 0.995 ? "100" : fmt::format("{:.2g}", 100.0 * share);
 }
@@ -132,7 +132,7 @@ std::optional<FogLayer> fogLayer(const Block& block, const Values& values) {
                    : std::nullopt;
 }
 
-/// Up to the base 1; above it the mean of exp(-y / thickness), a difference of two of them.
+/// Returns up to the base 1; above it the mean of exp(-y / thickness), a difference of two of them.
 double FogLayer::between(double one, double other) const {
     const double low = std::min(one, other);
     const double high = std::max(one, other);
@@ -173,7 +173,7 @@ bool canHide(const Scene& scene, const Block& block, const EffectView& view) {
            maxChange(scene, block, view) >= halfStep;
 }
 
-/// One sentence with the fog's values: how much it hides, or why nobody could see it.
+/// Returns one sentence with the fog's values: how much it hides, or why nobody could see it.
 std::string fogText(const Scene& scene, const Block& block, const EffectView& view) {
     if (!block.hides) {
         return "The scene has fog.";

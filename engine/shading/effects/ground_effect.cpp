@@ -75,7 +75,7 @@ void GroundEffect::place(ObjectLayout& layout, const EffectSet& set) const {
     }
 }
 
-/// A surface without a model: how much light arrives, and how much was sent.
+/// Writes a surface without a model: how much light arrives, and how much was sent.
 void GroundEffect::writeLight(SurfaceText& text) const {
     if (ground == GroundMode::Off) {
         return;

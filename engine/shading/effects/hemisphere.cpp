@@ -15,7 +15,7 @@
 namespace patina {
 namespace {
 
-/// The sky, the ground and the unit direction up.
+/// Packs the sky, the ground and the unit direction up.
 void packHemisphere(std::span<glm::vec4> out, const Scene& scene, const EffectSet&) {
     const Hemisphere& hemisphere = scene.hemisphere;
     const double length = glm::length(hemisphere.up);

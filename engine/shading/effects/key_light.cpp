@@ -17,7 +17,7 @@ namespace {
 
 constexpr double maxNumber = 1e30;
 
-/// A finite number from 0; `none` where no parameter has the role.
+/// Returns a finite number from 0; `none` where no parameter has the role.
 double numberOf(const Block& block, const Values& values, std::string_view role, double none) {
     const Parameter* parameter = block.withRole(role);
     const double* number =
@@ -33,7 +33,7 @@ bool isInverseSquare(const Block& block, const Values& values) {
     return word != nullptr && *word == "inverse-square";
 }
 
-/// As shaders/lib/illumination.glsl.
+/// Computes the same as shaders/lib/illumination.glsl.
 double leftAt(double distance, const Block& block, const Values& values) {
     constexpr double smallest = 1e-4;
     if (isInverseSquare(block, values)) {

@@ -20,11 +20,11 @@ class LightLines {
 
     void clear();
 
-    /// A light. One that is left out, with the key 0, is in no group. One that ends before what is
-    /// drawn counts among them, so that the others do not become lines by its leaving.
+    /// Adds a light. One that is left out, with the key 0, is in no group. One that ends before
+    /// what is drawn counts among them, so that the others do not become lines by its leaving.
     void add(std::uint64_t key, bool isEverywhere, bool isReached = true);
 
-    /// Sorted by key.
+    /// Returns them sorted by key.
     const std::vector<Group>& groups() const { return groups_; }
 
     /// Lines for the lights of a group; 0: a loop.

@@ -58,7 +58,7 @@ std::string shiningText(const std::vector<const LightGroup*>& groups,
     return fmt::format("{} {}.", namesText(names), names.size() == 1 ? "shines" : "shine");
 }
 
-/// "Key shines: it is marked as key."
+/// Returns "Key shines: it is marked as key."
 std::string keyText(const EffectSubject& subject) {
     const Scene& scene = subject.scene;
     const std::optional<std::size_t> key = keyLight(scene, subject.catalog);
@@ -78,7 +78,7 @@ void callKeyLight(SurfaceText& text, std::size_t index, const std::string& funct
                              text.scene.groups[index].light.first, function);
 }
 
-/// A line for each light of a group, or the loop over them. Lines come first in `sceneData`.
+/// Writes a line for each light of a group, or the loop over them. Lines come first in `sceneData`.
 void callLights(SurfaceText& text, std::size_t index, const std::string& function, int& nextLine) {
     const LightPlace& group = text.scene.groups[index];
     const int lines = text.set.lights[index].lines;

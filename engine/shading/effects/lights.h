@@ -27,11 +27,11 @@ struct LightGroup {
     friend bool operator==(const LightGroup&, const LightGroup&) = default;
 };
 
-/// The group of one light; nothing when it is left out. `hasShadows`: shadows can be seen in the
-/// scene (as hasShadows() says).
+/// Returns the group of one light; nothing when it is left out. `hasShadows`: shadows can be seen
+/// in the scene (as hasShadows() says).
 std::optional<LightGroup> lightGroup(const Light& light, const Catalog& catalog, bool hasShadows);
 
-/// The key of a light's group; 0 when it is left out.
+/// Returns the key of a light's group; 0 when it is left out.
 std::uint64_t lightKey(const Light& light, const Catalog& catalog, bool hasShadows);
 
 /// Tells whether a light can send anything.

@@ -9,8 +9,8 @@
 namespace patina {
 namespace {
 
-/// MurmurHash3's x64 mixing (Austin Appleby, public domain) of one 64-bit lane, eight bytes at a
-/// time.
+/// Is MurmurHash3's x64 mixing (Austin Appleby, public domain) of one 64-bit lane, eight
+/// bytes at a time.
 class ValueHash {
   public:
     void add(std::uint64_t word) {

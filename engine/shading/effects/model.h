@@ -7,7 +7,7 @@
 
 namespace patina {
 
-/// The material's lighting model. Without one a plain fallback is drawn.
+/// Holds the material's lighting model. Without one a plain fallback is drawn.
 struct ModelEffect {
     std::optional<BlockUse> model;
 

@@ -24,8 +24,8 @@ const Parameter* angleOfNothing(const Block& block, const Values& values) {
     return isNothing ? angle : nullptr;
 }
 
-/// The three parts of a value; the same one thrice of a number. What is not finite or out of range
-/// counts as what the program gets.
+/// Returns the three parts of a value; the same one thrice of a number. What is not finite or out
+/// of range counts as what the program gets.
 glm::dvec3 partsOf(const Parameter& parameter, const Values& values) {
     const Value value = conformed(parameter, givenValue(parameter, values));
     if (const auto* triple = std::get_if<glm::dvec3>(&value)) {

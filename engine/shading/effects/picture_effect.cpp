@@ -23,7 +23,7 @@ std::string_view whyPerPixel(const EffectSet& set) {
     return why;
 }
 
-/// Null: nothing needs normals of length 1.
+/// Is null where nothing needs normals of length 1.
 const char* whyUnitNormals(const EffectSet& set) {
     if (set.refraction) {
         return "They have length 1 in a material that refracts light.";

@@ -100,7 +100,7 @@ const char* channelSource(const BlockUse& use) {
                                  : "#define FIRST_CHANNEL 1\n#define LAST_CHANNEL 1\n";
 }
 
-/// The way of a ray inside. A sheet's field may be called otherwise than its role.
+/// Writes the way of a ray inside. A sheet's field may be called otherwise than its role.
 void writePassage(SurfaceText& text, const Block& block) {
     if (!isSheet(block)) {
         text.out.addFile("passes/refraction_body.glsl");

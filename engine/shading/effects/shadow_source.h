@@ -19,7 +19,7 @@ bool isAlphaTested(const Material& material);
 /// decides.
 std::optional<OpacityPart> alphaTestOf(const Material& material, const Catalog& catalog);
 
-/// The program for an alpha-tested surface: also with the block of the object's data, and
+/// Returns the program for an alpha-tested surface: also with the block of the object's data, and
 /// `samplerName(0)`. An image that cuts out lets light pass where it does, another one where less
 /// than half of the surface is there.
 Checked<ProgramSource> shadowMapProgram(const OpacityPart& tested, const Catalog& catalog);

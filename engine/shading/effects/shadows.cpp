@@ -81,7 +81,7 @@ std::string casterText(const EffectSubject& subject) {
                         : fmt::format("{} objects cast shadows.", casters);
 }
 
-/// "parallel" or "local": the file, and the functions in it.
+/// Returns "parallel" or "local": the file, and the functions in it.
 const char* mapOf(const LightGroup& group) {
     return group.projection() == ShadowProjection::Parallel ? "parallel" : "local";
 }
@@ -94,7 +94,7 @@ std::string dispatch(bool parallel, bool local, const std::string& name,
                              : call;
 }
 
-/// A reason for nothing to arrive.
+/// Gives a reason for nothing to arrive.
 std::string arrivalGate(const char* condition) {
     return fmt::format("    if ({}) {{\n        return 0.0;\n    }}\n", condition);
 }

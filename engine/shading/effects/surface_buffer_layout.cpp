@@ -9,7 +9,7 @@
 namespace patina {
 namespace {
 
-/// The values of an image's parameters, each behind the statement that changed it.
+/// Notes the values of an image's parameters, each behind the statement that changed it.
 void noteValues(SurfaceText& text, std::string_view kind, const std::string& variable) {
     text.main += text.textures.values(kind, variable);
     const std::vector<std::size_t> inputs = texturedInputs(text.set);

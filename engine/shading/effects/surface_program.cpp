@@ -83,7 +83,7 @@ void writeSurface(SurfaceText& text) {
     writeMain(text);
 }
 
-/// The model alone.
+/// Writes the model alone.
 void writeAlbedoTable(SurfaceText& text) {
     writeSize(text);
     for (const char* file : {"passes/blocks.glsl", "lib/directions.glsl", "lib/math.glsl"}) {
@@ -99,7 +99,7 @@ void writeAlbedoTable(SurfaceText& text) {
     text.out.add("void main() {\n" + text.main + "    storeAlbedo(model);\n}\n");
 }
 
-/// The model alone, for each viewer and direction of light of a table of lobes.
+/// Writes the model alone, for each viewer and direction of light of a table of lobes.
 void writeLobeSamples(SurfaceText& text) {
     writeSize(text);
     text.out.addFile("passes/blocks.glsl");

@@ -20,7 +20,8 @@ Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catal
                                       SurfaceOutput output = SurfaceOutput::Picture,
                                       int sceneVec4s = SceneLayout::minCapacity);
 
-/// The vertex stage of surfaceProgram(); `work`, of its main, stands behind what places a vertex.
+/// Holds the vertex stage of surfaceProgram(); `work`, of its main, stands behind what places a
+/// vertex.
 using VertexWork = std::function<std::string(SourceBuilder&)>;
 void addSurfaceVertex(SourceBuilder& vertex, const EffectSet& set, const ObjectLayout& layout,
                       const VertexWork& work = {});

@@ -58,7 +58,7 @@ class SurfaceText {
     /// Tells which array unpack functions read that are declared from now on.
     void readFrom(std::string_view array);
 
-    /// The block's constants, struct and functions, with its tables: once, however often it is
+    /// Adds the block's constants, struct and functions, with its tables: once, however often it is
     /// asked for.
     void addBlock(const Block& block, std::span<const CompiledValue> compiled = {});
     void addUnpack(const BlockUse& use, const std::string& function);

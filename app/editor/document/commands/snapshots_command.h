@@ -7,7 +7,7 @@
 
 namespace patina {
 
-/// The snapshots of a document as a whole.
+/// Holds the snapshots of a document as a whole.
 struct AllSnapshots {
     friend bool operator==(const AllSnapshots&, const AllSnapshots&) = default;
 };
