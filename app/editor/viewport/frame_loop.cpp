@@ -21,27 +21,16 @@ constexpr std::chrono::milliseconds firstPatience{40};
 constexpr std::chrono::milliseconds firstSketchPatience{200};
 constexpr std::chrono::milliseconds sketchPatience{30};
 
-/// What is between two frames that add samples, for the rest of the window.
-constexpr int pauseMs = 5;
-
-/// So long nothing changes before samples take the fitted picture's place: longer than between two
-/// moves of a slow hand.
-constexpr int changeRestMs = 200;
-
-/// After so many samples nothing of the fitted picture is left. The grain of n of them is shown
-/// with the weight n / 256, and so never more than that of 256 is.
-constexpr int mixedSamples = 256;
-
 } // namespace
 
 FrameLoop::FrameLoop(QOpenGLWidget& widget, const ViewedScene& viewed)
     : widget_(widget), viewed_(viewed), context_(viewed.sources().context),
       surface_(widget, context_), stopwatch_(context_), programs_(viewed), note_(widget),
+      refinement_(viewed),
       targets_([this] { return isDrawing() || wantsSamples(); }, [this] { releaseTargets(); }) {
     turn_.setSingleShot(true);
     connect(&turn_, &QTimer::timeout, this, &FrameLoop::proceed);
-    sampleTimer_.setSingleShot(true);
-    connect(&sampleTimer_, &QTimer::timeout, this, &FrameLoop::addSamples);
+    connect(&refinement_, &SampleRefinement::due, this, &FrameLoop::addSamples);
     connect(&programs_, &OrderedPrograms::came, this, &FrameLoop::takePrograms);
 }
 
@@ -100,9 +89,7 @@ FrameLoop::Painted FrameLoop::paintNext() {
     }
     const ViewSurface::Painting painting(surface_);
     if (isWanted) {
-        isAtRest_ = !std::exchange(stale_, false);
-        isMoving_ = !isAtRest_ && viewed_.fitsWhileMoving();
-        isContinued_ = isAtRest_ && samples() > 0;
+        refinement_.beginFrame(std::exchange(stale_, false), samples());
         return beginFrame(painting.framebuffer());
     }
     show(painting.framebuffer());
@@ -112,7 +99,7 @@ FrameLoop::Painted FrameLoop::paintNext() {
 void FrameLoop::refresh() {
     const Scene& drawn =
         progress_ == Progress::Lent ? viewed_.sources().whole() : viewed_.sources().scene();
-    if (isDrawing() && (isAtRest_ || !renderer_->job().hasMeshesOf(drawn))) {
+    if (isDrawing() && (refinement_.isAtRest() || !renderer_->job().hasMeshesOf(drawn))) {
         giveUp(); // it only refines a picture that is gone, or objects have come or gone
     }
     stale_ = true;
@@ -159,15 +146,8 @@ std::optional<PixelProbe> FrameLoop::probe(glm::ivec2 pixel) {
 
 View FrameLoop::view() const {
     View view = viewed_.view();
-    view.isContinued = isContinued_;
+    view.isContinued = refinement_.isContinued();
     return view;
-}
-
-/// How the next frame is drawn.
-View FrameLoop::drawnView() const {
-    View drawn = view();
-    drawn.isMoving = isMoving_;
-    return drawn;
 }
 
 int FrameLoop::samples() const {
@@ -213,25 +193,17 @@ FrameLoop::Painted FrameLoop::beginFrame(unsigned framebuffer) {
 }
 
 FrameJob& FrameLoop::beginJob(FramePurpose purpose) {
-    return renderer_->begin(viewed_.sources().scene(), drawnView(), viewed_.sources().meshes,
-                            purpose);
+    return renderer_->begin(viewed_.sources().scene(), refinement_.drawn(viewed_.view()),
+                            viewed_.sources().meshes, purpose);
 }
 
-/// Tells whether the frame to be drawn lacks programs that are made elsewhere meanwhile. The first
-/// frame has no window yet that could stand still. What came and is still lacking was not kept by
-/// the driver or the disk: it is made here.
+/// Tells whether the frame waits for programs that are made elsewhere meanwhile. The first frame
+/// has no window yet that could stand still.
 bool FrameLoop::waitsForPrograms(FrameJob& job) {
-    if (!programs_.canOrder() || frameCount_ == 0) {
+    const View drawn = refinement_.drawn(viewed_.view());
+    if (frameCount_ == 0 || !programs_.mustWait(job, viewed_.sources().scene(), drawn)) {
         return false;
     }
-    const std::uint64_t missing = job.missingPrograms();
-    if (missing == 0 || (!programs_.areAwaited() && missing_ == missing)) {
-        programs_.forget();
-        missing_ = 0;
-        return false;
-    }
-    programs_.order(viewed_.sources().scene(), drawnView());
-    missing_ = missing;
     ++waitCount_;
     goOnWith(Progress::Waiting);
     return true;
@@ -247,7 +219,7 @@ void FrameLoop::takePrograms() {
     if (progress_ == Progress::Waiting) {
         turn_.stop();
         progress_ = Progress::Idle;
-        (isAtRest_ ? moreSamples_ : stale_) = true;
+        (refinement_.isAtRest() ? moreSamples_ : stale_) = true;
         widget_.update();
     }
 }
@@ -278,20 +250,8 @@ FrameLoop::Painted FrameLoop::drawFrame(FrameJob& job, unsigned framebuffer) {
 }
 
 void FrameLoop::show(unsigned framebuffer) {
-    renderer_->job().show(framebuffer, sketching_ ? 1.0 : nextShare());
+    renderer_->job().show(framebuffer, sketching_ ? 1.0 : refinement_.nextShare(samples()));
     stopwatch_.end();
-}
-
-/// The share that the frame has of what is on the screen from now on: at rest the fitted picture
-/// leaves as samples come.
-double FrameLoop::nextShare() {
-    const int all = std::min(mixedSamples, viewed_.wantedSamples());
-    if (!isAtRest_) {
-        mixedSamples_ = isMoving_ ? 0 : all;
-        return 1.0;
-    }
-    const double left = all - std::exchange(mixedSamples_, std::min(samples(), all));
-    return left > 0.0 ? std::clamp(1.0 - (all - mixedSamples_) / left, 0.0, 1.0) : 1.0;
 }
 
 void FrameLoop::goOnWith(Progress progress) {
@@ -350,14 +310,13 @@ void FrameLoop::finishFrame() {
 }
 
 bool FrameLoop::wantsSamples() const {
-    const bool hasFirst = samples() > 0;
-    return (hasFirst || isMoving_) && samples() < viewed_.wantedSamples() && !inspecting_;
+    return !inspecting_ && refinement_.wantsMore(samples());
 }
 
-/// After a frame that shows the scene as it is.
+/// Refines a frame that shows the scene as it is.
 void FrameLoop::continueSoon() {
-    if (wantsSamples() && (isMoving_ || !sampleTimer_.isActive())) {
-        sampleTimer_.start(isMoving_ ? changeRestMs : pauseMs);
+    if (!inspecting_) {
+        refinement_.continueSoon(samples());
     }
 }
 
@@ -372,7 +331,7 @@ Image FrameLoop::pictureOf(const Scene& scene, View wanted, bool display) {
     if (!renderer_) {
         return {};
     }
-    wanted.isContinued = !stale_ && (progress_ == Progress::Idle || isContinued_);
+    wanted.isContinued = !stale_ && (progress_ == Progress::Idle || refinement_.isContinued());
     if (progress_ != Progress::Idle) {
         giveUp(); // the picture takes its place
         if (wanted.isContinued) {
@@ -390,8 +349,7 @@ Image FrameLoop::pictureOf(const Scene& scene, View wanted, bool display) {
 Renderer& FrameLoop::lend() {
     if (progress_ != Progress::Lent) {
         giveUp();
-        isAtRest_ = false;
-        isContinued_ = false;
+        refinement_.forgetFrame();
         progress_ = Progress::Lent;
     }
     return *renderer_;

@@ -15,6 +15,7 @@
 #include "viewport/frame_stopwatch.h"
 #include "viewport/idle_release.h"
 #include "viewport/ordered_programs.h"
+#include "viewport/sample_refinement.h"
 #include "viewport/view_surface.h"
 #include "viewport/viewed_scene.h"
 
@@ -37,25 +38,25 @@ class FrameLoop : public QObject {
     /// Both outlive it.
     FrameLoop(QOpenGLWidget& widget, const ViewedScene& viewed);
 
-    // The widget's context is there; it is current in open() and paint().
+    // Are called once the widget's context is there; it is current in open() and paint().
     void open();
     void close();
     void paint();
 
-    /// Something can be drawn: there is a context, and it offers what a Renderer needs.
+    /// Tells whether something can be drawn: there is a context that offers what a Renderer needs.
     bool canDraw() const { return renderer_ != nullptr; }
 
-    /// Why nothing is drawn; empty when all is well.
+    /// Says why nothing is drawn; empty when all is well.
     const QString& failure() const { return failure_; }
 
-    /// Something that is drawn has changed.
+    /// Asks for a frame, since something that is drawn has changed.
     void refresh();
 
-    /// Another scene is shown. While its first picture takes several turns a sketch of it is on the
-    /// screen, or a note that says so.
+    /// Asks for a frame of another scene. While its first picture takes several turns a sketch of
+    /// it is on the screen, or a note that says so.
     void announceScene();
 
-    /// The blocks have changed.
+    /// Asks for a frame with other blocks.
     void announceCatalog();
 
     /// Drops the frame that is being drawn.
@@ -65,10 +66,10 @@ class FrameLoop : public QObject {
     void setInspecting(bool on);
     bool isInspecting() const { return inspecting_; }
 
-    /// The numbers of a pixel; nothing where there is no surface.
+    /// Returns the numbers of a pixel; nothing where there is no surface.
     std::optional<PixelProbe> probe(glm::ivec2 pixel);
 
-    /// A frame is being drawn that takes several turns, or the renderer is lent.
+    /// Tells whether a frame is being drawn that takes several turns, or the renderer is lent.
     bool isDrawing() const { return progress_ != Progress::Idle; }
 
     /// Tells whether the picture shows what would be drawn now.
@@ -77,7 +78,7 @@ class FrameLoop : public QObject {
     /// Returns how the scene is drawn now.
     View view() const;
 
-    /// Samples that the picture has; 0 without an environment.
+    /// Returns how many samples the picture has; 0 without an environment.
     int samples() const;
 
     /// Returns the lamps of the environment that was drawn last.
@@ -85,7 +86,7 @@ class FrameLoop : public QObject {
 
     int frameCount() const { return frameCount_; }
 
-    /// Frames so far that had to wait for programs.
+    /// Counts the frames so far that had to wait for programs.
     int waitCount() const { return waitCount_; }
 
     const FrameReport& report() const;
@@ -102,7 +103,7 @@ class FrameLoop : public QObject {
     /// taken back.
     Renderer& lend();
 
-    /// `isAnother`: what was drawn is another picture than the one on the screen.
+    /// Takes the renderer back. `isAnother`: it drew another picture than the one on the screen.
     void takeBack(bool isAnother);
 
     /// Draws a scene once where nothing shows, which loads what it needs.
@@ -125,7 +126,7 @@ class FrameLoop : public QObject {
         Lent ///< until takeBack()
     };
 
-    /// What has become of the picture on the screen.
+    /// Tells what has become of the picture on the screen.
     enum class Painted {
         Nothing, ///< the last one is there
         Later,   ///< that, until a frame that was begun is done
@@ -135,7 +136,6 @@ class FrameLoop : public QObject {
 
     Painted paintNext();
     Painted beginFrame(unsigned framebuffer);
-    View drawnView() const;
     FrameJob& beginJob(FramePurpose purpose);
     bool waitsForPrograms(FrameJob& job);
     void takePrograms();
@@ -146,7 +146,6 @@ class FrameLoop : public QObject {
     void proceed();
     void finishSketch();
     void show(unsigned framebuffer);
-    double nextShare();
     void finishFrame();
     bool wantsSamples() const;
     void continueSoon();
@@ -160,26 +159,20 @@ class FrameLoop : public QObject {
     bool catalogIsNew_ = false;
     std::unique_ptr<Renderer> renderer_;
     QString failure_;
-    Errors messages_; ///< of the last frame
+    Errors messages_; ///< are those of the last frame
     FrameStopwatch stopwatch_;
     int frameCount_ = 0;
     int waitCount_ = 0;
-    Progress progress_ = Progress::Idle; ///< of a frame that takes several turns
+    Progress progress_ = Progress::Idle; ///< is that of a frame that takes several turns
     bool sketching_ = false;             ///< that frame is a sketch
-    QTimer turn_;                        ///< its next one
-    OrderedPrograms programs_;           ///< of the next frame
-    std::uint64_t missing_ = 0;          ///< what they were ordered for; 0: nothing
+    QTimer turn_;                        ///< begins its next turn
+    OrderedPrograms programs_;           ///< are those of the next frame
     DrawingNote note_;
     bool stale_ = true; ///< the picture is not of what would be drawn now
     bool isNew_ = true; ///< no frame of this scene has been begun yet
     bool inspecting_ = false;
-    QTimer sampleTimer_;       ///< the next frame that adds samples
-    bool moreSamples_ = false; ///< that frame is asked for
-    // The frame that is drawn, or was drawn last:
-    bool isMoving_ = false;    ///< its light is fitted, because something has changed
-    bool isAtRest_ = false;    ///< nothing has changed since the last one
-    bool isContinued_ = false; ///< it adds samples to those of the last one
-    int mixedSamples_ = 0;     ///< so many have taken the fitted picture's place on the screen
+    SampleRefinement refinement_;
+    bool moreSamples_ = false; ///< a frame that adds samples is asked for
     IdleRelease targets_;
 };
 

@@ -19,6 +19,22 @@ bool OrderedPrograms::canOrder() const {
     return viewed_.sources().programs != nullptr;
 }
 
+bool OrderedPrograms::mustWait(FrameJob& job, const Scene& scene, const View& view) {
+    if (!canOrder()) {
+        return false;
+    }
+    const std::uint64_t missing = job.missingPrograms();
+    const bool isAwaited = number_ != 0;
+    if (missing == 0 || (!isAwaited && missing_ == missing)) {
+        number_ = 0;
+        missing_ = 0;
+        return false;
+    }
+    order(scene, view);
+    missing_ = missing;
+    return true;
+}
+
 void OrderedPrograms::order(const Scene& scene, const View& view) {
     ProgramWorker::Frame frame{scene, {}, view, {}, 0, viewed_.catalog()};
     if (view.effects) {
