@@ -101,7 +101,7 @@ TEST_F(CameraKeys, EscDuringADrag_PutsTheCameraBack) {
     ASSERT_NE(camera(), before);
     key(Qt::Key_Escape);
     EXPECT_EQ(camera(), before);
-    EXPECT_FALSE(window().views().cameraHistory().canUndo());
+    EXPECT_FALSE(window().views().cameras().history().canUndo());
     QTest::mouseRelease(&view(), Qt::LeftButton, Qt::NoModifier, middle());
     EXPECT_EQ(camera(), before);
 }
@@ -173,7 +173,7 @@ TEST_F(CameraKeys, FieldOfViewInThePanel_MovesTheCameraWithoutAnEdit) {
     QTest::keyClick(box, Qt::Key_Return);
     EXPECT_EQ(camera().fieldOfView, 60.0);
     EXPECT_EQ(steps(), 0);
-    window().views().cameraHistory().undo();
+    window().views().cameras().history().undo();
     EXPECT_NE(camera().fieldOfView, 60.0);
     EXPECT_FALSE(box->text().startsWith("60"));
 }

@@ -151,12 +151,12 @@ TEST_F(CompareViews, LinkedCameras_MoveTogetherAndAlone) {
     Q_EMIT window().views().view(Side::D)->cameraWished(wished);
     EXPECT_EQ(camera().yaw, wished.yaw);
     EXPECT_EQ(viewOf(Side::C).camera(), camera());
-    window().views().setCamerasLinked(false);
+    window().views().cameras().setLinked(false);
     wished.yaw += 30.0;
     Q_EMIT window().views().view(Side::D)->cameraWished(wished);
     EXPECT_EQ(viewOf(Side::D).camera().yaw, wished.yaw);
     EXPECT_NE(camera().yaw, wished.yaw);
-    window().views().setCamerasLinked(true);
+    window().views().cameras().setLinked(true);
     EXPECT_EQ(viewOf(Side::D).camera(), camera());
 }
 

@@ -282,7 +282,7 @@ TEST_F(Viewports, ViewsBesideEachOther_AreOfOneSize) {
 
 TEST_F(Viewports, Unlinked_MoveAlone) {
     window().comparison().setComparing(true);
-    window().views().setCamerasLinked(false);
+    window().views().cameras().setLinked(false);
     const Camera before = secondView().camera();
     drag(Qt::LeftButton, Qt::NoModifier, {40, 0});
     EXPECT_EQ(secondView().camera(), before);
@@ -290,9 +290,9 @@ TEST_F(Viewports, Unlinked_MoveAlone) {
 
 TEST_F(Viewports, Realigned_LookFromTheSamePlace) {
     window().comparison().setComparing(true);
-    window().views().setCamerasLinked(false);
+    window().views().cameras().setLinked(false);
     drag(Qt::LeftButton, Qt::NoModifier, {40, 0});
-    window().views().realignCameras();
+    window().views().cameras().realign();
     EXPECT_EQ(secondView().camera(), camera());
 }
 

@@ -56,7 +56,7 @@ EffectsDock::EffectsDock(const DockContext& context)
 void EffectsDock::watchViews() {
     views_.installEventFilter(this);
     const auto later = [this] { settle_.start(); };
-    connect(&views_, &CompareArea::linkChanged, this, later);
+    connect(&views_.cameras(), &ViewCameras::linkChanged, this, later);
     connect(&views_, &CompareArea::viewAdded, this,
             [this, later](SideView* view) { connect(view, &SideView::cameraWished, this, later); });
 }

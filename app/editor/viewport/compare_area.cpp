@@ -9,10 +9,8 @@
 #include <QKeyEvent>
 #include <QSplitter>
 
-#include "document/scene_edits.h"
-#include "viewport/camera_moves.h"
 #include "viewport/comparison_meter.h"
-#include "viewport/comparison_text.h"
+#include "viewport/comparison_readout.h"
 #include "viewport/composed_view.h"
 #include "viewport/difference_view.h"
 
@@ -26,10 +24,9 @@ constexpr int flipKey = Qt::Key_Space;
 } // namespace
 
 CompareArea::CompareArea(const ViewSources& sources, QWidget* parent)
-    : QWidget(parent), sources_(sources), document_(sources.document),
-      home_(document_.scene().camera), history_(document_), turntable_(document_),
-      rows_(new QSplitter(Qt::Vertical, this)), upper_(new QSplitter(Qt::Horizontal, rows_)),
-      lower_(new QSplitter(Qt::Horizontal, rows_)) {
+    : QWidget(parent), sources_(sources), document_(sources.document), cameras_(document_),
+      turntable_(document_), rows_(new QSplitter(Qt::Vertical, this)),
+      upper_(new QSplitter(Qt::Horizontal, rows_)), lower_(new QSplitter(Qt::Horizontal, rows_)) {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(rows_);
@@ -39,16 +36,12 @@ CompareArea::CompareArea(const ViewSources& sources, QWidget* parent)
     }
     lower_->hide();
     views_[0] = addView(Side::A);
-    onChange(document_, DocumentChange::Comparing, this, &CompareArea::showSides);
-    onChange(document_, DocumentChange::Camera, this, &CompareArea::showCamera);
-    onChange(document_, DocumentChange::Scene, this, [this] {
-        home_ = document_.scene().camera;
-        showSides();
-        showCamera();
-        realignCameras();
-    });
+    onChange(document_, DocumentChange::Comparing | DocumentChange::Scene, this,
+             &CompareArea::showSides);
     showSides();
 }
+
+CompareArea::~CompareArea() = default;
 
 std::vector<SideView*> CompareArea::views() {
     std::vector<SideView*> made;
@@ -59,16 +52,6 @@ std::vector<SideView*> CompareArea::views() {
 SideView& CompareArea::active() {
     SideView* active = view(document_.selection().side());
     return active != nullptr ? *active : first();
-}
-
-void CompareArea::setCamerasLinked(bool linked) {
-    if (linked != linked_) {
-        linked_ = linked;
-        if (linked) {
-            realignCameras();
-        }
-        Q_EMIT linkChanged(linked);
-    }
 }
 
 void CompareArea::setMouseHabits(const MouseHabits& habits) {
@@ -85,38 +68,16 @@ void CompareArea::setInspecting(bool on) {
     }
 }
 
-void CompareArea::realignCameras() {
-    for (SideView* view : views()) {
-        view->viewport().setCamera(first().viewport().camera());
-    }
-}
-
-void CompareArea::resetCamera(Side side) {
-    moveCamera(side, shownFrom(home_));
-}
-
 SideView* CompareArea::addView(Side side) {
     auto* view = new SideView(sources_, {modes_, turntable_}, side, upper_);
     upper_->insertWidget(static_cast<int>(indexOf(side)), view);
-    connect(view, &SideView::cameraWished, this,
-            [this, side](const Camera& shown) { moveCamera(side, shown); });
     connect(&view->viewport(), &Viewport::resized, this, [this] {
         if (isComposed()) {
             placeComposed();
         }
-        fitNarrowViews();
     });
-    CameraNavigation& navigation = view->viewport().navigation();
-    navigation.setHabits(habits_);
-    connect(&navigation, &CameraNavigation::dragBegan, &history_, &CameraHistory::beginDrag);
-    connect(&navigation, &CameraNavigation::dragFinished, &history_, &CameraHistory::endDrag);
-    connect(&navigation, &CameraNavigation::dragCancelled, &history_, &CameraHistory::endDrag);
-    connect(view, &SideView::bookmarkWished, this, [this, view](int digit) {
-        setBookmark(document_, digit, heldFrom(view->viewport().camera()));
-    });
-    connect(view, &SideView::bookmarkChosen, this,
-            [this, side](const Camera& bookmark) { moveCamera(side, shownFrom(bookmark)); });
-    connect(view, &SideView::resetWished, this, [this, side] { resetCamera(side); });
+    view->viewport().navigation().setHabits(habits_);
+    cameras_.add(*view);
     connect(view, &SideView::filesDropped, this,
             [this, side](const QStringList& files) { Q_EMIT filesDropped(files, side); });
     return view;
@@ -161,12 +122,11 @@ bool CompareArea::makeMissingViews() {
             continue;
         }
         made = addView(side);
-        made->viewport().setCamera(first().viewport().camera());
         made->setInspecting(inspecting_);
         if (meter_ == nullptr) {
             makeMeter();
         }
-        made->viewport().installEventFilter(this);
+        watch(made->viewport());
         isMade = true;
         Q_EMIT viewAdded(made);
     }
@@ -192,7 +152,7 @@ void CompareArea::showSides() {
         shareRoom();
     }
     showDifference(comparing && (wantsDifference_ || look_.mode == CompareMode::Difference));
-    fitNarrowViews();
+    cameras_.fitNarrowViews();
 }
 
 /// Who asks for a third view wants to see it.
@@ -240,33 +200,13 @@ void CompareArea::shareRoom() {
 
 void CompareArea::makeMeter() {
     meter_ = new ComparisonMeter(sources_, first().viewport(), this);
-    connect(meter_, &ComparisonMeter::framesChanged, this, &CompareArea::showNumbers);
-    connect(meter_, &ComparisonMeter::numbersChanged, this, &CompareArea::showNumbers);
-    first().viewport().installEventFilter(this);
+    readout_ = std::make_unique<ComparisonReadout>(document_, *meter_);
+    connect(readout_.get(), &ComparisonReadout::changed, this, &CompareArea::numbersShown);
+    watch(first().viewport());
 }
 
-void CompareArea::showNumbers() {
-    const bool isPixelKnown = pointer_ && meter_->isUpToDate() && document_.isComparing();
-    Q_EMIT numbersShown(isPixelKnown ? pixelText(*meter_->frames(), meter_->other(), *pointer_)
-                                     : comparisonText(meter_->numbers()),
-                        comparisonDetails(meter_->numbers()));
-}
-
-/// Follows the pointer over the pictures.
-bool CompareArea::eventFilter(QObject* watched, QEvent* event) {
-    const bool isOver = event->type() == QEvent::MouseMove;
-    if (isOver || event->type() == QEvent::Leave) {
-        const QRect place =
-            watched == difference_ ? difference_->place() : static_cast<QWidget*>(watched)->rect();
-        pointer_.reset();
-        if (isOver && !place.isEmpty()) {
-            const QPointF at =
-                static_cast<QMouseEvent*>(event)->position() - QPointF(place.topLeft());
-            pointer_ = QPointF(at.x() / place.width(), at.y() / place.height());
-        }
-        showNumbers();
-    }
-    return QWidget::eventFilter(watched, event);
+void CompareArea::watch(Viewport& view) {
+    readout_->watch(view, [&view] { return view.rect(); });
 }
 
 void CompareArea::showDifference(bool shown) {
@@ -277,7 +217,7 @@ void CompareArea::showDifference(bool shown) {
     if (!difference_) {
         difference_ = new DifferenceView(*meter_, first().viewport(), upper_);
         difference_->setMouseTracking(true);
-        difference_->installEventFilter(this);
+        readout_->watch(*difference_, [this] { return difference_->place(); });
         upper_->addWidget(difference_);
     }
     difference_->setVisible(shown);
@@ -327,7 +267,7 @@ void CompareArea::resizeEvent(QResizeEvent* event) {
 void CompareArea::keyPressEvent(QKeyEvent* event) {
     const QString text = event->text();
     if (!isComposed() && event->key() == Qt::Key_Space) {
-        resetCamera(document_.selection().side());
+        cameras_.reset(document_.selection().side());
     } else if (!isComposed()) {
         QWidget::keyPressEvent(event);
     } else if (event->key() == flipKey) {
@@ -351,58 +291,6 @@ void CompareArea::keyReleaseEvent(QKeyEvent* event) {
     } else {
         QWidget::keyReleaseEvent(event);
     }
-}
-
-/// The field of view is the height's: where a view is narrower than high all step back, so that
-/// what is in a square is not cut off. The document's camera stays where it is.
-void CompareArea::fitNarrowViews() {
-    double aspect = 1.0; // of the narrowest
-    for (SideView* view : views()) {
-        if (!view->isHidden()) {
-            const QSize size = view->viewport().size();
-            aspect = std::min(aspect, std::max(size.width(), 1) / double(size.height()));
-        }
-    }
-    const double stepBack = 1.0 / aspect;
-    const double change = stepBack / std::exchange(stepBack_, stepBack);
-    if (change == 1.0) {
-        return;
-    }
-    for (SideView* view : views()) {
-        if (!isLinked(view->side())) {
-            view->viewport().setCamera(dollied(view->viewport().camera(), change));
-        }
-    }
-    showCamera();
-}
-
-Camera CompareArea::shownFrom(const Camera& camera) const {
-    return stepBack_ == 1.0 ? camera : dollied(camera, stepBack_);
-}
-
-/// The document's camera where a view shows it from there.
-Camera CompareArea::heldFrom(const Camera& shown) const {
-    return stepBack_ == 1.0 ? shown : dollied(shown, 1.0 / stepBack_);
-}
-
-/// The document's camera in the views that follow it.
-void CompareArea::showCamera() {
-    const Camera shown = shownFrom(document_.scene().camera);
-    for (SideView* view : views()) {
-        if (isLinked(view->side())) {
-            view->viewport().setCamera(shown);
-        }
-    }
-}
-
-/// To where a view shall show the scene from.
-void CompareArea::moveCamera(Side side, const Camera& shown) {
-    if (!isLinked(side)) {
-        view(side)->viewport().setCamera(shown);
-        return;
-    }
-    document_.setCamera(heldFrom(shown));
-    showCamera();
 }
 
 } // namespace patina

@@ -232,7 +232,7 @@ void Menus::makeViewMenu() {
     addForViews(menu, tr("&Frame Object"), QKeySequence("F"),
                 [this] { parts_.views.active().frameObjects(); });
     addForViews(menu, tr("&Reset View"), QKeySequence(Qt::Key_Home),
-                [this] { parts_.views.resetCamera(parts_.document.selection().side()); });
+                [this] { parts_.views.cameras().reset(parts_.document.selection().side()); });
     makeCameraMoves(menu);
     makeTurntable(menu->addMenu(tr("Turnta&ble")));
     menu->addSeparator();
@@ -277,7 +277,7 @@ void Menus::makeCameraMoves(QMenu* menu) {
     add(menu, tr("Ort&hographic"), {}, [this] { parts_.views.active().toggleLens(); })
         ->setToolTip(tr("A lens so narrow that parallel lines look parallel; once more: the one "
                         "before (5 of the number pad)"));
-    CameraHistory& history = parts_.views.cameraHistory();
+    CameraHistory& history = parts_.views.cameras().history();
     QAction* undo =
         add(menu, tr("Undo Camera &Move"), QKeySequence("Alt+Z"), [&history] { history.undo(); });
     QAction* redo = add(menu, tr("Redo Camera Mo&ve"), QKeySequence("Shift+Alt+Z"),
@@ -342,12 +342,12 @@ void Menus::makeCompareMenu(QMenu* menu) {
         choose(rows[(now + 1) % rows.size()].mode);
     });
     link_ = add(menu, tr("&Link Cameras"), QKeySequence("Ctrl+L"),
-                [this] { parts_.views.setCamerasLinked(link_->isChecked()); });
+                [this] { parts_.views.cameras().setLinked(link_->isChecked()); });
     link_->setCheckable(true);
     link_->setChecked(true);
     link_->setToolTip(tr("Both views move together (Ctrl+L)"));
     realign_ = add(menu, tr("Re-&align Cameras"), QKeySequence("Ctrl+R"),
-                   [this] { parts_.views.realignCameras(); });
+                   [this] { parts_.views.cameras().realign(); });
     realign_->setToolTip(tr("B looks from where A does (Ctrl+R)"));
     swap_ = addForViews(menu, tr("S&wap A and B"), QKeySequence("X"),
                         [this] { parts_.comparison.swapSides(); });
@@ -367,7 +367,7 @@ void Menus::makeCompareMenu(QMenu* menu) {
         arrangements->setEnabled(comparing);
     };
     onChange(parts_.document, DocumentChange::Comparing, this, follow);
-    connect(&parts_.views, &CompareArea::linkChanged, link_, &QAction::setChecked);
+    connect(&parts_.views.cameras(), &ViewCameras::linkChanged, link_, &QAction::setChecked);
     connect(&parts_.views, &CompareArea::differenceWantedChanged, difference_,
             &QAction::setChecked);
     const auto followLook = [this, group, arrangements](const CompareLook& look) {
