@@ -81,7 +81,7 @@ bool runAll(MainWindow& window, const QStringList& meshes) {
            course.step(
                "redoing it", [&] { document.undoStack().redo(); }, always) &&
            course.step(
-               "removing it", [&] { removeObject(document, indexOfLarge(document)); }, always) &&
+               "removing it", [&] { removeObjects(document, {indexOfLarge(document)}); }, always) &&
            course.step("undoing the removal", undo, always) &&
            course.step(
                "a new document", [&] { window.documentFiles().openTemplate(defaultSceneFile()); },

@@ -248,7 +248,7 @@ TEST(Original, ObjectBehindARemovedOne_KeepsItsOwn) {
     desk.document.selection().setObjects({2});
     desk.set("roughness", 0.75);
     const Material second = desk.objects()[1].material;
-    removeObject(desk.document, 0);
+    removeObjects(desk.document, {0});
     desk.document.selection().setObjects({1});
     EXPECT_EQ(std::get<double>(desk.value("roughness")), 0.75);
     EXPECT_EQ(*desk.document.originalMaterial({1, Side::A}), second);

@@ -170,7 +170,7 @@ TEST_F(CopiedForm, Lock_IsShownUndoneAndKeptInFiles) {
     document.undoStack().undo();
     EXPECT_FALSE(row("roughness").isLocked());
     document.undoStack().redo();
-    QTest::mouseClick(row("roughness").lockMark(), Qt::LeftButton);
+    QTest::mouseClick(row("roughness").findChild<QAbstractButton*>("lock"), Qt::LeftButton);
     EXPECT_FALSE(row("roughness").isLocked());
 }
 

@@ -149,7 +149,7 @@ TEST_F(DocumentEdit, Objects_UndoAndRedo) {
     addObject(document, second);
     second.mesh = "builtin:cube";
     setObject(document, 1, second);
-    removeObject(document, 0);
+    removeObjects(document, {0});
     EXPECT_EQ(fixture.steps(), 3);
     EXPECT_TRUE(survivesUndoAndRedo(document, before));
 }
@@ -164,7 +164,7 @@ TEST_F(DocumentEdit, CurrentObject_FollowsUndoAndRedo) {
     EXPECT_EQ(document.selection().object(), first);
     document.undoStack().redo();
     EXPECT_EQ(document.selection().object(), second);
-    removeObject(document, first);
+    removeObjects(document, {first});
     EXPECT_EQ(document.selection().object(), second - 1);
     document.undoStack().undo();
     EXPECT_EQ(document.selection().object(), second);

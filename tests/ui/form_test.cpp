@@ -10,7 +10,7 @@
 #include "parameters/color_swatch.h"
 #include "parameters/hex_box.h"
 #include "parameters/parameter_section.h"
-#include "parameters/reset_mark.h"
+#include "parameters/row_mark.h"
 #include "parameters/warning_mark.h"
 #include "ui/form_fixture.h"
 
@@ -41,7 +41,7 @@ TEST_F(Form, DoubleClickOnTheLabel_Resets) {
 }
 
 TEST_F(Form, ChangedValue_HasAMarkThatResets) {
-    auto* mark = row("roughness").findChild<ResetMark*>();
+    auto* mark = row("roughness").findChild<RowMark*>("reset");
     EXPECT_FALSE(mark->isVisible());
     document.setValue(fixture.model(), "roughness", 0.75);
     EXPECT_TRUE(mark->isVisible());
@@ -55,7 +55,7 @@ TEST_F(Form, AsNarrowAsItCanBe_ShowsItsResetMarks) {
     ASSERT_LT(form->minimumSizeHint().width(), 300);
     form->resize(form->minimumSizeHint().width(), form->height());
     QTest::qWait(50); // a layout that was put off
-    const auto* mark = row("roughness").findChild<ResetMark*>();
+    const auto* mark = row("roughness").findChild<RowMark*>("reset");
     const QRect place(mark->mapTo(form, QPoint()), mark->size());
     EXPECT_TRUE(form->rect().contains(place)) << place.right() << " of " << form->width();
 }
@@ -74,7 +74,7 @@ TEST_F(Form, RowThatDoesNotCount_IsFoldedAndCanBeOpened) {
     EXPECT_TRUE(row("strength").isFolded());
     EXPECT_TRUE(row("strength").isVisible());
     EXPECT_FALSE(slider("strength")->isVisible());
-    QTest::mouseClick(row("strength").foldButton(), Qt::LeftButton);
+    QTest::mouseClick(row("strength").findChild<QToolButton*>("fold"), Qt::LeftButton);
     EXPECT_TRUE(slider("strength")->isVisible());
 }
 
@@ -87,7 +87,8 @@ TEST_F(Form, ConditionMet_UnfoldsTheRow) {
 }
 
 TEST_F(Form, FoldedRow_SaysWhen) {
-    EXPECT_TRUE(row("strength").foldButton()->toolTip().contains("Mode is Fancy"));
+    EXPECT_TRUE(
+        row("strength").findChild<QToolButton*>("fold")->toolTip().contains("Mode is Fancy"));
 }
 
 TEST_F(Form, AdvancedParameters_StartFolded) {

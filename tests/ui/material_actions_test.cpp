@@ -4,7 +4,6 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "docks/parameters_dock.h"
 #include "ui/window_fixture.h"
 
 namespace patina::tests::material_actions_test {
@@ -49,8 +48,7 @@ TEST_F(MaterialInTheWindow, Original_IsShownWithoutAnEditAndGoesWithTheNextOne) 
 
 TEST_F(MaterialInTheWindow, OriginalButton_TogglesWhenItIsClicked) {
     setColour(glm::dvec3(0.0, 0.1, 0.9));
-    QToolButton* button =
-        window().dock("parameters")->findChild<ParametersDock*>()->originalButton();
+    QToolButton* button = window().dock("parameters")->findChild<QToolButton*>("original");
     button->click();
     EXPECT_TRUE(actions().original()->isChecked());
     EXPECT_TRUE(button->isChecked());

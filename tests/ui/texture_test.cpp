@@ -30,6 +30,9 @@ struct TextureForm : Form {
     }
 
     TextureLine& line() const { return *row(color).textureLine(); }
+    QLabel& name() const { return *line().findChild<QLabel*>("name"); }
+    QToolButton& button(const char* name) const { return *line().findChild<QToolButton*>(name); }
+    QCheckBox& enabled() const { return *line().findChild<QCheckBox*>("enabled"); }
     const TextureUse* use() const { return document.texture(fixture.model(), color); }
     void lay(const QString& file) { form->textures().lay(row(color).parameter(), file); }
 };
@@ -43,8 +46,8 @@ TEST_F(TextureForm, ChosenFile_IsOneStepAndShowsItsName) {
     lay(image());
     ASSERT_NE(use(), nullptr);
     EXPECT_EQ(fixture.steps(), 1);
-    EXPECT_EQ(line().nameLabel()->text(), "wood.png");
-    EXPECT_TRUE(line().removeButton()->isVisible());
+    EXPECT_EQ(name().text(), "wood.png");
+    EXPECT_TRUE(button("remove").isVisible());
 }
 
 TEST_F(TextureForm, Undo_TakesTheImageAway) {
@@ -58,22 +61,22 @@ TEST_F(TextureForm, Undo_TakesTheImageAway) {
 
 TEST_F(TextureForm, RemoveButton_IsOneStep) {
     lay(image());
-    line().removeButton()->click();
+    button("remove").click();
     EXPECT_EQ(use(), nullptr);
     EXPECT_EQ(fixture.steps(), 2);
 }
 
 TEST_F(TextureForm, Switch_TurnsTheImageOffAndOnWithoutTakingItAway) {
     lay(image());
-    EXPECT_TRUE(line().enabledBox()->isChecked());
-    line().enabledBox()->click();
+    EXPECT_TRUE(enabled().isChecked());
+    enabled().click();
     ASSERT_NE(use(), nullptr);
     EXPECT_FALSE(use()->enabled);
-    EXPECT_FALSE(line().nameLabel()->isEnabled());
+    EXPECT_FALSE(name().isEnabled());
     EXPECT_EQ(fixture.steps(), 2);
     document.undoStack().undo();
     EXPECT_TRUE(use()->enabled);
-    EXPECT_TRUE(line().enabledBox()->isChecked());
+    EXPECT_TRUE(enabled().isChecked());
 }
 
 TEST_F(TextureForm, FileDroppedOnTheRow_LiesOnItsValue) {
@@ -123,7 +126,7 @@ TEST_F(TextureForm, FileThatIsThere_ShowsItsPicture) {
     QSignalSpy arrived(&images, &TextureLibrary::arrived);
     ASSERT_TRUE(arrived.wait(waitMs));
     EXPECT_EQ(images.preview(use()->file).pixelColor(0, 0), QColor(Qt::red));
-    EXPECT_EQ(line().nameLabel()->text(), "wood.png");
+    EXPECT_EQ(name().text(), "wood.png");
 }
 
 TEST_F(TextureForm, MissingFile_IsMarkedAndKept) {
@@ -132,8 +135,8 @@ TEST_F(TextureForm, MissingFile_IsMarkedAndKept) {
     QSignalSpy arrived(&images, &TextureLibrary::arrived);
     ASSERT_TRUE(arrived.wait(waitMs));
     EXPECT_EQ(use()->file, "/nowhere/gone.png");
-    EXPECT_EQ(line().nameLabel()->text(), "⚠ gone.png");
-    EXPECT_TRUE(line().nameLabel()->toolTip().contains("no such file"));
+    EXPECT_EQ(name().text(), "⚠ gone.png");
+    EXPECT_TRUE(name().toolTip().contains("no such file"));
 }
 
 TEST_F(TextureForm, MissingFile_IsToldOnce) {
@@ -159,10 +162,10 @@ TEST_F(TextureForm, FileOutsideTheFolder_IsReadWhenItIsAllowed) {
     outside.outside = true;
     document.setTexture(fixture.model(), color, outside);
     EXPECT_TRUE(images.find(*use(), TextureDecoding::Color).isMissing);
-    ASSERT_TRUE(line().allowButton()->isVisible());
-    line().allowButton()->click();
+    ASSERT_TRUE(button("allow").isVisible());
+    button("allow").click();
     EXPECT_FALSE(use()->outside);
-    EXPECT_FALSE(line().allowButton()->isVisible());
+    EXPECT_FALSE(button("allow").isVisible());
 }
 
 TEST_F(TextureForm, CopiesOfAMaterial_ReadAFileOnce) {

@@ -120,7 +120,7 @@ const std::vector<Edit> edits{
          object.translation = {1.0, 0.5, 0.0};
          addObject(d, object);
      }},
-    {"ObjectRemoved", [](Document& d) { removeObject(d, 0); }},
+    {"ObjectRemoved", [](Document& d) { removeObjects(d, {0}); }},
     {"ObjectsRemoved", [](Document& d) { removeObjects(d, {0}); }},
     {"ObjectsAdded",
      [](Document& d) {

@@ -19,7 +19,7 @@
 #include "docks/preset_view.h"
 #include "document/scene_edits.h"
 #include "files/key_pause.h"
-#include "parameters/reset_mark.h"
+#include "parameters/row_mark.h"
 #include "ui/answer.h"
 #include "ui/window_fixture.h"
 
@@ -127,7 +127,7 @@ TEST_F(Layout, NarrowestParameters_ShowTheirResetMarks) {
     QTest::qWait(200); // layouts that were put off
     const QDockWidget& dock = *window().dock("parameters");
     int marks = 0;
-    for (const ResetMark* mark : dock.findChildren<ResetMark*>()) {
+    for (const RowMark* mark : dock.findChildren<RowMark*>("reset")) {
         if (mark->isVisible()) {
             ++marks;
             EXPECT_LE(mark->mapTo(&dock, mark->rect().bottomRight()).x(), dock.width());
@@ -241,7 +241,7 @@ TEST_F(Window, DroppedMesh_IsFramed) {
 
 TEST_F(Window, ObjectInAnEmptyScene_LooksLikeANewDocuments) {
     const Material start = document().scene().objects[0].material;
-    removeObject(document(), 0);
+    removeObjects(document(), {0});
     ASSERT_TRUE(document().scene().objects.empty());
     Object sphere;
     sphere.mesh = "builtin:sphere";

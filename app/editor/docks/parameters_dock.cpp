@@ -82,6 +82,7 @@ void ParametersDock::setFilter(RowFilter filter) {
 
 void ParametersDock::connectOriginal() {
     QAction* action = material_.original();
+    original_->setObjectName("original");
     original_->setCheckable(true);
     const auto follow = [this, action] {
         original_->setChecked(action->isChecked());

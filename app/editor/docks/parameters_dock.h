@@ -27,7 +27,6 @@ class ParametersDock : public QWidget {
     void setFilter(RowFilter filter);
     /// Returns the button that shows the original: a short press toggles it, a long one shows it
     /// until the button is released.
-    QToolButton* originalButton() const { return original_; }
 
   private:
     QWidget* filterBox();

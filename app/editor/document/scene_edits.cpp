@@ -236,13 +236,6 @@ void setObject(Document& document, int index, const Object& object) {
     }
 }
 
-void removeObject(Document& document, int index) {
-    if (const Object* held = at(document.scene().objects, index)) {
-        document.undoStack().push(
-            new ObjectCommand(document, index, *held, std::nullopt, Document::tr("Remove object")));
-    }
-}
-
 void setObjects(Document& document, const std::map<int, Object>& objects, const QString& label) {
     bool isChange = false;
     GroupCommand::Edits edits; // also of objects that stay: the steps of a drag merge

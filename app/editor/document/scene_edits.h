@@ -28,7 +28,6 @@ void toggleMute(Document& document, int index);
 
 void addObject(Document& document, const Object& object);
 void setObject(Document& document, int index, const Object& object);
-void removeObject(Document& document, int index);
 
 /// Changes objects, by their indices, as one step.
 void setObjects(Document& document, const std::map<int, Object>& objects, const QString& label);

@@ -11,9 +11,8 @@
 #include <QUrl>
 
 #include "parameters/editor_factory.h"
-#include "parameters/lock_mark.h"
 #include "parameters/parameter_text.h"
-#include "parameters/reset_mark.h"
+#include "parameters/row_mark.h"
 #include "parameters/scrub_label.h"
 #include "parameters/texture_line.h"
 #include "parameters/warning_mark.h"
@@ -25,7 +24,7 @@ ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
       label_(new ScrubLabel(QString::fromStdString(parameter.label), this)),
       foldButton_(new QToolButton(this)), both_(new QWidget(this)),
       pair_(new QBoxLayout(QBoxLayout::LeftToRight, both_)), warning_(new WarningMark(this)),
-      lockMark_(new LockMark(this)), resetMark_(new ResetMark(this)),
+      lockMark_(new RowMark(drawPadlock, this)), resetMark_(new RowMark(drawResetArrow, this)),
       value_(parameter.defaultValue) {
     makeLayout();
     makeAccessible();
@@ -67,7 +66,12 @@ void ParameterRow::makeLayout() {
     foldButton_->setAutoRaise(true);
     foldButton_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     foldButton_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    resetMark_->hide();
+    QSizePolicy policy = resetMark_->sizePolicy();
+    policy.setRetainSizeWhenHidden(true); // nothing may jump when a value changes
+    resetMark_->setSizePolicy(policy);
+    foldButton_->setObjectName("fold");
+    lockMark_->setObjectName("lock");
+    resetMark_->setObjectName("reset");
     alignFirstLine();
 }
 
@@ -239,10 +243,6 @@ bool ParameterRow::hasTexture() const {
 
 bool ParameterRow::isLocked() const {
     return !lockMark_->isHidden();
-}
-
-QAbstractButton* ParameterRow::lockMark() const {
-    return lockMark_;
 }
 
 void ParameterRow::setLocked(bool isLocked) {

@@ -15,9 +15,8 @@ class QToolButton;
 
 namespace patina {
 
-class LockMark;
 class ParameterEditor;
-class ResetMark;
+class RowMark;
 class ScrubLabel;
 class TextureLine;
 class WarningMark;
@@ -35,7 +34,6 @@ class ParameterRow : public QWidget {
     const Parameter& parameter() const;
     ParameterEditor* editor() const { return editor_; }
     ScrubLabel* label() const { return label_; }
-    QToolButton* foldButton() const { return foldButton_; }
     /// Returns the line of the value's image; null while the row was not told that it takes one.
     TextureLine* textureLine() const { return textureLine_; }
     TextureLine* makeTextureLine();
@@ -47,7 +45,6 @@ class ParameterRow : public QWidget {
     /// An image lies on the value.
     bool hasTexture() const;
     bool isLocked() const;
-    QAbstractButton* lockMark() const;
     void reset();
 
     void present(const Value& value);
@@ -105,8 +102,8 @@ class ParameterRow : public QWidget {
     TextureLine* textureLine_ = nullptr;
     bool takesTextures_ = false;
     WarningMark* warning_;
-    LockMark* lockMark_;
-    ResetMark* resetMark_;
+    RowMark* lockMark_;
+    RowMark* resetMark_;
     Value value_;
     QString reason_;
     bool isCounting_ = true;

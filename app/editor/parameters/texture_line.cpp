@@ -54,6 +54,10 @@ TextureLine::TextureLine(const QString& valueName, QWidget* parent)
     line->addWidget(remove_);
     name_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     name_->setTextFormat(Qt::PlainText);
+    enabled_->setObjectName("enabled");
+    name_->setObjectName("name");
+    allow_->setObjectName("allow");
+    remove_->setObjectName("remove");
     choose_->setAccessibleName(tr("Image of %1").arg(valueName));
     enabled_->setToolTip(tr("Whether the image counts; while it does not it stays here"));
     enabled_->setAccessibleName(tr("Image of %1 counts").arg(valueName));
@@ -115,9 +119,10 @@ void TextureLine::showPreview(const QImage& image, bool isMissing, bool isEnable
     }
     const int side = isBound_ ? thumbnailSide : thumbnailSide / 2;
     choose_->setIconSize({side, side});
-    choose_->setToolTip(isBound_ ? tr("Choose another image") : tr("Put an image on %1, or drop "
-                                                                   "one here")
-                                                                    .arg(valueName_));
+    choose_->setToolTip(isBound_ ? tr("Choose another image")
+                                 : tr("Put an image on %1, or drop "
+                                      "one here")
+                                       .arg(valueName_));
 }
 
 } // namespace patina

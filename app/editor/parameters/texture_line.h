@@ -22,11 +22,7 @@ class TextureLine : public QWidget {
     void present(const std::optional<TextureUse>& use, const TexturePreview& preview);
     bool isBound() const { return isBound_; }
 
-    QCheckBox* enabledBox() const { return enabled_; }
     QToolButton* settingsButton() const { return settings_; }
-    QToolButton* removeButton() const { return remove_; }
-    QToolButton* allowButton() const { return allow_; }
-    QLabel* nameLabel() const { return name_; }
 
   Q_SIGNALS:
     void chooseWished();
