@@ -126,7 +126,7 @@ void printReport(const SweepReport& report) {
         std::cout << error.text() << '\n';
     }
     std::cout << fmt::format("{} cases in {} programs{}: {}\n", report.cases, report.programs,
-                             limitText(report), report.sound() ? "nothing breaks" : "see above");
+                             limitText(report), report.isClean() ? "nothing breaks" : "see above");
 }
 
 void print(const StabilitySweep& sweep, const CheckOptions& options) {
@@ -176,7 +176,7 @@ Checked<int> check(const CheckOptions& options) {
     runSweep(sweep);
     print(sweep, options);
     remark(sweep, how);
-    if (!sweep.report().sound()) {
+    if (!sweep.report().isClean()) {
         return 1;
     }
     return sweep.finished() ? 0 : LongWork::stoppedStatus;

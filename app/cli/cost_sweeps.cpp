@@ -76,7 +76,7 @@ tl::unexpected<Errors> nothingYet() {
 } // namespace
 
 Checked<Sweep> swept(CostSweep::Subject subject, const CostRequest& options, LongWork& work) {
-    const auto named = namedWay(
+    const auto named = namedLevels(
         options.ofPicture ? choicesOfPicture(subject.scene, *subject.catalog)
                           : materialChoices(subject.scene, subject.object, *subject.catalog),
         options);

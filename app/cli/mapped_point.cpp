@@ -8,7 +8,7 @@
 
 namespace patina {
 
-Result<ChosenLevels> namedWay(const std::vector<Choice>& choices, const CostRequest& options) {
+Result<ChosenLevels> namedLevels(const std::vector<Choice>& choices, const CostRequest& options) {
     if (options.errorMapOf.empty()) {
         return ChosenLevels();
     }
@@ -42,8 +42,7 @@ const CostPoint& mappedPoint(const CostChart& chart, const ChosenLevels& named,
     if (const CostPoint* point = options.errorMapOf.empty() ? nullptr : chart.find(named)) {
         return *point;
     }
-    const auto answer =
-        bestFor({options.budgetMilliseconds, options.budgetError}, chart.points);
+    const auto answer = bestFor({options.budgetMilliseconds, options.budgetError}, chart.points);
     if (options.hasBudget() && answer) {
         return chart.points[answer->point];
     }

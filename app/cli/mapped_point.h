@@ -8,7 +8,7 @@ namespace patina {
 
 /// Returns the levels of --error-map-of, without those that are exact; none where it is not given.
 /// Fails where a level is not one of these choices.
-Result<ChosenLevels> namedWay(const std::vector<Choice>& choices, const CostRequest& options);
+Result<ChosenLevels> namedLevels(const std::vector<Choice>& choices, const CostRequest& options);
 
 /// Returns the point whose errors are drawn: the one that is named, which has been measured, or the
 /// one that the budget selects, or else the fastest one on the front. Where that is the exact one,

@@ -203,12 +203,12 @@ class BundleReader {
             return {};
         }
         const Result<bool> whole = copyCurrent(entry, out);
-        const bool isSound = unzCloseCurrentFile(zip_) == UNZ_OK; // also its checksum
+        const bool isIntact = unzCloseCurrentFile(zip_) == UNZ_OK; // also its checksum
         out.close();
         if (!whole) {
             return tl::unexpected(whole.error());
         }
-        if (!*whole || !isSound || !out) {
+        if (!*whole || !isIntact || !out) {
             fs::remove(file, failed);
             outcomes_.push_back({entry, out ? "it is damaged" : "it could not be written"});
         } else {

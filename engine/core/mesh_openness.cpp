@@ -69,9 +69,9 @@ class OpennessFinder {
         const Vertex& vertex = mesh_.vertices[index];
         const double length = glm::length(glm::dvec3(vertex.normal));
         const glm::vec3 place = placed(vertex.position);
-        const bool isSound = scale_ > 0.0 && length > 1e-3 && length < 1e3 && isFinite(place) &&
-                             isFinite(within_[index]);
-        if (!isSound) {
+        const bool isUsable = scale_ > 0.0 && length > 1e-3 && length < 1e3 && isFinite(place) &&
+                              isFinite(within_[index]);
+        if (!isUsable) {
             return {};
         }
         const glm::vec3 n(glm::dvec3(vertex.normal) / length);

@@ -241,7 +241,7 @@ TEST_F(FittedEnvironmentTest, MaterialThatImagesChange_IsFittedAtEachPixel) {
             textureUse("diffuse.color", "/nowhere.png"); // white
         scene = fitted(scene);
         const EffectSet set = effectSet(scene.objects[0].material, scene, *catalog);
-        EXPECT_EQ(set.way, EnvironmentWay::PerPixel);
+        EXPECT_EQ(set.method, EnvironmentMethod::PerPixel);
         EXPECT_NEAR(meanOf(settled(scene, 4)) / meanOf(right), 1.0, 0.05) << roughness;
     }
 }
@@ -266,7 +266,7 @@ TEST_F(FittedEnvironmentTest, ModelsThatWantAKeyLight_AndNoOthers_AreLitByOneLig
     for (const Block* model : catalog->ofKind(kinds::models)) {
         const Scene scene = fitted(ball(model->id));
         const EffectSet set = effectSet(scene.objects[0].material, scene, *catalog);
-        EXPECT_EQ(set.way == EnvironmentWay::OneLight, model->lighting == LightsWanted::Key)
+        EXPECT_EQ(set.method == EnvironmentMethod::OneLight, model->lighting == LightsWanted::Key)
             << model->id;
     }
 }
@@ -278,7 +278,8 @@ TEST_F(FittedEnvironmentTest, ModelThatDrawsMarks_IsLitFromWhereMostLightComes) 
     panorama.pixels[std::size_t(16) * 64 + 48] = 1000.0f; // at +x
     Scene scene = fitted(surrounded("halftone", panorama));
     scene.objects[0].mesh = "builtin:sphere";
-    EXPECT_EQ(effectSet(scene.objects[0].material, scene, *catalog).way, EnvironmentWay::OneLight);
+    EXPECT_EQ(effectSet(scene.objects[0].material, scene, *catalog).method,
+              EnvironmentMethod::OneLight);
     const Image image = settled(scene, 4);
     double left = 0.0;
     double right = 0.0;

@@ -31,28 +31,29 @@ class BusyMachine {
     double pace_ = 1.0;
 };
 
-struct KnownWay {
+struct KnownSetting {
     ChosenLevels levels;
     double ratio = 1.0;
     double error = 0.0;
 };
 
 /// The exact way and a dozen others, most of them faster.
-std::vector<KnownWay> someWays(std::mt19937& random) {
+std::vector<KnownSetting> someWays(std::mt19937& random) {
     std::uniform_real_distribution<double> share;
-    std::vector<KnownWay> ways(1);
+    std::vector<KnownSetting> ways(1);
     for (int i = 0; i < 12; ++i) {
-        ways.push_back({{{"a", std::to_string(i)}}, 0.3 + 0.8 * share(random),
+        ways.push_back({{{"a", std::to_string(i)}},
+                        0.3 + 0.8 * share(random),
                         std::pow(10.0, -6.0 * share(random))});
     }
     return ways;
 }
 
-CostChart measured(const std::vector<KnownWay>& ways, BusyMachine& machine) {
+CostChart measured(const std::vector<KnownSetting>& ways, BusyMachine& machine) {
     constexpr MedianInterval empty{1.0, 0.98, 1.02};
     constexpr double exactMilliseconds = 9.0;
     CostChart chart;
-    for (const KnownWay& way : ways) {
+    for (const KnownSetting& way : ways) {
         CostPairs pairs({}, empty);
         while (!pairs.finished()) {
             machine.drift();
@@ -78,7 +79,7 @@ TEST(FrontTwice, BusyMachine_HasNineteenOfTwentyPointsAgain) {
     BusyMachine machine(12);
     tests::FrontShare whole;
     for (int i = 0; i < charts; ++i) {
-        const std::vector<KnownWay> ways = someWays(random);
+        const std::vector<KnownSetting> ways = someWays(random);
         const CostChart first = measured(ways, machine);
         const CostChart second = measured(ways, machine);
         whole += tests::frontShare(first, second);

@@ -106,7 +106,7 @@ class RandomScene : public GpuTest, public testing::WithParamInterface<std::uint
             const bool isBlock = slash != std::string::npos &&
                                  catalog->find(line.effect.substr(0, slash),
                                                line.effect.substr(slash + 1)) != nullptr;
-            const bool isNumber = set.way == EnvironmentWay::OneLight && // of one light
+            const bool isNumber = set.method == EnvironmentMethod::OneLight && // of one light
                                   line.effect.starts_with("environment/");
             if (isBlock && !isNumber) {
                 named.blocks.insert(line.effect);

@@ -48,7 +48,7 @@ TEST_P(EveryHardCase, OfABlock_IsFinitePositiveAndExact) {
     const SweepReport& report = sweep.report();
     std::cout << report.cases << " cases in " << report.programs << " programs, largest error "
               << report.largestError << " of its bound\n";
-    EXPECT_TRUE(report.sound()) << described(report);
+    EXPECT_TRUE(report.isClean()) << described(report);
     EXPECT_EQ(report.cases, sweepOf(*GetParam()).plannedCases());
 }
 

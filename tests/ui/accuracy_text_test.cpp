@@ -71,8 +71,13 @@ TEST(CostText, TimesThatAreBounds_HaveTheirSign) {
 
 CostChart chartOfABound() {
     CostChart chart;
-    chart.choices = {{Choice::Scope::Material, "power", "power", "Power of the highlight", "",
-                      "Phong", {{"exact", "Exact", ""}, {"fraction", "Schlick's fraction", ""}}}};
+    chart.choices = {{Choice::Scope::Material,
+                      "power",
+                      "power",
+                      "Power of the highlight",
+                      "",
+                      "Phong",
+                      {{"exact", "Exact", ""}, {"fraction", "Schlick's fraction", ""}}}};
     chart.points.resize(2);
     chart.points[0].cost = costOf(1.0, false);
     chart.points[1].cost = costOf(0.5, true);
@@ -162,10 +167,11 @@ TEST(CostPlot, TimesThatAreBounds_SayItOnHover) {
 }
 
 TEST(FittingWay, WithoutRoom_CutsWhatWaysHaveInCommon) {
-    const std::vector<WayPart> parts{{"Power of the highlight", "Schlick's fraction"},
-                                     {"Rough matte", "Fujii"}};
+    const std::vector<SettingPart> parts{{"Power of the highlight", "Schlick's fraction"},
+                                         {"Rough matte", "Fujii"}};
     const auto within = [&parts](qsizetype letters) {
-        return fittingWay(parts, [letters](const QString& text) { return text.size() <= letters; });
+        return fittingSetting(parts,
+                              [letters](const QString& text) { return text.size() <= letters; });
     };
     EXPECT_EQ(within(100), "Power of the highlight: Schlick's fraction + Rough matte: Fujii");
     EXPECT_EQ(within(53), "Power of th…: Schlick's fraction + Rough matte: Fujii");
@@ -201,15 +207,20 @@ TEST(CostPlot, WideIntervals_EndWithTheChartInAFileToo) {
     EXPECT_EQ(leftmostOf({1.0, 0.001, 50.0}), leftmostOf({1.0, 0.5, 2.0}));
 }
 
-TEST(CostText, WayName_SaysWhatIsChosenOfWhat) {
+TEST(CostText, SettingName_SaysWhatIsChosenOfWhat) {
     CostChart chart;
-    chart.choices = {{Choice::Scope::Picture, "picture.scale", "picture.scale", "Render scale", "",
-                      "Picture", {{"full", "Full size", ""}, {"half", "Half", "1 of 4."}}}};
+    chart.choices = {{Choice::Scope::Picture,
+                      "picture.scale",
+                      "picture.scale",
+                      "Render scale",
+                      "",
+                      "Picture",
+                      {{"full", "Full size", ""}, {"half", "Half", "1 of 4."}}}};
     CostPoint point;
-    EXPECT_EQ(wayName(point, chart), "Exact");
+    EXPECT_EQ(settingName(point, chart), "Exact");
     point.levels = {{"picture.scale", "half"}};
-    EXPECT_EQ(wayName(point, chart), "Render scale: Half");
-    EXPECT_EQ(wayDescription(point, chart), "Render scale: Half. 1 of 4.");
+    EXPECT_EQ(settingName(point, chart), "Render scale: Half");
+    EXPECT_EQ(settingDescription(point, chart), "Render scale: Half. 1 of 4.");
 }
 
 /// What a plot of some size writes beside a log axis.

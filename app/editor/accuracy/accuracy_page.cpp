@@ -164,7 +164,7 @@ const CostPoint* AccuracyPage::pointAt(int point) const {
 void AccuracyPage::apply(int point) {
     if (const CostPoint* chosen = pointAt(point)) {
         target_->apply(chart().choices, chosen->levels,
-                       tr("Accuracy: %1").arg(wayName(*chosen, chart())));
+                       tr("Accuracy: %1").arg(settingName(*chosen, chart())));
     }
 }
 
@@ -221,7 +221,7 @@ QString AccuracyPage::outOfDateText() const {
     const CostPoint* now = chart().choices == target_->choices()
                                ? chart().find(target_->levels(chart().choices))
                                : nullptr;
-    return now != nullptr ? tr("%1 Chosen now: %2.").arg(why, wayName(*now, chart())) : why;
+    return now != nullptr ? tr("%1 Chosen now: %2.").arg(why, settingName(*now, chart())) : why;
 }
 
 QString AccuracyPage::measuredText() const {

@@ -148,8 +148,8 @@ QString BudgetRow::answerText(const CostPoint& point, bool fits) const {
     const CostPoint& exact = chart_.points.front();
     const QString time = pictureTimeText(point.cost, pictures());
     const QString exactTime = pictureTimeText(exact.cost, pictures());
-    const QString name =
-        fits ? wayName(point, chart_) : tr("Nothing fits. Nearest: %1").arg(wayName(point, chart_));
+    const QString name = fits ? settingName(point, chart_)
+                              : tr("Nothing fits. Nearest: %1").arg(settingName(point, chart_));
     if (point.isExact()) {
         return tr("%1, %2 a picture. It gives up nothing.").arg(name, time);
     }

@@ -79,10 +79,11 @@ class Names {
         taken_.emplace_back(place - corner, place + corner);
     }
 
-    void addName(const QPointF& place, const std::vector<WayPart>& parts, const QString& whole) {
+    void addName(const QPointF& place, const std::vector<SettingPart>& parts,
+                 const QString& whole) {
         const QFontMetricsF metrics(plot_.font());
         const QString text =
-            parts.empty() ? whole : fittingWay(parts, [&metrics](const QString& name) {
+            parts.empty() ? whole : fittingSetting(parts, [&metrics](const QString& name) {
                 return metrics.horizontalAdvance(name) <= longestName;
             });
         const QSizeF size(metrics.horizontalAdvance(text) + 2.0, metrics.height());
@@ -166,7 +167,8 @@ void addNames(QCustomPlot& plot, const PlotMarks& marks, const PlotMarks::Conten
     }
     for (const std::size_t i : named) {
         const CostPoint& point = chart.points[i];
-        names.addName(marks.placeOf(point, chart), wayParts(point, chart), wayName(point, chart));
+        names.addName(marks.placeOf(point, chart), settingParts(point, chart),
+                      settingName(point, chart));
     }
 }
 

@@ -15,8 +15,8 @@ namespace {
 constexpr int pointRole = Qt::UserRole;
 constexpr int markSize = 12;
 
-enum Column { Way, Time, P99, Ratio, Mean, Rms, Worst, Steps, Perceived, Count, Columns };
-constexpr int wayWidth = 244;
+enum Column { Setting, Time, P99, Ratio, Mean, Rms, Worst, Steps, Perceived, Count, Columns };
+constexpr int settingWidth = 244;
 
 struct MarkColors {
     QColor front;
@@ -67,11 +67,12 @@ QString timeText(const CostPoint& point, const CostChart& chart) {
 
 void fillRow(NumberRow& row, const CostPoint& point, const CostChart& chart, Standing standing) {
     const FrameError& error = point.error;
-    row.setText(Way, wayName(point, chart));
-    row.setData(Way, WayDelegate::partsRole, WayDelegate::partsData(wayParts(point, chart)));
+    row.setText(Setting, settingName(point, chart));
+    row.setData(Setting, SettingDelegate::partsRole,
+                SettingDelegate::partsData(settingParts(point, chart)));
     const QString ties = tieText(point, chart, standing);
-    row.setToolTip(Way, ties.isEmpty() ? wayDescription(point, chart)
-                                       : wayDescription(point, chart) + '\n' + ties);
+    row.setToolTip(Setting, ties.isEmpty() ? settingDescription(point, chart)
+                                           : settingDescription(point, chart) + '\n' + ties);
     row.setNumber(Time, perPixelText(point.cost, false), point.cost.nanosecondsPerPixel);
     row.setNumber(Ratio, timeText(point, chart), point.cost.ratio.median);
     row.setToolTip(Ratio, ratioNote(point.cost, chart.boundOf(point)));
@@ -87,15 +88,14 @@ void fillRow(NumberRow& row, const CostPoint& point, const CostChart& chart, Sta
 }
 
 void nameColumns(QTreeWidget& list) {
-    list.setHeaderLabels({CostList::tr("Way to compute it"), CostList::tr("ns/pixel"),
-                          CostList::tr("Error"), CostList::tr("Of exact time"),
-                          CostList::tr("Mean"), CostList::tr("RMS"), CostList::tr("Worst"),
-                          CostList::tr("8 bit"), CostList::tr("FLIP"),
+    list.setHeaderLabels({CostList::tr("Setting"), CostList::tr("ns/pixel"), CostList::tr("Error"),
+                          CostList::tr("Of exact time"), CostList::tr("Mean"), CostList::tr("RMS"),
+                          CostList::tr("Worst"), CostList::tr("8 bit"), CostList::tr("FLIP"),
                           CostList::tr("Instructions")});
     QTreeWidgetItem& head = *list.headerItem();
-    head.setToolTip(Way, CostList::tr("A disc: nothing as accurate is as fast. A coloured "
-                                      "circle: it may be so, the difference is within the "
-                                      "noise. A ring: what is chosen now"));
+    head.setToolTip(Setting, CostList::tr("A disc: nothing as accurate is as fast. A coloured "
+                                          "circle: it may be so, the difference is within the "
+                                          "noise. A ring: what is chosen now"));
     head.setToolTip(Time, CostList::tr("Nanoseconds for each pixel that counts; <: no more than "
                                        "that, nobody can tell it from none"));
     head.setToolTip(Ratio, CostList::tr("Time beside that of the exact way; ≈: nobody can tell it "
@@ -121,13 +121,13 @@ CostList::CostList(QWidget* parent) : QTreeWidget(parent) {
     setFrameShape(QFrame::NoFrame);
     header()->setStretchLastSection(false);
     setTextElideMode(Qt::ElideMiddle); // both ends tell rows apart
-    setItemDelegateForColumn(Way, new WayDelegate(this));
+    setItemDelegateForColumn(Setting, new SettingDelegate(this));
     setSortingEnabled(true);
     sortByColumn(Time, Qt::AscendingOrder);
-    setColumnWidth(Way, wayWidth);
+    setColumnWidth(Setting, settingWidth);
     fitColumns(*this, Time);
     connect(this, &QTreeWidget::itemActivated, this,
-            [this](QTreeWidgetItem* row) { Q_EMIT picked(row->data(Way, pointRole).toInt()); });
+            [this](QTreeWidgetItem* row) { Q_EMIT picked(row->data(Setting, pointRole).toInt()); });
     connect(this, &QTreeWidget::currentItemChanged, this,
             [this] { Q_EMIT selectionMoved(selected()); });
 }
@@ -143,12 +143,12 @@ void CostList::setChart(const CostChart& chart, const ChosenLevels& current, boo
     for (std::size_t i = 0; i < chart.points.size(); ++i) {
         const CostPoint& point = chart.points[i];
         auto* row = new NumberRow;
-        row->setData(Way, pointRole, static_cast<int>(i));
+        row->setData(Setting, pointRole, static_cast<int>(i));
         fillRow(*row, point, chart, standing[i]);
         if (stale) {
-            row->setToolTip(Way, staleText() + '\n' + row->toolTip(Way));
+            row->setToolTip(Setting, staleText() + '\n' + row->toolTip(Setting));
         }
-        row->setIcon(Way, iconOf(standing[i], &point == now, stale, palette()));
+        row->setIcon(Setting, iconOf(standing[i], &point == now, stale, palette()));
         for (int column = 0; stale && column < Columns; ++column) {
             row->setForeground(column, palette().placeholderText());
         }
@@ -161,7 +161,7 @@ void CostList::setChart(const CostChart& chart, const ChosenLevels& current, boo
 }
 
 int CostList::selected() const {
-    return currentItem() != nullptr ? currentItem()->data(Way, pointRole).toInt() : -1;
+    return currentItem() != nullptr ? currentItem()->data(Setting, pointRole).toInt() : -1;
 }
 
 void CostList::select(int point) {
@@ -171,7 +171,7 @@ void CostList::select(int point) {
 
 QTreeWidgetItem* CostList::rowOf(int point) const {
     for (int i = 0; i < topLevelItemCount(); ++i) {
-        if (topLevelItem(i)->data(Way, pointRole).toInt() == point) {
+        if (topLevelItem(i)->data(Setting, pointRole).toInt() == point) {
             return topLevelItem(i);
         }
     }

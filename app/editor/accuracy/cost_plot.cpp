@@ -62,7 +62,7 @@ void CostPlot::select(int point) {
 /// Describes a point; of a stale one only the name, since its numbers are old.
 QString CostPlot::textOf(int point) const {
     const auto number = static_cast<std::size_t>(point);
-    return stale_ ? wayName(chart_.points[number], chart_) + '\n' + staleText()
+    return stale_ ? settingName(chart_.points[number], chart_) + '\n' + staleText()
                   : pointText(number, chart_);
 }
 

@@ -64,7 +64,7 @@ QString workText(const SweepStep& step, const CostChart& chart) {
     case SweepStep::Work::EmptyFrame:
         return tr("an empty picture");
     default:
-        return wayName({step.levels, {}, {}, {}}, chart);
+        return settingName({step.levels, {}, {}, {}}, chart);
     }
 }
 
@@ -77,20 +77,20 @@ QString asSure(const MedianInterval& interval, const ChoiceCost& cost) {
 } // namespace
 
 /// Names each level with its choice: "Half" alone does not say what is halved.
-std::vector<WayPart> wayParts(const CostPoint& point, const CostChart& chart) {
-    std::vector<WayPart> parts;
+std::vector<SettingPart> settingParts(const CostPoint& point, const CostChart& chart) {
+    std::vector<SettingPart> parts;
     for (const TakenLevel& taken : takenLevels(point, chart)) {
         parts.push_back({asText(taken.choice->label), asText(taken.level->label)});
     }
     return parts;
 }
 
-QString wayName(const CostPoint& point, const CostChart& chart) {
-    const std::vector<WayPart> parts = wayParts(point, chart);
-    return parts.empty() ? tr("Exact") : wayText(parts);
+QString settingName(const CostPoint& point, const CostChart& chart) {
+    const std::vector<SettingPart> parts = settingParts(point, chart);
+    return parts.empty() ? tr("Exact") : settingText(parts);
 }
 
-QString wayDescription(const CostPoint& point, const CostChart& chart) {
+QString settingDescription(const CostPoint& point, const CostChart& chart) {
     QStringList lines;
     for (const TakenLevel& taken : takenLevels(point, chart)) {
         lines << QStringLiteral("%1: %2. %3")
@@ -177,7 +177,7 @@ QString tieText(const CostPoint& point, const CostChart& chart, Standing standin
     int more = 0;
     for (const std::size_t other : tiesOf(chart.points, point)) {
         if (names.size() < maxNames) {
-            names << wayName(chart.points[other], chart);
+            names << settingName(chart.points[other], chart);
         } else {
             ++more;
         }
@@ -201,7 +201,7 @@ QString convergedNote(const CostChart& chart) {
 
 QString pointText(std::size_t number, const CostChart& chart) {
     const CostPoint& point = chart.points[number];
-    QStringList lines{wayName(point, chart)};
+    QStringList lines{settingName(point, chart)};
     lines << timeLine(point.cost, chart.boundOf(point));
     lines << tr("99 of 100 pixels are off by %1 or less, the worst by %2")
                  .arg(shareText(point.error.p99), shareText(point.error.max));

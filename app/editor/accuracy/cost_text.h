@@ -4,7 +4,7 @@
 
 #include <QString>
 
-#include "accuracy/way_delegate.h"
+#include "accuracy/setting_delegate.h"
 #include "measure/cost/cost_chart.h"
 #include "measure/cost/sweep_step.h"
 #include "text/display_number.h"
@@ -12,13 +12,13 @@
 namespace patina {
 
 /// Returns the labels of a point's levels and their choices, without exact levels.
-std::vector<WayPart> wayParts(const CostPoint& point, const CostChart& chart);
+std::vector<SettingPart> settingParts(const CostPoint& point, const CostChart& chart);
 
 /// Returns "Render scale: Half + Fog: Per vertex"; "Exact" if every choice is exact.
-QString wayName(const CostPoint& point, const CostChart& chart);
+QString settingName(const CostPoint& point, const CostChart& chart);
 
 /// Returns the labels of a point's choices and levels with what each level does, one per line.
-QString wayDescription(const CostPoint& point, const CostChart& chart);
+QString settingDescription(const CostPoint& point, const CostChart& chart);
 
 /// Returns "1.23 ± 0.02"; "1.23 ± ?" if the interval is too wide to say anything, as on a busy
 /// machine.

@@ -28,8 +28,6 @@ struct StabilityOutcome {
     QStringList problems; ///< say why something could not be evaluated at all
     QStringList remarks;  ///< say what was not checked
 
-    bool sound() const { return failures.empty() && problems.empty(); }
-
     friend bool operator==(const StabilityOutcome&, const StabilityOutcome&) = default;
 };
 

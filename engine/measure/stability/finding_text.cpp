@@ -169,7 +169,7 @@ Json toJson(const SweepReport& report) {
     }
     return {{"cases", report.cases},
             {"programs", report.programs},
-            {"sound", report.sound()},
+            {"sound", report.isClean()},
             {"largestError", numberJson(report.largestError)},
             {"defects", defects},
             {"errors", errors},

@@ -286,16 +286,16 @@ class StabilitySweep::Variant {
 
     void examineCase(std::size_t i, const ReferenceCase* bound, const ReferenceNumbers* device,
                      SweepReport& report) const {
-        bool sound = true;
+        bool clean = true;
         if (device != nullptr) {
-            sound = examineNumbers(i, *device, true, report);
+            clean = examineNumbers(i, *device, true, report);
         }
         if (bound == nullptr) {
             return;
         }
         const ReferenceNumbers exact = bound->evaluate(placeOf(i));
-        sound = examineNumbers(i, exact, false, report) && sound;
-        if (sound && device != nullptr && options_.error) {
+        clean = examineNumbers(i, exact, false, report) && clean;
+        if (clean && device != nullptr && options_.error) {
             examineError(i, *bound, exact, *device, report);
         }
     }

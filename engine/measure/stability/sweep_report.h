@@ -64,7 +64,7 @@ struct SweepReport {
     bool withoutDouble = false; ///< some program was tried on the graphics device only
     bool withoutDevice = false; ///< some program was tried in double precision only
 
-    bool sound() const { return defects.empty() && errors.empty(); }
+    bool isClean() const { return defects.empty() && errors.empty(); }
 
     void add(const SweepFinding& finding);
     void add(const SweepReport& other);

@@ -25,7 +25,7 @@ std::size_t writeSlice(gl::Buffer& target, std::span<const std::byte> content, s
     return slice.size();
 }
 
-/// The same of vertices, whose normals arrive sound whatever the mesh has.
+/// The same of vertices, whose normals arrive valid whatever the mesh has.
 std::size_t writeVertices(gl::Buffer& target, std::span<const Vertex> vertices, std::size_t offset,
                           std::size_t bytes) {
     const std::size_t end = offset + std::min(bytes, vertices.size_bytes() - offset);
@@ -35,9 +35,9 @@ std::size_t writeVertices(gl::Buffer& target, std::span<const Vertex> vertices, 
     if (haveValidNormals(touched)) {
         return writeSlice(target, std::as_bytes(vertices), offset, bytes);
     }
-    const std::vector<Vertex> sound = withValidNormals(touched);
+    const std::vector<Vertex> valid = withValidNormals(touched);
     const auto slice =
-        std::as_bytes(std::span(sound)).subspan(offset - first * sizeof(Vertex), end - offset);
+        std::as_bytes(std::span(valid)).subspan(offset - first * sizeof(Vertex), end - offset);
     target.write(GL_COPY_WRITE_BUFFER, slice, offset);
     return slice.size();
 }

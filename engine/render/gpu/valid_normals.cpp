@@ -13,7 +13,7 @@ namespace {
 constexpr float shortestSquared = 0.25f;
 constexpr float longestSquared = 4.0f;
 
-bool isSound(const Vertex& vertex) {
+bool isValid(const Vertex& vertex) {
     const float squared = glm::dot(vertex.normal, vertex.normal);
     const bool isUsual = squared >= shortestSquared && squared <= longestSquared;
     return isUsual || vertex.normal == glm::vec3(0.0f); // neither holds for what is no number
@@ -22,17 +22,17 @@ bool isSound(const Vertex& vertex) {
 } // namespace
 
 bool haveValidNormals(std::span<const Vertex> vertices) {
-    return std::ranges::all_of(vertices, isSound);
+    return std::ranges::all_of(vertices, isValid);
 }
 
 std::vector<Vertex> withValidNormals(std::span<const Vertex> vertices) {
-    std::vector<Vertex> sound(vertices.begin(), vertices.end());
-    for (Vertex& vertex : sound) {
-        if (!isSound(vertex)) {
+    std::vector<Vertex> valid(vertices.begin(), vertices.end());
+    for (Vertex& vertex : valid) {
+        if (!isValid(vertex)) {
             vertex.normal = unitOrZero(vertex.normal);
         }
     }
-    return sound;
+    return valid;
 }
 
 } // namespace patina

@@ -147,7 +147,7 @@ PipelineStore::Entry PipelineStore::make(EffectSet effects, std::uint64_t sceneK
             return added.error();
         }
     }
-    if (effects.way == EnvironmentWay::Fitted && output_ == SurfaceOutput::Picture) {
+    if (effects.method == EnvironmentMethod::Fitted && output_ == SurfaceOutput::Picture) {
         if (auto added = addLobes(*pipeline, effects); !added) {
             return added.error();
         }

@@ -74,20 +74,20 @@ void addOutput(SourceBuilder& out, const BlockUse& use, EnvironmentOutput output
 }
 
 /// How its light comes to a material.
-EnvironmentWay wayTo(const EffectSet& set) {
+EnvironmentMethod methodFor(const EffectSet& set) {
     if (takesKeyAlone(set)) {
-        return set.keyKind != 0 ? EnvironmentWay::None : EnvironmentWay::OneLight;
+        return set.keyKind != 0 ? EnvironmentMethod::None : EnvironmentMethod::OneLight;
     }
     if (!set.wantsFitted) {
-        return EnvironmentWay::Sampled;
+        return EnvironmentMethod::Sampled;
     }
     if (set.model->block().lighting == LightsWanted::Key) {
-        return EnvironmentWay::OneLight;
+        return EnvironmentMethod::OneLight;
     }
     const bool isTextured = std::ranges::any_of(set.textures, [](const BoundTexture& texture) {
         return texture.role == TextureRole::Input;
     });
-    return isTextured ? EnvironmentWay::PerPixel : EnvironmentWay::Fitted;
+    return isTextured ? EnvironmentMethod::PerPixel : EnvironmentMethod::Fitted;
 }
 
 Checked<ProgramSource> lobeProgram(const LobeTableShape& shape, const Catalog& catalog,
@@ -98,13 +98,13 @@ Checked<ProgramSource> lobeProgram(const LobeTableShape& shape, const Catalog& c
     });
 }
 
-const char* wayText(EnvironmentWay way) {
-    switch (way) {
-    case EnvironmentWay::Fitted:
+const char* methodText(EnvironmentMethod method) {
+    switch (method) {
+    case EnvironmentMethod::Fitted:
         return "fitted";
-    case EnvironmentWay::PerPixel:
+    case EnvironmentMethod::PerPixel:
         return "fitted at each pixel";
-    case EnvironmentWay::OneLight:
+    case EnvironmentMethod::OneLight:
         return "as one light";
     default:
         return "";
@@ -114,7 +114,7 @@ const char* wayText(EnvironmentWay way) {
 void writeFitted(SurfaceText& text, const EnvironmentEffect& effect) {
     text.addOpenDirections();
     addEnvironment(text.out, *effect.environment, EnvironmentLayout::harmonics);
-    if (effect.way == EnvironmentWay::OneLight) {
+    if (effect.method == EnvironmentMethod::OneLight) {
         addIrradiance(text.out, *effect.environment);
         text.out.addFile("passes/lit.glsl");
         text.out.addFile("passes/environment_one_light.glsl");
@@ -123,7 +123,7 @@ void writeFitted(SurfaceText& text, const EnvironmentEffect& effect) {
     }
     text.out.add(octahedralSource());
     text.out.addFile("passes/environment_out_of_focus.glsl");
-    if (effect.way == EnvironmentWay::Fitted) {
+    if (effect.method == EnvironmentMethod::Fitted) {
         text.out.add(lobeTableSource(lobeTableShape(text.set.model->block())));
         text.out.addFile("passes/environment_fitted.glsl");
         text.main += "    shaded += fittedLight(s);\n";
@@ -193,20 +193,20 @@ void EnvironmentEffect::admit(const BlockUse& use) {
 }
 
 void EnvironmentEffect::adjust(const EffectSet& set) {
-    way = set.model ? wayTo(set) : EnvironmentWay::Sampled;
+    method = set.model ? methodFor(set) : EnvironmentMethod::Sampled;
 }
 
 void EnvironmentEffect::list(EffectListing& listing, const EffectSet& set) const {
-    if (environment && isLit(set) && way != EnvironmentWay::None) {
-        listing.add(
-            effectName(*environment),
-            detailed(compiledText(*environment), way != EnvironmentWay::Sampled, wayText(way)),
-            environmentText);
+    if (environment && isLit(set) && method != EnvironmentMethod::None) {
+        listing.add(effectName(*environment),
+                    detailed(compiledText(*environment), method != EnvironmentMethod::Sampled,
+                             methodText(method)),
+                    environmentText);
     }
 }
 
 void EnvironmentEffect::listMissing(LeftOutListing& listing, const EffectSet&) const {
-    if (environment && way == EnvironmentWay::None) {
+    if (environment && method == EnvironmentMethod::None) {
         listing.add(effectName(*environment), drawingText(listing.subject()));
     }
     const auto& [material, scene, catalog, view] = listing.subject();
@@ -226,13 +226,13 @@ void EnvironmentEffect::writeLight(SurfaceText& text) const {
     if (!environment || !text.set.model || text.isInspected()) {
         return;
     }
-    if (way == EnvironmentWay::None) {
+    if (method == EnvironmentMethod::None) {
         if (text.set.refraction) { // what is seen through it asks for it
             addEnvironment(text.out, *environment);
         }
         return;
     }
-    if (way != EnvironmentWay::Sampled) {
+    if (method != EnvironmentMethod::Sampled) {
         writeFitted(text, *this);
         return;
     }
@@ -257,7 +257,7 @@ void EnvironmentEffect::remove(Scene& scene, const EffectName& effect, const Cat
 }
 
 bool isLitByEnvironment(const EffectSet& set) {
-    return set.environment && set.way != EnvironmentWay::None;
+    return set.environment && set.method != EnvironmentMethod::None;
 }
 
 void addIrradiance(SourceBuilder& out, const BlockUse& use) {

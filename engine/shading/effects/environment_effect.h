@@ -28,7 +28,7 @@ EnvironmentChoice environmentChoice(const Scene& scene, const Catalog& catalog);
 bool fitsWhileMoving(const Scene& scene, const Catalog& catalog);
 
 /// Tells how the light of an environment comes to a surface.
-enum class EnvironmentWay : std::uint8_t {
+enum class EnvironmentMethod : std::uint8_t {
     Sampled,  ///< a mean over directions
     Fitted,   ///< by a table of lobes that the material's reflectance was taken apart into
     PerPixel, ///< the same, taken apart at each pixel, since images change what is reflected
@@ -41,7 +41,7 @@ enum class EnvironmentWay : std::uint8_t {
 struct EnvironmentEffect {
     std::optional<BlockUse> environment;
     bool wantsFitted = false; ///< as the scene or the view says
-    EnvironmentWay way = EnvironmentWay::Sampled;
+    EnvironmentMethod method = EnvironmentMethod::Sampled;
 
     void choose(const SceneSubject& subject, const EffectSet& set);
     void admit(const BlockUse& use);

@@ -9,21 +9,21 @@
 namespace patina {
 
 /// Holds the label of a chosen level and the label of its choice.
-struct WayPart {
+struct SettingPart {
     QString choice;
     QString level;
 };
 
 /// Returns "Render scale: Half + Fog: Per vertex".
-QString wayText(const std::vector<WayPart>& parts);
+QString settingText(const std::vector<SettingPart>& parts);
 
-/// Returns wayText() shortened until `fits` accepts it. Cuts names of choices, which many rows have
-/// in common, before those of levels, and leaves choices out if nothing else fits.
-QString fittingWay(const std::vector<WayPart>& parts,
-                   const std::function<bool(const QString&)>& fits);
+/// Returns settingText() shortened until `fits` accepts it. Cuts names of choices, which many rows
+/// have in common, before those of levels, and leaves choices out if nothing else fits.
+QString fittingSetting(const std::vector<SettingPart>& parts,
+                       const std::function<bool(const QString&)>& fits);
 
 /// Writes the levels of a row so that they fit the width of its column.
-class WayDelegate : public QStyledItemDelegate {
+class SettingDelegate : public QStyledItemDelegate {
     Q_OBJECT
 
   public:
@@ -31,7 +31,7 @@ class WayDelegate : public QStyledItemDelegate {
 
     /// Holds choices and levels by turns as a list of texts; see partsData().
     static constexpr int partsRole = Qt::UserRole + 2;
-    static QStringList partsData(const std::vector<WayPart>& parts);
+    static QStringList partsData(const std::vector<SettingPart>& parts);
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "accuracy/way_delegate.h"
+#include "accuracy/setting_delegate.h"
 
 #include <algorithm>
 
@@ -10,9 +10,9 @@ namespace patina {
 namespace {
 
 /// Writes the parts with at most `maxLetters` letters of each choice; 0 leaves choices out.
-QString withShortChoices(const std::vector<WayPart>& parts, qsizetype maxLetters) {
+QString withShortChoices(const std::vector<SettingPart>& parts, qsizetype maxLetters) {
     QStringList names;
-    for (const WayPart& part : parts) {
+    for (const SettingPart& part : parts) {
         const QString choice = part.choice.size() <= maxLetters
                                    ? part.choice
                                    : part.choice.left(maxLetters).trimmed() + QStringLiteral("…");
@@ -21,16 +21,16 @@ QString withShortChoices(const std::vector<WayPart>& parts, qsizetype maxLetters
     return names.join(QStringLiteral(" + "));
 }
 
-qsizetype longestChoice(const std::vector<WayPart>& parts) {
+qsizetype longestChoice(const std::vector<SettingPart>& parts) {
     qsizetype longest = 0;
-    for (const WayPart& part : parts) {
+    for (const SettingPart& part : parts) {
         longest = std::max(longest, part.choice.size());
     }
     return longest;
 }
 
-std::vector<WayPart> partsOf(const QStringList& texts) {
-    std::vector<WayPart> parts;
+std::vector<SettingPart> partsOf(const QStringList& texts) {
+    std::vector<SettingPart> parts;
     for (qsizetype i = 0; i + 1 < texts.size(); i += 2) {
         parts.push_back({texts[i], texts[i + 1]});
     }
@@ -51,12 +51,12 @@ int roomOf(const QStyleOptionViewItem& option) {
 
 } // namespace
 
-QString wayText(const std::vector<WayPart>& parts) {
+QString settingText(const std::vector<SettingPart>& parts) {
     return withShortChoices(parts, longestChoice(parts));
 }
 
-QString fittingWay(const std::vector<WayPart>& parts,
-                   const std::function<bool(const QString&)>& fits) {
+QString fittingSetting(const std::vector<SettingPart>& parts,
+                       const std::function<bool(const QString&)>& fits) {
     constexpr qsizetype minLetters = 3; // shorter names of choices say nothing
     for (qsizetype maxLetters = longestChoice(parts); maxLetters >= minLetters; --maxLetters) {
         if (QString text = withShortChoices(parts, maxLetters); fits(text)) {
@@ -66,21 +66,21 @@ QString fittingWay(const std::vector<WayPart>& parts,
     return withShortChoices(parts, 0);
 }
 
-QStringList WayDelegate::partsData(const std::vector<WayPart>& parts) {
+QStringList SettingDelegate::partsData(const std::vector<SettingPart>& parts) {
     QStringList texts;
-    for (const WayPart& part : parts) {
+    for (const SettingPart& part : parts) {
         texts << part.choice << part.level;
     }
     return texts;
 }
 
-void WayDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
-                        const QModelIndex& index) const {
+void SettingDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                            const QModelIndex& index) const {
     QStyleOptionViewItem shown = option;
     initStyleOption(&shown, index);
     if (const auto parts = partsOf(index.data(partsRole).toStringList()); !parts.empty()) {
         const int room = roomOf(shown);
-        shown.text = fittingWay(parts, [&shown, room](const QString& text) {
+        shown.text = fittingSetting(parts, [&shown, room](const QString& text) {
             return shown.fontMetrics.horizontalAdvance(text) <= room;
         });
     }
