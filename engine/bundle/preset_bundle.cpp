@@ -16,6 +16,7 @@
 
 #include "catalog/json_text.h"
 #include "core/ordinary_file.h"
+#include "material/file_suffixes.h"
 #include "material/preset_file.h"
 #include "material/texture_path.h"
 #include "material/variant.h"
@@ -25,7 +26,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view presetSuffix = ".patina.json";
 constexpr std::string_view pictureFolder = "pictures/";
 constexpr std::array imageSuffixes{".png",  ".jpg", ".jpeg", ".exr", ".hdr", ".tif",
                                    ".tiff", ".dds", ".tga",  ".bmp", ".webp"};

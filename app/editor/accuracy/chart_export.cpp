@@ -16,6 +16,7 @@
 #include "accuracy/plot_library.h"
 #include "gl/driver.h"
 #include "session/session.h"
+#include "text/png.h"
 #include "viewport/viewport.h"
 
 namespace patina {
@@ -213,11 +214,7 @@ QString askForChartFile(QWidget* parent, const QString& ending) {
 QByteArray chartPng(const PlotMarks::Content& content, const ChartHeading& heading,
                     const QPalette& palette) {
     ChartPicture picture(content, heading, palette);
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    picture.plot().toPixmap(fileSize.width(), fileSize.height(), pngScale).save(&buffer, "PNG");
-    return bytes;
+    return asPng(picture.plot().toPixmap(fileSize.width(), fileSize.height(), pngScale).toImage());
 }
 
 QByteArray chartSvg(const PlotMarks::Content& content, const ChartHeading& heading,

@@ -3,7 +3,6 @@
 
 #include <utility>
 
-#include <QBuffer>
 #include <QVBoxLayout>
 
 #include "accuracy/growth_plot.h"
@@ -11,6 +10,7 @@
 #include "catalog/json_text.h"
 #include "document/document.h"
 #include "session/session.h"
+#include "text/png.h"
 
 namespace patina {
 
@@ -108,11 +108,7 @@ void ScalingPage::showNumbers(bool stale) {
 
 QByteArray ScalingPage::bytesFor(const QString& ending) const {
     if (ending == "png") {
-        QByteArray bytes;
-        QBuffer buffer(&bytes);
-        buffer.open(QIODevice::WriteOnly);
-        plots_->grab().save(&buffer, "PNG");
-        return bytes;
+        return asPng(plots_->grab().toImage());
     }
     return QByteArray::fromStdString(ending == "csv" ? scalingCsv(curves())
                                                      : writeJson(scalingJson(curves())));

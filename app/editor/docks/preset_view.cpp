@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include <QAction>
-#include <QBuffer>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QPainter>
@@ -16,6 +15,7 @@
 #include "docks/rounded_picture.h"
 #include "library/thumbnail_maker.h"
 #include "material/variant.h"
+#include "text/png.h"
 
 namespace patina {
 namespace {
@@ -86,12 +86,9 @@ QString paragraph(const QString& text) {
 }
 
 QString asHtml(const QImage& picture) {
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    picture.save(&buffer, "PNG", 90); // compresses little, as it is shown once
+    constexpr int quick = 90; // compresses little, as it is shown once
     return QStringLiteral("<img src=\"data:image/png;base64,%1\" width=%2 height=%3>")
-        .arg(QString::fromLatin1(bytes.toBase64()))
+        .arg(QString::fromLatin1(asPng(picture, quick).toBase64()))
         .arg(picture.width())
         .arg(picture.height());
 }

@@ -3,13 +3,13 @@
 
 #include <algorithm>
 
-#include <QBuffer>
 #include <QHBoxLayout>
 #include <QListWidget>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 #include "document/snapshot_edits.h"
+#include "text/png.h"
 #include "viewport/compare_area.h"
 
 namespace patina {
@@ -24,11 +24,7 @@ std::string smallPicture(Viewport& view) {
     const QImage square =
         whole.copy((whole.width() - edge) / 2, (whole.height() - edge) / 2, edge, edge)
             .scaled(snapshotEdge, snapshotEdge, Qt::KeepAspectRatio, Qt::SmoothTransformation);
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    square.convertToFormat(QImage::Format_RGB888).save(&buffer, "PNG");
-    return bytes.toStdString();
+    return asPng(square.convertToFormat(QImage::Format_RGB888)).toStdString();
 }
 
 QIcon pictureOf(const Snapshot& snapshot) {

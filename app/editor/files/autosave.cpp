@@ -11,7 +11,9 @@
 #include <QLockFile>
 
 #include "core/ordinary_file.h"
+#include "material/file_suffixes.h"
 #include "scene/scene_file.h"
+#include "text/as_text.h"
 
 namespace patina {
 namespace {
@@ -19,14 +21,13 @@ namespace {
 constexpr int defaultQuietMs = 100;
 constexpr int defaultLongestMs = 200;
 constexpr std::uintmax_t maxOriginBytes = 64u << 10;
-const QString copySuffix = QStringLiteral(".patina-scene.json");
 
-std::filesystem::path withEnding(const std::filesystem::path& stem, const char* ending) {
-    return stem.string() + ending;
+std::filesystem::path withEnding(const std::filesystem::path& stem, std::string_view ending) {
+    return stem.string() + std::string(ending);
 }
 
 std::filesystem::path sceneOf(const std::filesystem::path& stem) {
-    return withEnding(stem, ".patina-scene.json");
+    return withEnding(stem, sceneSuffix);
 }
 
 std::filesystem::path originOf(const std::filesystem::path& stem) {
@@ -38,7 +39,7 @@ QString lockOf(const std::filesystem::path& stem) {
 }
 
 std::filesystem::path stemOf(const std::filesystem::path& scene) {
-    return scene.string().substr(0, scene.string().size() - std::size_t(copySuffix.size()));
+    return scene.string().substr(0, scene.string().size() - sceneSuffix.size());
 }
 
 /// Returns whether no program holds the lock, as one that still runs does.
@@ -225,7 +226,8 @@ bool Autosave::takeStem() {
 std::vector<Recovery> Autosave::found(const std::filesystem::path& folder) {
     std::vector<Recovery> recoveries;
     const QDir dir(QString::fromStdString(folder.string()));
-    for (const QFileInfo& file : dir.entryInfoList({"*" + copySuffix}, QDir::Files, QDir::Time)) {
+    for (const QFileInfo& file :
+         dir.entryInfoList({"*" + asText(sceneSuffix)}, QDir::Files, QDir::Time)) {
         const std::filesystem::path scene = file.absoluteFilePath().toStdString();
         if (isAbandoned(stemOf(scene))) {
             recoveries.push_back({scene, readOrigin(originOf(stemOf(scene))), lastWritten(file)});

@@ -14,14 +14,16 @@
 #include "files/import_dialog.h"
 #include "files/place_beside.h"
 #include "library/preset_library.h"
+#include "material/file_suffixes.h"
 #include "scene/scene_file.h"
 #include "sheet/sheet_file.h"
+#include "text/as_text.h"
 
 namespace patina {
 namespace {
 
-const QString presetSuffix = QStringLiteral(".patina.json");
-const QString sceneSuffix = QStringLiteral(".patina-scene.json");
+const QString presetEnding = asText(presetSuffix);
+const QString sceneEnding = asText(sceneSuffix);
 
 constexpr int maxNameBytes = 160;
 
@@ -111,9 +113,9 @@ bool FileActions::saveAs() {
         return false;
     }
     const bool asPreset =
-        file.endsWith(presetSuffix) || (!file.endsWith(sceneSuffix) && filter == presetFilter());
+        file.endsWith(presetEnding) || (!file.endsWith(sceneEnding) && filter == presetFilter());
     const QString asked = file;
-    file = withSuffix(file, asPreset ? presetSuffix : sceneSuffix);
+    file = withSuffix(file, asPreset ? presetEnding : sceneEnding);
     if (!mayReplace(asked, file)) {
         return false;
     }
@@ -129,7 +131,7 @@ bool FileActions::saveAs() {
 void FileActions::noteSaved(const QString& file) {
     session_.addRecentFile(file);
     consent_.noteSaved(
-        file, file.endsWith(presetSuffix) ? DocumentFile::Kind::Preset : DocumentFile::Kind::Scene,
+        file, file.endsWith(presetEnding) ? DocumentFile::Kind::Preset : DocumentFile::Kind::Scene,
         document_.catalog(), files_.withheld());
     if (!document_.isModified()) {
         Q_EMIT saved();
@@ -158,11 +160,11 @@ void FileActions::exportPreset() {
     if (!material) {
         return;
     }
-    const QString name = asFileName(QString::fromStdString(material->name)) + presetSuffix;
+    const QString name = asFileName(QString::fromStdString(material->name)) + presetEnding;
     const QString start = madePresetFolder() + '/' + name;
     const QString asked = QFileDialog::getSaveFileName(window_, tr("Save the material as a preset"),
                                                        start, presetFilter());
-    const QString file = withSuffix(asked, presetSuffix);
+    const QString file = withSuffix(asked, presetEnding);
     if (!file.isEmpty() && mayReplace(asked, file) && writePreset(file)) {
         session_.addRecentFile(file);
         consent_.noteSaved(file, DocumentFile::Kind::Preset, document_.catalog(),
@@ -179,7 +181,7 @@ bool FileActions::writePreset(const QString& file) {
         return false;
     }
     const QString held = QString::fromStdString(material->name);
-    const QString name = QFileInfo(file).fileName().chopped(presetSuffix.size());
+    const QString name = QFileInfo(file).fileName().chopped(presetEnding.size());
     const bool isSameFile = files_.file().path == file.toStdString();
     const bool staysCalled = !held.isEmpty() && (isSameFile || name == asFileName(held) ||
                                                  name.compare(held, Qt::CaseInsensitive) == 0);
@@ -453,7 +455,7 @@ QString FileActions::questionText() const {
 }
 
 FileActions::Kind FileActions::kindOf(const QString& file) {
-    if (file.endsWith(sceneSuffix, Qt::CaseInsensitive)) {
+    if (file.endsWith(sceneEnding, Qt::CaseInsensitive)) {
         return Kind::Scene;
     }
     if (file.endsWith(QString::fromStdString(std::string(sheetEnding)), Qt::CaseInsensitive)) {
@@ -467,7 +469,7 @@ FileActions::Kind FileActions::kindOf(const QString& file) {
     if (!file.endsWith(QStringLiteral(".json"), Qt::CaseInsensitive)) {
         return Kind::Mesh;
     }
-    const bool isNamed = file.endsWith(presetSuffix, Qt::CaseInsensitive);
+    const bool isNamed = file.endsWith(presetEnding, Qt::CaseInsensitive);
     return !isNamed && saysItIsAScene(file.toStdString()) ? Kind::Scene : Kind::Preset;
 }
 
@@ -512,8 +514,8 @@ QString FileActions::suggestedFile() const {
     if (isShippedPreset(path)) {
         const bool isPreset =
             files_.file().kind == DocumentFile::Kind::Preset && !files_.outgrewPreset();
-        return isPreset ? madePresetFolder() + '/' + nameOfCopy() + presetSuffix
-                        : session_.folder("scene") + '/' + nameOfCopy() + sceneSuffix;
+        return isPreset ? madePresetFolder() + '/' + nameOfCopy() + presetEnding
+                        : session_.folder("scene") + '/' + nameOfCopy() + sceneEnding;
     }
     return (folder.empty() ? session_.folder("scene") : QString::fromStdString(folder.string())) +
            '/' + suggestedName();
@@ -533,11 +535,11 @@ QString FileActions::suggestedName() const {
     const std::filesystem::path& path = files_.file().path;
     if (!path.empty()) {
         const QString name = QString::fromStdString(path.filename().string());
-        return files_.outgrewPreset() && name.endsWith(presetSuffix)
-                   ? name.chopped(presetSuffix.size()) + sceneSuffix
+        return files_.outgrewPreset() && name.endsWith(presetEnding)
+                   ? name.chopped(presetEnding.size()) + sceneEnding
                    : name;
     }
-    return asFileName(QString::fromStdString(document_.scene().name)) + sceneSuffix;
+    return asFileName(QString::fromStdString(document_.scene().name)) + sceneEnding;
 }
 
 } // namespace patina

@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "files/preset_bundles.h"
 
-#include <QBuffer>
 #include <QImage>
 
 #include "library/thumbnail_maker.h"
+#include "text/png.h"
 
 namespace patina {
 namespace {
-
-std::string asPng(const QImage& picture) {
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    return picture.save(&buffer, "PNG") ? bytes.toStdString() : std::string();
-}
 
 /// Returns the name of a preset's file without its two suffixes.
 std::string fileStem(const std::filesystem::path& file) {
@@ -51,7 +44,7 @@ void PresetBundles::take(const QString& name, const QImage& picture) {
     if (place == asked_.end()) {
         return;
     }
-    presets_.at(*place).picture = picture.isNull() ? std::string() : asPng(picture);
+    presets_.at(*place).picture = picture.isNull() ? std::string() : asPng(picture).toStdString();
     asked_.erase(place);
     const auto all = static_cast<int>(presets_.size());
     Q_EMIT drawn(all - static_cast<int>(asked_.size()), all);

@@ -11,6 +11,7 @@
 
 #include "catalog/json_text.h"
 #include "library/preset_library.h"
+#include "material/file_suffixes.h"
 #include "material/variant.h"
 
 namespace patina {
@@ -93,7 +94,7 @@ fs::path placeForCopy(const PresetEntry& entry, const std::string& ending,
                       const std::vector<PresetFileChange>& others) {
     const fs::path folder = entry.shipped ? PresetLibrary::userFolder() : entry.file.parent_path();
     const std::string name = entry.file.filename().string();
-    const std::string suffix = ".patina.json";
+    const std::string suffix(presetSuffix);
     const std::string stem = name.substr(0, name.size() - suffix.size());
     for (int number = 1;; ++number) {
         const fs::path place =

@@ -7,6 +7,7 @@
 
 #include <QCollator>
 
+#include "material/file_suffixes.h"
 #include "material/preset_file.h"
 
 #include <sys/stat.h>
@@ -17,7 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::string_view presetSuffix = ".patina.json";
 /// Is the age below which a stamp may not show a further change: file systems' clocks are coarse.
 constexpr std::int64_t freshNanoseconds = 2'000'000'000;
 constexpr auto firstShare = std::chrono::milliseconds(100);

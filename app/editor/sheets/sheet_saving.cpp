@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "material/file_suffixes.h"
 #include "material/preset_file.h"
 #include "sheet/sheet_file.h"
 
@@ -12,8 +13,6 @@ namespace patina {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::string_view presetEnding = ".patina.json";
 
 bool holds(const fs::path& preset, const Material& material, const Catalog& catalog) {
     const auto reading = readPreset(preset, catalog);
@@ -31,7 +30,7 @@ fs::path presetBeside(const fs::path& file, const std::string& stem, const Mater
                       const Catalog& catalog) {
     const auto called = [&](int number) {
         const std::string name = number == 1 ? stem : stem + ' ' + std::to_string(number);
-        return file.parent_path() / (name + std::string(presetEnding));
+        return file.parent_path() / (name + std::string(presetSuffix));
     };
     int number = 1;
     while (fs::exists(fs::symlink_status(called(number))) &&

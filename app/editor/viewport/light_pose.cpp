@@ -8,6 +8,8 @@
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "viewport/spaces.h"
+
 namespace patina {
 namespace {
 
@@ -19,17 +21,9 @@ constexpr double shownShare = 0.75;
 /// light.
 constexpr double casterShare = 0.5;
 
-bool saysWhere(Space space) {
-    return space == Space::WorldPoint || space == Space::CameraPoint;
-}
-
-bool isOfCamera(Space space) {
-    return space == Space::CameraPoint || space == Space::CameraDirection;
-}
-
 const Parameter* firstWith(const Block& light, bool wantsPoint) {
     const auto found = std::ranges::find_if(light.parameters, [wantsPoint](const Parameter& each) {
-        return each.space != Space::None && saysWhere(each.space) == wantsPoint;
+        return each.space != Space::None && isPoint(each.space) == wantsPoint;
     });
     return found == light.parameters.end() ? nullptr : &*found;
 }
@@ -53,14 +47,14 @@ glm::dvec3 toWorld(const glm::dvec3& vector, Space space, const Camera& camera) 
         return vector;
     }
     const glm::dmat4 world = glm::inverse(viewMatrix(camera));
-    return glm::dvec3(world * glm::dvec4(vector, saysWhere(space) ? 1.0 : 0.0));
+    return glm::dvec3(world * glm::dvec4(vector, isPoint(space) ? 1.0 : 0.0));
 }
 
 glm::dvec3 fromWorld(const glm::dvec3& vector, Space space, const Camera& camera) {
     if (!isOfCamera(space)) {
         return vector;
     }
-    return glm::dvec3(viewMatrix(camera) * glm::dvec4(vector, saysWhere(space) ? 1.0 : 0.0));
+    return glm::dvec3(viewMatrix(camera) * glm::dvec4(vector, isPoint(space) ? 1.0 : 0.0));
 }
 
 std::optional<glm::dvec3> asUnit(const glm::dvec3& vector) {

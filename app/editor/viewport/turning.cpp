@@ -8,6 +8,7 @@
 
 #include "scene/turntable.h"
 #include "viewport/camera_moves.h"
+#include "viewport/spaces.h"
 
 namespace patina {
 namespace {
@@ -20,13 +21,9 @@ glm::dmat3 pull(const glm::dvec3& right, double yaw, double pitch) {
     return glm::dmat3(glm::rotate(aboutUp, glm::radians(pitch), right));
 }
 
-bool isPoint(Space space) {
-    return space == Space::WorldPoint || space == Space::CameraPoint;
-}
-
 glm::dvec3 turned(const glm::dvec3& value, Space space, const Camera& camera, double yaw,
                   double pitch) {
-    if (space == Space::CameraPoint || space == Space::CameraDirection) {
+    if (isOfCamera(space)) {
         return pull(worldRight, yaw, pitch) * value;
     }
     const glm::dvec3 origin = isPoint(space) ? camera.pivot : glm::dvec3(0.0);
