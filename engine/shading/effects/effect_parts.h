@@ -5,9 +5,8 @@
 //   void choose(const MaterialSubject& | const SceneSubject&, const EffectSet&): what is in; of the
 //       set the effects before this one are chosen already. It fills what it has anew and allocates
 //       nothing, since keys are made so in every frame.
-//   void admit(const BlockUse&): a block of its kind is in, whatever the subject calls for, since
-//   it
-//       is tried.
+//   void admit(const BlockUse&): a block of its kind is in whatever the subject calls for: it is
+//       tried.
 //   void adjust(const EffectSet&): what follows from the choices of others.
 //   void addTo(ChoiceHash&) const: its share of EffectKey::ofMaterial() or ofScene(), by the
 //       subject of its choose().
@@ -20,9 +19,8 @@
 //   void write(SurfaceText&) const: what becomes of that light.
 //   std::string writeVertex(SourceBuilder&) const: declares what the vertices hand on, and returns
 //       the statements of their main that work it out.
-//   std::string_view whyPerPixel(const EffectSet&) const: why light cannot be worked out at
-//   vertices
-//       with it; empty: it can.
+//   std::string_view whyPerPixel(const EffectSet&) const: why it keeps light from being worked out
+//       at vertices; empty: it does not.
 //   int bufferValues() const, void writeBuffer(SurfaceText&, std::size_t place) const: how many
 //       values a surface buffer has of it, and what stores them from that place on.
 //   static bool dependsOnPlaces(const Scene&, const Catalog&, std::string_view kind): whether the
