@@ -31,7 +31,7 @@
 namespace patina {
 namespace {
 
-/// pixels; the size of timed frames where the command line gives none
+/// Pixels; the size of timed frames where the command line gives none
 constexpr glm::ivec2 usualSize{384, 384};
 
 struct EffectsOptions {

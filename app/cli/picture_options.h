@@ -28,7 +28,8 @@ struct PictureOptions {
     std::string scene; ///< is a file; empty where the shipped default scene is meant
     /// Allows reading files outside the folder of the file that names them.
     bool allowsOutside = false;
-    /// Directions per pixel of an environment's light; 0 where directionsFor() decides.
+    /// Is the number of directions per pixel of an environment's light; 0 where directionsFor()
+    /// decides.
     int samples = 0;
     std::optional<double> exposure;
     glm::ivec2 size{512, 512};

@@ -34,7 +34,7 @@ class MappedMesh final : public SharedMesh {
     std::string remarks_;
 };
 
-/// Where the program lies in a build folder and where it is installed.
+/// Returns where the program lies in a build folder and where it is installed.
 fs::path programBesideThisOne() {
     std::error_code ignored;
     const fs::path here = fs::read_symlink("/proc/self/exe", ignored).parent_path();

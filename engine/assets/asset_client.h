@@ -25,8 +25,8 @@ struct MeshRequest {
     friend bool operator==(const MeshRequest&, const MeshRequest&) = default;
 };
 
-/// A mesh that lies in memory shared with (or handed over by) the files process. Unmapped with
-/// the last copy of the pointer.
+/// Represents a mesh that lies in memory shared with (or handed over by) the files process.
+/// Unmapped with the last copy of the pointer.
 class SharedMesh {
   public:
     virtual ~SharedMesh() = default;
@@ -64,9 +64,10 @@ class AssetClient {
     /// and nobody allowed them.
     std::vector<std::string> refusedLinks(const std::filesystem::path& mesh) const;
 
-    /// A triangle list of the whole file: node transforms applied, normals and tangents there,
-    /// vertices joined and ordered. Errors name the file and what was wrong, also when the process
-    /// crashed ("stopped unexpectedly while reading"), ran out of time or memory, or was cancelled.
+    /// Returns a triangle list of the whole file: node transforms applied, normals and tangents
+    /// there, vertices joined and ordered. Errors name the file and what was wrong, also when the
+    /// process crashed ("stopped unexpectedly while reading"), ran out of time or memory, or was
+    /// cancelled.
     Result<std::shared_ptr<const SharedMesh>> loadMesh(const MeshRequest&, Progress* = nullptr);
 
     /// Writes PNG, JPEG, EXR, HDR, ...; 8-bit formats are decoded from sRGB to linear.

@@ -12,8 +12,8 @@
 
 namespace patina {
 
-/// One end of the local socket between the client and the files process. Messages keep their
-/// boundaries; each may carry one file descriptor, the shared block with the bulk data.
+/// Represents one end of the local socket between the client and the files process. Messages keep
+/// their boundaries; each may carry one file descriptor, the shared block with the bulk data.
 class Channel {
   public:
     struct Delivery {

@@ -14,9 +14,10 @@ struct PagePicture {
     std::string png;    ///< the bytes of the file
 };
 
-/// An HTML page that shows pictures of one size by their letters and names, two of them with a line
-/// to wipe across or all side by side. It holds everything itself and loads nothing; without
-/// scripts the pictures stand side by side. `notes`: a line of text each, below the pictures.
+/// Returns an HTML page that shows pictures of one size by their letters and names, two of them
+/// with a line to wipe across or all side by side. It holds everything itself and loads nothing;
+/// without scripts the pictures stand side by side. `notes`: a line of text each, below the
+/// pictures.
 std::string comparisonPage(const std::string& title, const std::vector<PagePicture>& pictures,
                            const std::vector<std::string>& notes);
 

@@ -10,8 +10,8 @@
 
 namespace patina {
 
-/// A running `patina-files`, its standard input being one end of a channel. It dies with the
-/// thread that started it, with this object, and with its memory limit.
+/// Represents a running `patina-files`, its standard input being one end of a channel. It dies with
+/// the thread that started it, with this object, and with its memory limit.
 class FilesProcess {
   public:
     /// Fails where the program is missing or cannot be run.

@@ -104,7 +104,7 @@ class FilesSession::Patience {
     Patience(const AssetClient::Options& options, const FilesProcess& process)
         : options_(options), process_(process) {}
 
-    /// The limit that is over, in seconds.
+    /// Returns the limit that is over, in seconds.
     std::optional<double> end() const {
         const double waited = std::chrono::duration<double>(Clock::now() - begin_).count();
         if (waited > options_.waitLimitSeconds) {

@@ -23,7 +23,7 @@ class ImageBlock {
     /// Returns an image another process wrote, checked: its sizes against the block's length.
     static Result<Image> checked(std::span<const std::byte> block);
 
-    /// The bits that were written into a checked block.
+    /// Returns the bits that were written into a checked block.
     static int bits(std::span<const std::byte> block);
 };
 

@@ -11,7 +11,7 @@
 
 namespace patina {
 
-/// One thread that does jobs in the order they came. It lives as long as the queue.
+/// Represents one thread that does jobs in the order they came. It lives as long as the queue.
 class JobQueue {
   public:
     JobQueue();

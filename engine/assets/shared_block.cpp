@@ -17,7 +17,7 @@ bool isSealed(int descriptor) {
     return seals >= 0 && (seals & allSeals) == allSeals;
 }
 
-/// What mapped_region asks of something that can be mapped.
+/// Says what mapped_region asks of something that can be mapped.
 class Mappable {
   public:
     explicit Mappable(int descriptor) : descriptor_(descriptor) {}

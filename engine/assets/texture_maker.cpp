@@ -75,7 +75,8 @@ class Texels {
     std::size_t bytes_;
 };
 
-/// The texels of a row or column that make one of the next smaller version, with their shares.
+/// Holds the texels of a row or column that make one of the next smaller version, with their
+/// shares.
 struct Taps {
     int first = 0;
     int count = 1;
@@ -123,7 +124,7 @@ void reduce(TexturePicture& picture, std::size_t level) {
     }
 }
 
-/// A grey image whose codes and whose light both count has these apart.
+/// Returns a grey image whose codes and whose light both count has these apart.
 TexelFormat formatFor(const FileImage& source, bool decodes, bool keepsCodes) {
     const bool grey = source.image.channels == 1;
     if (source.bits != 8) {

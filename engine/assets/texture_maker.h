@@ -15,7 +15,7 @@ enum class TextureDecoding {
     Color,  ///< encoded where the file holds whole numbers, linear where it holds floats
 };
 
-/// An image with the numbers that its file holds: whole ones are divided by the largest.
+/// Represents an image with the numbers that its file holds: whole ones are divided by the largest.
 struct FileImage {
     Image image;
     int bits = 0; ///< of each whole number; 0: the file holds floats

@@ -107,7 +107,7 @@ class BundleWriter {
         return known->second;
     }
 
-    /// A file's name that none of the others has.
+    /// Returns a file's name that none of the others has.
     static std::string unused(std::string stem, std::set<std::string>& others) {
         std::ranges::replace(stem, '/', '-');
         std::string name = stem;
@@ -242,7 +242,7 @@ class BundleReader {
     std::vector<BundleOutcome> outcomes_;
 };
 
-/// A folder that is not there yet, called as the bundle.
+/// Returns a folder that is not there yet, called as the bundle.
 fs::path newFolder(const fs::path& bundle, const fs::path& folder) {
     const std::string stem = bundle.stem().empty() ? "presets" : bundle.stem().string();
     fs::path place = folder / stem;

@@ -28,7 +28,7 @@ struct BundleOutcome {
     friend bool operator==(const BundleOutcome&, const BundleOutcome&) = default;
 };
 
-/// What is taken from a bundle at most, so that a small file cannot fill a disk.
+/// Says what is taken from a bundle at most, so that a small file cannot fill a disk.
 struct BundleLimits {
     std::uint64_t files = 20000;
     std::uint64_t fileBytes = 256u << 20;

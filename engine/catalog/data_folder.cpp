@@ -47,7 +47,7 @@ std::optional<fs::path> userFolder(const char* variable, const fs::path& belowHo
     return home ? std::optional(*home / belowHome / "patina") : std::nullopt;
 }
 
-/// What was below the folder when this was first asked: an author may add to it.
+/// Returns what was below the folder when this was first asked: an author may add to it.
 const std::set<fs::path>& shippedFiles(const fs::path& presets) {
     static std::mutex mutex;
     static std::map<fs::path, std::set<fs::path>> known;

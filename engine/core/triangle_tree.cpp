@@ -23,7 +23,7 @@ constexpr float overlap = 1e-5f;
 /// Limits the tree's depth: each level halves the triangles, and there are fewer than 2^32.
 constexpr std::size_t maxDepth = 40;
 
-/// One over the direction, so that it is finite where the ray runs along a side of a box.
+/// Returns one over the direction, so that it is finite where the ray runs along a side of a box.
 glm::vec3 inverseOf(const glm::vec3& direction) {
     glm::vec3 inverse;
     for (int i = 0; i < 3; ++i) {

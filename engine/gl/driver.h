@@ -21,7 +21,7 @@ bool hasBaseInstances();
 /// Bytes that one uniform block may hold here; at least 16 KiB.
 int largestUniformBlock();
 
-/// An error that says what was found when the current context is below OpenGL 4.1.
+/// Returns an error that says what was found when the current context is below OpenGL 4.1.
 Result<void> checkVersion();
 
 } // namespace patina::gl

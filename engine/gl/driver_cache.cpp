@@ -33,7 +33,7 @@ bool isTrue(std::string_view value) {
            value == "True";
 }
 
-/// The folder that Mesa takes; empty where it finds none.
+/// Returns the folder that Mesa takes; empty where it finds none.
 fs::path cacheFolder() {
     for (const char* name : {"MESA_SHADER_CACHE_DIR", "MESA_GLSL_CACHE_DIR", "XDG_CACHE_HOME"}) {
         if (!variable(name).empty()) {

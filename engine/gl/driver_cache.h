@@ -18,8 +18,8 @@ void prepareDriverCache();
 /// Why the driver keeps no cache, where prepareDriverCache() had to turn it off.
 const std::optional<Error>& driverCacheNote();
 
-/// The room for the index in a folder of Mesa's cache, which is made when it is not there. What
-/// else is in the index stays.
+/// Returns the room for the index in a folder of Mesa's cache, which is made when it is not there.
+/// What else is in the index stays.
 Result<void> reserveCacheIndex(const std::filesystem::path& folder);
 
 } // namespace patina::gl

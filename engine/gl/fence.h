@@ -6,8 +6,8 @@
 
 namespace patina::gl {
 
-/// A mark behind the commands given so far: tells when the device has done them. Move-only; made
-/// and destroyed with its context current. An empty one is always passed.
+/// Represents a mark behind the commands given so far: tells when the device has done them.
+/// Move-only; made and destroyed with its context current. An empty one is always passed.
 class Fence {
   public:
     /// Also sends the commands on their way.

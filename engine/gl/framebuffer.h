@@ -31,14 +31,15 @@ class Framebuffer {
     /// These bind the framebuffer for drawing and reading.
     void attachColor(const Texture& texture);
     void attachColor(const Renderbuffer& buffer);
-    /// A texture that somebody else owns, of this context or one that shares with it; it may go
-    /// and be replaced, but is drawn to only while it is there.
+    /// Attaches a texture that somebody else owns, of this context or one that shares with it; it
+    /// may go and be replaced, but is drawn to only while it is there.
     void attachColor(unsigned texture);
     void attachDepth(const Renderbuffer& buffer);
-    /// The colours that a program writes to `location`; those of all locations from 0 on are drawn.
+    /// Attaches the colours that a program writes to `location`; those of all locations from 0 on
+    /// are drawn.
     void attachColor(const TargetTexture& texture, unsigned location);
     void attachDepth(const TargetTexture& texture);
-    /// All layers, which a program writes to the locations from 0 on.
+    /// Attaches all layers, which a program writes to the locations from 0 on.
     void attachColors(const TextureArray& texture);
     /// Attaches a layer of depths; it may be attached again and again, and no colours are drawn
     /// then.

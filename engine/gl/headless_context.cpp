@@ -97,7 +97,7 @@ bool makeCurrent(EGLDisplay display, EGLContext context) {
            eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_TRUE;
 }
 
-/// What the display offers when asked for any OpenGL at all.
+/// Returns what the display offers when asked for any OpenGL at all.
 std::string offered(EGLDisplay display) {
     const std::array<EGLint, 1> none{EGL_NONE};
     EGLContext any = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, none.data());

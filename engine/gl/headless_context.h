@@ -7,9 +7,9 @@
 
 namespace patina::gl {
 
-/// An OpenGL 4.1 core context without a window or a display server, current on the thread that
-/// made it until it is destroyed there. What its driver does in threads of its own, such as writing
-/// programs to disk, is done when the last of such contexts is gone.
+/// Represents an OpenGL 4.1 core context without a window or a display server, current on the
+/// thread that made it until it is destroyed there. What its driver does in threads of its own,
+/// such as writing programs to disk, is done when the last of such contexts is gone.
 class HeadlessContext {
   public:
     struct Options {

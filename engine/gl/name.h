@@ -5,7 +5,7 @@
 
 namespace patina::gl {
 
-/// The name of one GL object, deleted with its owner. Move-only; made and destroyed with the
+/// Holds the name of one GL object, deleted with its owner. Move-only; made and destroyed with the
 /// context current that it belongs to. 0 means that it owns nothing.
 template <void (*destroy)(unsigned)>
 class Name {

@@ -8,7 +8,7 @@
 namespace patina {
 namespace {
 
-/// The choice that a name means among those of one block.
+/// Returns the choice that a name means among those of one block.
 const AccuracyChoice* choiceNamed(const Block& block, const std::string& name) {
     for (const std::string& before : {std::string("accuracy"), block.kind}) {
         if (name.starts_with(before + '.')) {

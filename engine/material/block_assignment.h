@@ -28,7 +28,7 @@ Result<bool> assignIn(const Block& block, Values& values, const Assignment& assi
 /// Returns the ids of a block's parameters, each after a prefix.
 std::vector<std::string> parameterIds(const Block& block, const std::string& prefix = {});
 
-/// The kind that files call so; null where there is none.
+/// Returns the kind that files call so; null where there is none.
 const BlockKind* kindCalled(std::string_view singular);
 
 /// Returns the block of a kind with this id; the error names those that there are, and the nearest

@@ -12,12 +12,12 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Where a value is parked whose plain id is taken by a value of another block.
+/// Returns where a value is parked whose plain id is taken by a value of another block.
 std::string ownKey(const std::string& blockId, const std::string& parameterId) {
     return blockId + '/' + parameterId;
 }
 
-/// What a document holds for a value: in range, and a float.
+/// Returns what a document holds for a value: in range, and a float.
 Value held(const Parameter& parameter, const Value& value) {
     return roundedToFloat(conformed(parameter, value));
 }
@@ -43,7 +43,7 @@ class Carrier {
     }
 
   private:
-    /// The current value under the parameter's id, if both blocks mean the same by it.
+    /// Returns the current value under the parameter's id, if both blocks mean the same by it.
     const Value* sameMeaning(const Parameter& parameter) const {
         const auto found = values_.parameters.find(parameter.id);
         if (found == values_.parameters.end()) {
@@ -54,7 +54,7 @@ class Carrier {
         return differs ? nullptr : &found->second;
     }
 
-    /// The parked value that fits; taken out, because it comes back or is superseded.
+    /// Returns the parked value that fits; taken out, because it comes back or is superseded.
     std::optional<Value> takeParked(const Parameter& parameter) {
         for (const std::string& key : {ownKey(to_.id, parameter.id), parameter.id}) {
             const auto found = parked_.find(key);

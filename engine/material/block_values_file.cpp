@@ -102,8 +102,8 @@ class ValuesReader {
         settleShorthands(block, values_.parameters);
     }
 
-    /// The id under which the file has the parameter: its own, or one it had when the file was
-    /// written.
+    /// Returns the id under which the file has the parameter: its own, or one it had when the file
+    /// was written.
     std::string idInFile(const Parameter& parameter) {
         if (!reader_.has(parameter.id)) {
             for (const Migration& migration : parameter.migrations) {

@@ -6,7 +6,7 @@
 namespace patina {
 namespace {
 
-/// What is chosen of a kind, or what the model's slot has while nothing is.
+/// Returns what is chosen of a kind, or what the model's slot has while nothing is.
 const Block* partInUse(const Material& material, const Block& model, std::string_view kind,
                        const Catalog& catalog) {
     const BlockValues* part = material.part(kind);

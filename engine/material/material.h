@@ -33,7 +33,8 @@ using BlockParts = std::map<std::string, BlockValues, std::less<>>;
 const BlockValues* partOf(const BlockParts& parts, std::string_view kind);
 BlockValues* partOf(BlockParts& parts, std::string_view kind);
 
-/// The block that is chosen of a kind; null where none is or the catalogue does not know it.
+/// Returns the block that is chosen of a kind; null where none is or the catalogue does not know
+/// it.
 const Block* blockOf(const BlockParts& parts, std::string_view kind, const Catalog& catalog);
 
 /// Chooses a block of a kind, or none.

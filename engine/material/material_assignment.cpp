@@ -14,7 +14,7 @@
 namespace patina {
 namespace {
 
-/// What every material has, by its id or after the word for it.
+/// Returns what every material has, by its id or after the word for it.
 Result<bool> setOwn(Material& material, const Assignment& assignment) {
     const std::string named = assignment.inside(settings::material);
     const std::string& id = named.empty() ? assignment.id : named;
@@ -56,7 +56,7 @@ Result<bool> setInParts(Material& material, const std::string& id, const std::st
     return false;
 }
 
-/// All that may be set in a material.
+/// Returns all that may be set in a material.
 std::vector<std::string> knownIds(const Material& material, const Catalog& catalog) {
     std::vector<std::string> ids = parameterIds(*settingsBlock(settings::material));
     for (const Block* block : blocksInUse(material, catalog)) {

@@ -8,7 +8,7 @@
 
 namespace patina {
 
-/// The value of a setting that every material has; nothing where there is none of this id.
+/// Returns the value of a setting that every material has; nothing where there is none of this id.
 std::optional<Value> settingOf(const Material& material, std::string_view id);
 
 /// Does nothing where the id is not known or the value has the wrong type.

@@ -18,11 +18,11 @@ struct MemberAccess {
     std::function<void(Owner&, const Value&)> write;
 };
 
-/// The members that settings describe, by the parameters' ids.
+/// Holds the members that settings describe, by the parameters' ids.
 template <class Owner>
 using MemberTable = std::map<std::string, MemberAccess<Owner>, std::less<>>;
 
-/// A member whose type is one of the alternatives of Value.
+/// Returns a member whose type is one of the alternatives of Value.
 template <class Owner, class Member>
 MemberAccess<Owner> member(Member Owner::*field) {
     return {[field](const Owner& owner) { return Value(owner.*field); },

@@ -16,7 +16,7 @@ constexpr const char* inSlotKey = "inSlot";           ///< fills the slot; null:
 constexpr const char* withoutSlotKey = "withoutSlot"; ///< is on in models without the slot
 constexpr const char* blackKey = "black"; ///< black colours by id, where the model's own are used
 
-/// A member that is an object, taken out.
+/// Returns a member that is an object, taken out.
 Json take(Json& parked, const char* key) {
     const auto found = parked.find(key);
     if (found == parked.end() || !found->is_object()) {

@@ -12,7 +12,7 @@ constexpr const char* parkedKey = "parked"; ///< of a part
 
 using Blocks = std::map<std::string, const Block*, std::less<>>;
 
-/// The material's blocks by kind, null those that the catalogue lacks.
+/// Returns the material's blocks by kind, null those that the catalogue lacks.
 Blocks blocksOf(const Material& material, const Catalog& catalog) {
     Blocks blocks;
     blocks[std::string(kinds::models)] = catalog.find(kinds::models, material.model.id);

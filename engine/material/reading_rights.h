@@ -18,7 +18,7 @@ struct ReadingRights {
     bool everything = false;                      ///< the user agreed to whatever the file names
 };
 
-/// A file that a preset or a scene names and that is not read before its user agrees.
+/// Represents a file that a preset or a scene names and that is not read before its user agrees.
 struct OutsideFile {
     enum class Kind {
         Mesh,
@@ -35,8 +35,8 @@ struct OutsideFile {
 
 using OutsideFiles = std::vector<OutsideFile>;
 
-/// The folder that a file's references count against: relative ones begin there, and what lies in
-/// it needs no leave. Empty for what is no file.
+/// Returns the folder that a file's references count against: relative ones begin there, and what
+/// lies in it needs no leave. Empty for what is no file.
 std::filesystem::path referenceFolder(const std::filesystem::path& file);
 
 /// Decides of each file that another one names whether it is read, and remembers those that are

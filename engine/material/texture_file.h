@@ -10,7 +10,7 @@
 
 namespace patina {
 
-/// The images of a preset, by key, and what stood among them that is none.
+/// Holds the images of a preset, by key, and what stood among them that is none.
 struct TextureReading {
     std::map<std::string, TextureUse, std::less<>> uses;
     nlohmann::json unknown = nlohmann::json::object();

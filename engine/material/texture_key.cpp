@@ -13,7 +13,8 @@
 namespace patina {
 namespace {
 
-/// The keys under which a material takes images, and whether some of its blocks are not known.
+/// Holds the keys under which a material takes images, and whether some of its blocks are not
+/// known.
 struct Keys {
     std::vector<std::string> known;
     bool isWhole = true;
@@ -27,7 +28,8 @@ struct Keys {
     }
 };
 
-/// The id of what the material has of a kind: chosen, or called by the model's slot as it comes.
+/// Returns the id of what the material has of a kind: chosen, or called by the model's slot as it
+/// comes.
 std::string partId(std::string_view kind, const Block& model, const Material& material) {
     if (const BlockValues* part = material.part(kind)) {
         return part->id;

@@ -11,8 +11,8 @@ namespace patina {
 /// and not leading out of the file's own folder.
 bool staysInFolder(std::string_view path);
 
-/// An image as a file names it, made absolute: relative paths start at the file's folder. Without
-/// a folder it stays as it is.
+/// Returns an image as a file names it, made absolute: relative paths start at the file's folder.
+/// Without a folder it stays as it is.
 std::string imageFromFile(const std::string& image, const std::filesystem::path& folder);
 
 /// Returns the inverse: relative to the folder, with forward slashes.

@@ -51,7 +51,7 @@ struct TextureUse {
     friend bool operator==(const TextureUse&, const TextureUse&) = default;
 };
 
-/// The keys of a material's images that are no parameter's id.
+/// Returns the keys of a material's images that are no parameter's id.
 TextureRole textureRole(std::string_view key);
 
 /// Returns an image laid on as usual for that key.
@@ -61,7 +61,8 @@ TextureUse textureUse(std::string_view key, std::string file);
 /// `channels` are those that the parameter takes.
 Block textureSettings(TextureRole role, const std::vector<std::string>& channels = {});
 
-/// A setting's value, and another one in its place. The id must be one of textureSettings().
+/// Reads a setting's value, and puts another one in its place. The id must be one of
+/// textureSettings().
 Value textureSetting(const TextureUse& use, std::string_view id);
 void storeTextureSetting(TextureUse& use, std::string_view id, const Value& value);
 

@@ -28,8 +28,8 @@ bool isSameFile(const fs::path& a, const fs::path& b) {
     return a == b || fs::equivalent(a, b, missing);
 }
 
-/// What a variant of a material is a patch of: values of another model carry over as they do when
-/// an artist chooses it.
+/// Returns what a variant of a material is a patch of: values of another model carry over as they
+/// do when an artist chooses it.
 Json inherited(const Material& parent, const std::string& model, const fs::path& folder,
                const Catalog& catalog) {
     const Block* before = catalog.find(kinds::models, parent.model.id);

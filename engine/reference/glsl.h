@@ -12,8 +12,8 @@
 
 #include "reference/reference.h"
 
-/// What GLSL gives a shader, for shader code that is compiled as C++ with `float` read as `double`.
-/// Names are listed one by one: a using-directive would let the C library's abs(int) in.
+/// Is what GLSL gives a shader, for shader code that is compiled as C++ with `float` read as
+/// `double`. Names are listed one by one: a using-directive would let the C library's abs(int) in.
 namespace patina::reference {
 
 using vec2 = glm::dvec2;
@@ -68,7 +68,7 @@ struct FilledSlot {
     const Geometry* geometry = nullptr;
 };
 
-/// The slot of a kind among what fills a model's slots.
+/// Returns the slot of a kind among what fills a model's slots.
 inline FilledSlot filledSlot(Fillers fillers, std::string_view kind, const Geometry& geometry) {
     for (const Filler& filler : fillers) {
         if (filler.block != nullptr && filler.block->kind == kind) {

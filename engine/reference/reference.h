@@ -53,14 +53,14 @@ struct Crossing {
     bool leaves = false;         ///< from the body into what surrounds it
 };
 
-/// An edge of a mesh as it is seen (shaders/lib/edge.glsl).
+/// Represents an edge of a mesh as it is seen (shaders/lib/edge.glsl).
 struct Edge {
     bool turns = false;
     bool ends = false;
     double bend = 0.0; ///< radians
 };
 
-/// One packed field, as it was when the block was compiled.
+/// Represents one packed field, as it was when the block was compiled.
 struct Field {
     std::string_view name;
     std::size_t offset = 0; ///< in numbers
@@ -77,7 +77,8 @@ struct Filler {
     Parameters parameters; ///< block->size numbers, which must outlive it
 };
 
-/// What fills a model's slots, in any order: at most one of each kind. A slot without one is black.
+/// Says what fills a model's slots, in any order: at most one of each kind. A slot without one is
+/// black.
 using Fillers = std::span<const Filler>;
 
 /// Represents a function of a block, called with plain numbers: a vec3 is three of them, a struct
@@ -98,9 +99,9 @@ struct Block {
     bool lightGate = true;
     bool viewGate = true;
 
-    /// The function of Directions, where the kind has one.
+    /// Is the function of Directions, where the kind has one.
     glm::dvec3 (*model)(const Geometry&, Parameters, Fillers) = nullptr;
-    /// The other functions of the kind, in its order.
+    /// Are the other functions of the kind, in its order.
     std::span<const BlockCall> calls;
 
     // The functions of each kind with their types. Only those of the block's own may be called.
@@ -161,7 +162,7 @@ struct Function {
     std::string_view glslCall; ///< the same in GLSL: reads ARGUMENT(i), writes RESULT(i, x)
 };
 
-/// Every function of shaders/lib/, sorted by name. The elementary ones are the exact twins.
+/// Returns every function of shaders/lib/, sorted by name. The elementary ones are the exact twins.
 std::span<const Function> functions();
 
 /// lib/elementary.glsl as it stands, its polynomials in double precision.

@@ -34,7 +34,7 @@ struct View {
     int environmentSamples = 0;
     /// Directions of one series have nothing to do with those of another, whatever their number.
     int environmentSeries = 0;
-    /// Where a frame that continues stops to add: so many samples are in the picture then.
+    /// Is where a frame that continues stops to add: so many samples are in the picture then.
     int maxSamples = 1 << 24;
     /// Nothing has changed but that more samples are wanted: the picture is the mean of all since
     /// the last frame that was new.

@@ -7,9 +7,9 @@
 
 namespace patina {
 
-/// The mesh made by code that `object.mesh` names ("builtin:sphere"), fitted into [-1, 1]^3 and
-/// turned inside out where the object asks for that, as meshes of files are. An error for a name
-/// that no such mesh has.
+/// Returns the mesh made by code that `object.mesh` names ("builtin:sphere"), fitted into [-1, 1]^3
+/// and turned inside out where the object asks for that, as meshes of files are. An error for a
+/// name that no such mesh has.
 Result<Mesh> builtinMesh(const Object& object);
 
 } // namespace patina

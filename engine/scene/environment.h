@@ -8,10 +8,10 @@
 
 namespace patina {
 
-/// The parameter that names an environment's picture; null for one that needs none.
+/// Returns the parameter that names an environment's picture; null for one that needs none.
 const Parameter* pictureParameter(const Block& environment);
 
-/// The picture that is chosen, as a path; empty for none.
+/// Returns the picture that is chosen, as a path; empty for none.
 std::string_view pictureFile(const BlockValues& environment, const Block& block);
 
 /// Tells how an environment is seen behind the objects.
@@ -24,7 +24,7 @@ Backdrop backdropOf(const BlockValues& environment, const Block& block);
 /// environment that leaves that open.
 const Parameter* directionsParameter(const Block& environment);
 
-/// How many are wanted, at least 4; `usualDirections` where the block leaves it open.
+/// Is how many are wanted, at least 4; `usualDirections` where the block leaves it open.
 inline constexpr int usualDirections = 1024;
 int directionsOf(const BlockValues& environment, const Block& block);
 
@@ -32,8 +32,8 @@ int directionsOf(const BlockValues& environment, const Block& block);
 /// number: more of them take long. Any number without an environment.
 int unaskedDirections(const Scene& scene, const Catalog& catalog);
 
-/// The number that has a role, in its range, or its default; `rotate` and `blur` are in degrees. 0
-/// for a block without one.
+/// Returns the number that has a role, in its range, or its default; `rotate` and `blur` are in
+/// degrees. 0 for a block without one.
 double environmentNumber(const BlockValues& environment, const Block& block, std::string_view role);
 
 } // namespace patina

@@ -12,7 +12,7 @@ enum class GroundMode {
     Plane    ///< a matt plane that the lights shine on
 };
 
-/// A level plane on which shadows fall. It casts none, and is seen from above only.
+/// Represents a level plane on which shadows fall. It casts none, and is seen from above only.
 struct Ground {
     GroundMode mode = GroundMode::Off;
     bool automatic = true;  ///< the height is the lowest point of the objects that are drawn

@@ -9,10 +9,10 @@
 
 namespace patina {
 
-/// The openness of a mesh (opennessOf()) as a file of the folder has it, whose name says what is in
-/// the mesh; without one it is made and kept there. A file that is damaged is replaced, and one
-/// that cannot be written is not kept. The folder's oldest files go when there are more than some
-/// hundred megabytes. An empty folder: nothing is kept. Empty where it was cancelled.
+/// Returns the openness of a mesh (opennessOf()) as a file of the folder has it, whose name says
+/// what is in the mesh; without one it is made and kept there. A file that is damaged is replaced,
+/// and one that cannot be written is not kept. The folder's oldest files go when there are more
+/// than some hundred megabytes. An empty folder: nothing is kept. Empty where it was cancelled.
 std::vector<VertexOpenness> keptOpenness(const MeshView& mesh, const std::filesystem::path& folder,
                                          Progress* progress = nullptr);
 

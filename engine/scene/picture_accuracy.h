@@ -44,7 +44,7 @@ class PictureAccuracy {
 
     bool fogsAtVertices() const { return level(PictureChoice::Fog) > 0; }
 
-    /// Pixels that are drawn for a pixel of the picture, along each side: 1, 0.75 or 0.5.
+    /// Returns pixels that are drawn for a pixel of the picture, along each side: 1, 0.75 or 0.5.
     double scale() const { return 1.0 - 0.25 * static_cast<double>(level(PictureChoice::Scale)); }
 
     /// Tells whether light is summed in 32 bits a channel instead of 16.

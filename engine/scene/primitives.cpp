@@ -107,7 +107,7 @@ Mesh cube() {
     return finished(std::move(mesh));
 }
 
-/// A right-handed rotation that takes +y to `up` (unit).
+/// Returns a right-handed rotation that takes +y to `up` (unit).
 glm::mat3 turnedTo(const glm::vec3& up) {
     const glm::vec3 x = glm::normalize(glm::cross(up, glm::vec3(0.0f, 0.0f, 1.0f)));
     return {x, up, glm::cross(x, up)};

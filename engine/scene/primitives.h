@@ -14,8 +14,8 @@ namespace patina {
 /// "shaderball".
 std::vector<std::string> primitiveNames();
 
-/// The mesh of one of those names, about one metre in radius, centred at the origin, with exact
-/// normals, texture coordinates and tangents; nothing for another name.
+/// Returns the mesh of one of those names, about one metre in radius, centred at the origin, with
+/// exact normals, texture coordinates and tangents; nothing for another name.
 std::optional<Mesh> primitive(std::string_view name);
 
 } // namespace patina

@@ -16,7 +16,7 @@
 namespace patina {
 namespace {
 
-/// Where the first word of an id leads.
+/// Returns where the first word of an id leads.
 std::string firstWord(const std::string& assignment) {
     return assignment.substr(0, assignment.find_first_of(".="));
 }

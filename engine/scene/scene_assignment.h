@@ -27,7 +27,7 @@ struct NamedParameter {
 };
 NamedParameter parameterIn(const Scene& scene, std::string_view id, const Catalog& catalog);
 
-/// The light of a name, in capitals or not; null where there is none.
+/// Returns the light of a name, in capitals or not; null where there is none.
 Light* lightNamed(Scene& scene, std::string_view name);
 
 /// Returns what an error expects in place of a name that no light has: those there are.

@@ -21,7 +21,7 @@ inline constexpr double smallestScale = 1e-6f; // numbers of files are floats
 inline constexpr double brightest = 1e6;
 inline constexpr double maxStops = 32.0; ///< of exposure, either way
 
-/// The nearest factors that neither flatten an object nor let its corners overflow.
+/// Returns the nearest factors that neither flatten an object nor let its corners overflow.
 inline glm::dvec3 usableScale(const glm::dvec3& scale) {
     const auto usable = [](double factor) {
         return std::copysign(std::clamp(std::abs(factor), smallestScale, largestScale), factor);

@@ -67,7 +67,7 @@ class SceneReader {
         reading_.notes.push_back(document_.error(pointer, std::move(problem), std::move(expected)));
     }
 
-    /// The settings that go by a word; returns what was not known inside.
+    /// Returns the settings that go by a word; returns what was not known inside.
     template <class Owner>
     Json readSettingsOf(Owner& owner, std::string_view word, JsonReader& reader) {
         const auto store = [&owner](std::string_view id, const Value& value) {
@@ -155,7 +155,8 @@ class SceneReader {
         return reading ? taken(*reading) : damaged(atPlace(reading.error(), place), path);
     }
 
-    /// What is wrong with a whole file, such as that it is not there, is told where it is named.
+    /// What is wrong with a whole file, such as that it is not there, is told where it is
+    /// named.
     Errors atPlace(Errors errors, const std::string& pointer) const {
         for (Error& error : errors) {
             const auto problem =

@@ -6,8 +6,8 @@
 
 namespace patina {
 
-/// The parameter of a kind of transparency that says how many surfaces of each pixel it puts in
-/// order, one after the other. Null for one that mixes them all at once.
+/// Returns the parameter of a kind of transparency that says how many surfaces of each pixel it
+/// puts in order, one after the other. Null for one that mixes them all at once.
 const Parameter* layersParameter(const Block& transparency);
 
 /// Returns how many surfaces are put in order, at least 1; 0 where all are mixed at once.

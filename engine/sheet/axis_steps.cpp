@@ -170,7 +170,8 @@ std::string labelOfLights(Scene scene, const std::string& entry, const Catalog& 
     return block == nullptr ? "No light" : block->label;
 }
 
-/// The scene's lights together and each alone; where it has fewer than two, each kind of light.
+/// Returns the scene's lights together and each alone; where it has fewer than two, each kind of
+/// light.
 std::vector<std::string> everyLight(const Scene& scene, const Catalog& catalog) {
     std::vector<std::string> all{allWord};
     if (scene.lights.size() > 1) {
@@ -295,7 +296,8 @@ Result<void> chooseEntries(SheetAxis& axis, const Parameter& parameter) {
     return {};
 }
 
-/// The levels of an accuracy choice, of the material or of the picture, that is named as a value.
+/// Returns the levels of an accuracy choice, of the material or of the picture, that is named as a
+/// value.
 std::vector<SheetStep> levelSteps(const Scene& scene, std::size_t object, const std::string& id,
                                   const Catalog& catalog, std::string& title) {
     std::vector<SheetStep> steps;

@@ -28,9 +28,9 @@ struct SheetAxis {
     AxisKind kind = AxisKind::Value;
     std::string value{};               ///< of AxisKind::Value: its id, as for --set
     std::optional<SheetRange> range{}; ///< of a value that is one number
-    /// The steps where there is no range: values as they are typed for --set; ids of models; levels
-    /// as levelsText() writes them, or "exact"; names of the scene's lights, each alone, "all",
-    /// "none", or the id of a light in place of them; ids of environments, panoramas' files,
+    /// Are the steps where there is no range: values as they are typed for --set; ids of models;
+    /// levels as levelsText() writes them, or "exact"; names of the scene's lights, each alone,
+    /// "all", "none", or the id of a light in place of them; ids of environments, panoramas' files,
     /// "none". Empty: all that there are.
     std::vector<std::string> entries{};
 
@@ -40,7 +40,7 @@ struct SheetAxis {
 /// Tells what a cell may say beside its picture.
 enum class CellNumber { Time, Error, Albedo };
 
-/// What was measured of a cell; nothing: it was not, or cannot be.
+/// Says what was measured of a cell; nothing: it was not, or cannot be.
 struct CellNumbers {
     std::optional<double> milliseconds{}; ///< of a frame
     std::optional<double> error{};        ///< relative, which 99 of 100 pixels keep

@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// What an axis is of, by the key that holds it.
+/// Says what an axis is of, by the key that holds it.
 struct KindKey {
     AxisKind kind;
     const char* key;
@@ -29,7 +29,7 @@ constexpr std::array kindKeys{
 
 constexpr std::array<std::string_view, 3> numberWords{"time", "error", "albedo"};
 
-/// A value as a file has it, as it is typed for --set; nothing for an object and the like.
+/// Returns a value as a file has it, as it is typed for --set; nothing for an object and the like.
 std::optional<std::string> typedText(const Json& json) {
     if (json.is_string()) {
         return json.get<std::string>();

@@ -11,7 +11,7 @@
 
 namespace patina {
 
-/// One thing that an axis of a sheet may be of.
+/// Represents one thing that an axis of a sheet may be of.
 struct AxisOffer {
     SheetAxis axis;                ///< of a number: with its slider's range; else of all there is
     std::string label;             ///< for people

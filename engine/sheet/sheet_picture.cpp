@@ -13,7 +13,7 @@ constexpr float background = 0.13f;  ///< of the display
 constexpr double displayGamma = 2.2; ///< for that grey alone, which no cell has
 constexpr int maxScale = 4;
 
-/// The cells' share that a label's square takes: letters are legible, and a few words fit.
+/// Returns the cells' share that a label's square takes: letters are legible, and a few words fit.
 int scaleFor(int cellPixels) {
     return std::clamp(cellPixels / 64, 1, maxScale);
 }

@@ -15,8 +15,8 @@
 namespace patina {
 namespace {
 
-/// The scene that an axis is planned in: the start, or the first model of the other axis that has
-/// the value.
+/// Returns the scene that an axis is planned in: the start, or the first model of the other axis
+/// that has the value.
 Scene sceneFor(const SheetAxis& axis, const SheetAxis* other, const Scene& start,
                std::size_t object, const Catalog& catalog) {
     if (axis.kind != AxisKind::Value || other == nullptr || other->kind != AxisKind::Models ||
@@ -61,7 +61,7 @@ Result<PlannedAxis> tried(const SheetAxis& axis, const Scene& scene, std::size_t
     return planned;
 }
 
-/// What limitMistakes() says, without places in a file.
+/// Returns what limitMistakes() says, without places in a file.
 Errors mistakesOf(const Sheet& sheet) {
     Errors errors = limitMistakes(sheet);
     for (Error& error : errors) {
@@ -70,8 +70,8 @@ Errors mistakesOf(const Sheet& sheet) {
     return errors;
 }
 
-/// The order in which a cell takes on its axes: see AxisKind; of values, one that sets others
-/// first.
+/// Returns the order in which a cell takes on its axes: see AxisKind; of values, one that sets
+/// others first.
 std::pair<AxisKind, bool> orderOf(const PlannedAxis& axis) {
     return {axis.axis.kind, !axis.setsOthers};
 }

@@ -13,7 +13,7 @@
 
 namespace patina {
 
-/// One step of an axis.
+/// Represents one step of an axis.
 struct SheetStep {
     std::string entry; ///< as SheetAxis::entries has it
     std::string label; ///< for people
@@ -21,7 +21,7 @@ struct SheetStep {
     friend bool operator==(const SheetStep&, const SheetStep&) = default;
 };
 
-/// An axis whose steps are known.
+/// Represents an axis whose steps are known.
 struct PlannedAxis {
     SheetAxis axis;
     std::string title;            ///< for people: "Metalness", "Key: Intensity (EV)", "Model"
@@ -54,7 +54,8 @@ class SheetPlan {
     std::string rowLabel(int row) const; ///< "Start" of the control row; empty without a y axis
     std::string cellLabel(int column, int row) const; ///< "Metalness 0.5, Smoothness 0"
 
-    /// The sheet with the steps that its axes have, also where they were all that there are.
+    /// Returns the sheet with the steps that its axes have, also where they were all that there
+    /// are.
     Sheet shown(Sheet sheet) const;
 
     /// Returns the scene of a cell: the start in the control row. An error where the cell cannot

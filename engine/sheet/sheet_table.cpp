@@ -6,7 +6,7 @@
 namespace patina {
 namespace {
 
-/// A field as RFC 4180 has it.
+/// Returns a field as RFC 4180 has it.
 std::string quoted(const std::string& text) {
     if (text.find_first_of(",\"\n\r") == std::string::npos) {
         return text;

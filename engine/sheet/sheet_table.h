@@ -13,8 +13,8 @@ struct CellRow {
     std::string problem{}; ///< why there is no picture; empty where there is one
 };
 
-/// The cells as comma-separated values with a line of names: where each is, what its axes are at,
-/// its numbers, and why there is none. Milliseconds, relative error, albedo.
+/// Returns the cells as comma-separated values with a line of names: where each is, what its axes
+/// are at, its numbers, and why there is none. Milliseconds, relative error, albedo.
 std::string sheetCsv(const SheetPlan& plan, const std::vector<CellRow>& cells);
 
 /// Returns "1.2 ms", "error 0.003", "albedo 0.82": a line for each of these kinds, empty where

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
-/// How often memory and time are looked at: in so much time little more can be filled.
+/// Is how often memory and time are looked at: in so much time little more can be filled.
 constexpr auto watchEvery = 10ms;
 
 /// A process that ended with so much of its memory in use had too little of it.

@@ -9,8 +9,8 @@
 
 namespace patina {
 
-/// A line that the process which tries blocks writes: that a trial begins, what is tried once its
-/// files are read, or what came of it.
+/// Represents a line that the process which tries blocks writes: that a trial begins, what is tried
+/// once its files are read, or what came of it.
 struct TrialReport {
     std::string block; ///< "<kind>/<id>"; empty: no block can be tried on this machine
     bool isDone = false;
@@ -18,7 +18,7 @@ struct TrialReport {
     Errors mistakes{};
 };
 
-/// One line of JSON without its end. At most 20 mistakes, with texts of 2000 bytes at most.
+/// Returns one line of JSON without its end. At most 20 mistakes, with texts of 2000 bytes at most.
 std::string toLine(const TrialReport& report);
 
 /// Nothing when the line is something else.

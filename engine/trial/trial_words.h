@@ -3,7 +3,7 @@
 
 namespace patina {
 
-/// The command by which the program tries blocks. It is in no help: nobody types it.
+/// Is the command by which the program tries blocks. It is in no help: nobody types it.
 inline constexpr const char* trialCommandWord = "try-blocks";
 
 } // namespace patina

@@ -22,7 +22,7 @@ struct SidePicture {
 
 /// Two ways to draw the picture of one scene.
 struct ComparedPicture {
-    /// What side B was given: it shows the objects' own materials until its material is another.
+    /// Is what side B was given: it shows the objects' own materials until its material is another.
     Material material;
     std::optional<SidePicture> first; ///< of side A; absent: the scene's own
     std::optional<SidePicture> second;

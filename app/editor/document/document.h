@@ -30,11 +30,11 @@ class DocumentCommand;
 /// place, as a preset is.
 enum class MaterialEdit { Changed, Applied };
 
-/// What users want values to be where a model is chosen anew: model's id -> "parameters" as in a
-/// preset.
+/// Says what users want values to be where a model is chosen anew: model's id -> "parameters" as in
+/// a preset.
 using StartValues = std::map<std::string, nlohmann::json, std::less<>>;
 
-/// Images by the ids of the values that they are laid on; nothing: one is taken away.
+/// Represents images by the ids of the values that they are laid on; nothing: one is taken away.
 using TextureEdits = std::map<std::string, std::optional<TextureUse>, std::less<>>;
 
 /// Holds the truth of an editing session as values. Widgets show it and ask it to change; every
@@ -50,7 +50,8 @@ class Document : public QObject {
     // What there is.
     const DocumentState& state() const { return state_; }
     const Scene& scene() const { return state_.scene; }
-    /// The scene as one side shows it: all but A have a material of theirs on the current object.
+    /// Returns the scene as one side shows it: all but A have a material of theirs on the current
+    /// object.
     const Scene& scene(Side side) const;
     /// The same without what is laid over it while ways to draw the picture are compared.
     Scene ownScene(Side side) const;
@@ -66,7 +67,7 @@ class Document : public QObject {
     std::shared_ptr<const Catalog> sharedCatalog() const { return catalog_; }
     void setCatalog(std::shared_ptr<const Catalog> catalog);
 
-    /// Values that a chosen model has where nothing carries over.
+    /// Returns values that a chosen model has where nothing carries over.
     const StartValues& startValues() const { return startValues_; }
     void setStartValues(StartValues values) { startValues_ = std::move(values); }
 
@@ -115,8 +116,8 @@ class Document : public QObject {
     // Undo.
     QUndoStack& undoStack() { return undoStack_; }
     bool isModified() const { return !undoStack_.isClean(); }
-    /// The material of a place as it was opened or applied, before what was edited of it since;
-    /// null where there is none.
+    /// Returns the material of a place as it was opened or applied, before what was edited of it
+    /// since; null where there is none.
     const Material* originalMaterial(MaterialPlace place) const;
     /// Edits in one undo step, which also takes the camera back where they moved it.
     void editAsOneStep(const QString& label, const std::function<void()>& edits);

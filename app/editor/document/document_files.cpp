@@ -15,11 +15,11 @@ namespace patina {
 
 namespace {
 
-/// Where a scene file keeps side B, and the number of the object that has it.
+/// Is where a scene file keeps side B, and the number of the object that has it.
 const char* const compareKey = "compare";
 const char* const compareObjectKey = "compareObject";
 
-/// Where it keeps sides C and D.
+/// Is where it keeps sides C and D.
 const char* const compareFurtherKey = "compareFurther";
 
 /// Where it keeps what the sides' views have of their own, from A on.
@@ -27,8 +27,8 @@ const char* const compareViewsKey = "compareViews";
 
 const char* const snapshotsKey = "snapshots";
 
-/// What a scene file has of sides that are compared: materials that are no object's, and what is
-/// not the scene's.
+/// Says what a scene file has of sides that are compared: materials that are no object's, and what
+/// is not the scene's.
 struct ComparedSides {
     std::optional<Material> second;
     std::vector<Material> further;

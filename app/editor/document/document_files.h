@@ -29,10 +29,10 @@ class DocumentFiles : public QObject {
     const DocumentFile& file() const { return file_; }
     /// The file is a preset, and more than the material it holds was changed.
     bool outgrewPreset() const;
-    /// What is shown was recovered and not saved since.
+    /// Tells whether what is shown was recovered and not saved since.
     bool isRecovered() const { return isRecovered_; }
 
-    /// A new, untitled document that starts as this scene.
+    /// Begins a new, untitled document that starts as this scene.
     void startFrom(const Scene& scene);
     bool openScene(const std::filesystem::path& path, const ReadingRights& rights = {});
     /// Opens a scene as a new, untitled document (the default scene).
@@ -53,7 +53,7 @@ class DocumentFiles : public QObject {
     Scene sceneToRecover() const;
     bool saveScene(const std::filesystem::path& path);
     bool savePreset(const std::filesystem::path& path, Side side);
-    /// Whether presets that are saved keep the values that only other models use. The document
+    /// Sets whether presets that are saved keep the values that only other models use. The document
     /// does, and so do scenes.
     void setKeepsParked(bool keeps) { keepsParked_ = keeps; }
     /// Saves under a name: the preset that is the document is then called so itself.

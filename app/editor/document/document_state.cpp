@@ -57,7 +57,7 @@ auto findBlockValues(State& state, const BlockPath& path) -> decltype(state.scen
     return material ? findInMaterial(*material, path.kind) : nullptr;
 }
 
-/// What owns the settings that go by a word.
+/// Returns what owns the settings that go by a word.
 BlockOwner ownerOfSettings(std::string_view word) {
     return word == settings::scene || word == settings::camera ? BlockOwner::Scene
            : word == settings::object                          ? BlockOwner::Object

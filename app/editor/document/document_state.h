@@ -15,8 +15,8 @@
 
 namespace patina {
 
-/// The materials that are compared. A is the object's own, B the second one, C and D are further
-/// ones.
+/// Holds the materials that are compared. A is the object's own, B the second one, C and D are
+/// further ones.
 enum class Side { A, B, C, D };
 
 inline constexpr std::array sides{Side::A, Side::B, Side::C, Side::D};
@@ -35,7 +35,7 @@ struct MaterialPreview {
     friend bool operator==(const MaterialPreview&, const MaterialPreview&) = default;
 };
 
-/// A look that was kept under a name.
+/// Represents a look that was kept under a name.
 struct Snapshot {
     std::string name;
     Material material;
@@ -87,10 +87,11 @@ struct MaterialPlace {
     friend bool operator==(const MaterialPlace&, const MaterialPlace&) = default;
 };
 
-/// The path of what is of a kind, or one of `settings`.
+/// Returns the path of what is of a kind, or one of `settings`.
 BlockPath pathOf(std::string_view kind, int index = 0, Side side = Side::A);
 
-/// The scene as one side shows it: all but A have a material of theirs on the current object.
+/// Returns the scene as one side shows it: all but A have a material of theirs on the current
+/// object.
 Scene shownScene(const DocumentState& state, int object, Side side);
 
 /// The same without what is laid over it where ways to draw its picture are compared.
@@ -99,7 +100,7 @@ Scene ownScene(const DocumentState& state, int object, Side side);
 /// Returns what a side's view has of its own; all is linked where nothing is compared.
 const OwnView& ownView(const DocumentState& state, Side side);
 
-/// The path of the environment that a side's view shows: its own one or the scene's.
+/// Returns the path of the environment that a side's view shows: its own one or the scene's.
 BlockPath environmentPath(const DocumentState& state, Side side);
 
 /// Returns what is laid over a side's scene while its picture is compared; null: nothing.
@@ -114,7 +115,7 @@ bool hasSecondMaterial(const DocumentState& state);
 /// Tells whether a side has a material that is not the object's.
 bool hasOwnMaterial(const DocumentState& state, Side side);
 
-/// How many sides are shown: from 1, where nothing is compared.
+/// Returns how many sides are shown: from 1, where nothing is compared.
 std::size_t shownSides(const DocumentState& state);
 
 /// Tells whether values at this path may have images.
@@ -123,22 +124,23 @@ bool takesTextures(const BlockPath& path);
 /// Returns the key of a value's image in Material::textures.
 std::string textureKey(const BlockPath& path, std::string_view parameterId);
 
-/// The material a path lies in; null when the object or the side is not there.
+/// Returns the material a path lies in; null when the object or the side is not there.
 const Material* materialAt(const DocumentState& state, int object, Side side);
 Material* materialAt(DocumentState& state, int object, Side side);
 
-/// The material that side A of an object has where it shows another one just to be looked at, with
-/// what was edited of it since; nothing where it shows its own.
+/// Returns the material that side A of an object has where it shows another one just to be looked
+/// at, with what was edited of it since; nothing where it shows its own.
 std::optional<Material> materialAside(const DocumentState& state, int object);
 
-/// The block values a path names; null for settings and for what is not there.
+/// Returns the block values a path names; null for settings and for what is not there.
 const BlockValues* blockValuesAt(const DocumentState& state, const BlockPath& path);
 BlockValues* blockValuesAt(DocumentState& state, const BlockPath& path);
 
-/// The parts of the scene or of one of its lights that a path lies in; null where it is not there.
+/// Returns the parts of the scene or of one of its lights that a path lies in; null where it is not
+/// there.
 BlockParts* scenePartsAt(DocumentState& state, const BlockPath& path);
 
-/// A value as it is stored; nothing when it is not stored (its default counts then).
+/// Returns a value as it is stored; nothing when it is not stored (its default counts then).
 std::optional<Value> storedValue(const DocumentState& state, const BlockPath& path,
                                  std::string_view parameterId);
 

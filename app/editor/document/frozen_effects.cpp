@@ -53,7 +53,7 @@ bool areCompared(const Block& block, const Parameter& one, const Parameter& othe
            });
 }
 
-/// The value that the parameter has where it is the same as this one.
+/// Returns the value that the parameter has where it is the same as this one.
 Value equalTo(const Parameter& parameter, const Value& other) {
     const auto* number = std::get_if<double>(&other);
     const auto* triple = std::get_if<glm::dvec3>(&other);
@@ -64,8 +64,8 @@ Value equalTo(const Parameter& parameter, const Value& other) {
                       : other;
 }
 
-/// Values at which a program may lose an effect: the ends of the slider, 0, and every value that
-/// this one is compared with.
+/// Returns values at which a program may lose an effect: the ends of the slider, 0, and every value
+/// that this one is compared with.
 std::vector<Value> edgesOf(const DocumentState& state, const BlockPath& path,
                            const Parameter& parameter, const Catalog& catalog) {
     std::vector<Value> edges{filled(parameter, 0.0), filled(parameter, parameter.softMin),
@@ -80,7 +80,7 @@ std::vector<Value> edgesOf(const DocumentState& state, const BlockPath& path,
     return edges;
 }
 
-/// A value where the effect is there: none of the edges.
+/// Returns a value where the effect is there: none of the edges.
 Value apart(const Parameter& parameter, const std::vector<Value>& edges) {
     const Value usual = inside(parameter);
     const bool isEdge = std::find(edges.begin(), edges.end(), usual) != edges.end();
@@ -103,7 +103,7 @@ Keys keysOf(const DocumentState& state, const BlockPath& path, const Catalog& ca
             isSeen(state.scene.ground) ? 1u : 0u, EffectKey::ofDisplay(state.scene, catalog)};
 }
 
-/// What a drag of the parameter may come by, as far as it makes other programs.
+/// Returns what a drag of the parameter may come by, as far as it makes other programs.
 std::vector<Value> reachedValues(const Parameter& parameter) {
     const ParameterTypeInfo& info = infoOf(parameter.type);
     if (info.function != nullptr) {

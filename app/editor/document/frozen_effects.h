@@ -42,13 +42,13 @@ class FrozenEffects {
     /// Tells whether the document by itself calls for other programs than the held ones.
     bool differs(const DocumentState& state, const Catalog& catalog) const;
 
-    /// The scene whose effects a side's programs have; null while nothing is held.
+    /// Returns the scene whose effects a side's programs have; null while nothing is held.
     const Scene* scene(Side side) const;
 
   private:
     struct Held {
         DocumentState state;
-        /// What the sides show, where that is not the state's scene.
+        /// Is what the sides show, where that is not the state's scene.
         std::array<std::optional<Scene>, patina::sides.size()> shown;
         int object = -1;
         BlockPath path;

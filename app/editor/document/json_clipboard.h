@@ -9,7 +9,7 @@
 
 namespace patina {
 
-/// A JSON text that was copied.
+/// Represents a JSON text that was copied.
 struct CopiedJson {
     LocatedJson json; ///< of no file
 
@@ -17,7 +17,7 @@ struct CopiedJson {
     /// wrote it.
     bool isTrusted = false;
 
-    /// What it says that it is; empty: nothing.
+    /// Returns what it says that it is; empty: nothing.
     std::string format() const;
 };
 
@@ -30,7 +30,7 @@ Result<CopiedJson> copiedJson();
 /// Tells whether it looks like JSON, at no cost.
 bool hasCopiedJson();
 
-/// An error, or errors, in what was copied: it is called the clipboard.
+/// Returns an error, or errors, in what was copied: it is called the clipboard.
 Error inClipboard(Error error);
 Errors inClipboard(Errors errors);
 

@@ -14,7 +14,7 @@ namespace {
 constexpr const char* environmentKey = "environment";
 constexpr const char* switchedOffKey = "switchedOff";
 
-/// A number of stops as the scene takes them.
+/// Returns a number of stops as the scene takes them.
 double inRange(double stops) {
     for (const Descriptor& descriptor : settingsDescriptors()) {
         const Parameter* parameter = descriptor.block.parameter(exposureSetting);

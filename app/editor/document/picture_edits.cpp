@@ -6,7 +6,7 @@
 namespace patina {
 namespace {
 
-/// The values of a block that differ from those that are there.
+/// Sets the values of a block that differ from those that are there.
 void setValues(Document& document, const BlockPath& path, const BlockValues& wanted) {
     for (const auto& [id, value] : wanted.parameters) {
         document.setValue(path, id, value);

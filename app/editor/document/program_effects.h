@@ -14,7 +14,8 @@ class ProgramEffects : public QObject {
   public:
     explicit ProgramEffects(Document& document, QObject* parent = nullptr);
 
-    /// The scene whose effects a side's programs have while a value is dragged; null: its own.
+    /// Returns the scene whose effects a side's programs have while a value is dragged; null: its
+    /// own.
     const Scene* scene(Side side) const { return frozen_.scene(side); }
 
   Q_SIGNALS:

@@ -21,7 +21,7 @@
 namespace patina {
 namespace {
 
-/// The way that the light of a block takes; null where it has none of its own.
+/// Returns the way that the light of a block takes; null where it has none of its own.
 const Parameter* wayOf(const Block& block) {
     const auto found = std::ranges::find_if(block.parameters, [](const Parameter& parameter) {
         return parameter.space == Space::WorldDirection;
@@ -35,7 +35,7 @@ const Element* at(const std::vector<Element>& list, int index) {
     return isInside ? &list[static_cast<std::size_t>(index)] : nullptr;
 }
 
-/// A light from very far away whose brightness can be set; null: there is none.
+/// Returns a light from very far away whose brightness can be set; null: there is none.
 const Block* farLight(const Catalog& catalog) {
     const std::vector<const Block*> all = catalog.ofKind(kinds::lights);
     const auto found = std::ranges::find_if(all, [](const Block* block) {
@@ -85,7 +85,8 @@ Names namesOf(const Scene& scene, std::string Object::*which) {
     return names;
 }
 
-/// The name, or the first of "name 2", "name 3" ... that is free; a number at its end counts on.
+/// Returns the name, or the first of "name 2", "name 3" ... that is free; a number at its end
+/// counts on.
 std::string unusedName(const Names& taken, const std::string& name) {
     const std::size_t letters = name.find_last_not_of("0123456789");
     const bool isNumbered = letters != std::string::npos && letters + 1 < name.size() &&

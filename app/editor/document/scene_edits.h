@@ -54,9 +54,9 @@ void setLighting(Document& document, const Scene& from);
 /// that, and where there are no lamps.
 bool takeLampsOut(Document& document, const EnvironmentLamps& lamps);
 
-/// The file of the picture of the environment that a side shows; empty where it needs none.
+/// Returns the file of the picture of the environment that a side shows; empty where it needs none.
 std::string_view environmentPicture(const Document& document, Side side);
-/// The files of those of all sides that are shown.
+/// Returns the files of those of all sides that are shown.
 std::set<std::string, std::less<>> environmentPictures(const Document& document);
 /// Lights the scene, or the active view where its environment is its own, with a picture: of the
 /// environment if it shows one, else of the first kind that does.

@@ -13,8 +13,8 @@ namespace patina {
 /// demand.
 class ShownScenes {
   public:
-    /// The scene as a side shows it, with the side's material on this object; valid until the state
-    /// changes.
+    /// Returns the scene as a side shows it, with the side's material on this object; valid until
+    /// the state changes.
     const Scene& scene(const DocumentState& state, int object, Side side);
 
     /// A value of the state has changed. It is changed in place: copying a scene for a slider's

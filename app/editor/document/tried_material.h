@@ -5,8 +5,8 @@
 
 namespace patina {
 
-/// A material that a side shows on the current object just to be tried. The document does not know
-/// it: it is no edit and in no file, and it goes with the next edit.
+/// Represents a material that a side shows on the current object just to be tried. The document
+/// does not know it: it is no edit and in no file, and it goes with the next edit.
 class TriedMaterial : public QObject {
     Q_OBJECT
 
@@ -19,7 +19,7 @@ class TriedMaterial : public QObject {
 
     bool isShown() const { return shown_.has_value(); }
     bool isShown(const QString& what) const { return shown_ && shown_->what == what; }
-    /// What the side shows in place of the document's scene; null: nothing.
+    /// Returns what the side shows in place of the document's scene; null: nothing.
     const Scene* scene(Side side) const;
 
   Q_SIGNALS:

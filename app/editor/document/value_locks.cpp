@@ -12,10 +12,11 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// The key, in what files keep without knowing it: kind -> ids.
+/// Is the key, in what files keep without knowing it: kind -> ids.
 constexpr const char* lockedKey = "locked";
 
-/// Where the owner of the values keeps what only the editor knows; null where it is not there.
+/// Returns where the owner of the values keeps what only the editor knows; null where it is not
+/// there.
 template <class State>
 auto keptAt(State& state, const BlockPath& path) -> decltype(&state.scene.extras) {
     const auto index = static_cast<std::size_t>(path.index);

@@ -11,7 +11,7 @@
 
 namespace patina {
 
-/// The ids of the values that are locked, in order.
+/// Returns the ids of the values that are locked, in order.
 std::vector<std::string> lockedValues(const DocumentState& state, const BlockPath& path);
 bool isLocked(const DocumentState& state, const BlockPath& path, std::string_view parameterId);
 

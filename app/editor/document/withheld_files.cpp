@@ -13,7 +13,7 @@ namespace {
 /// Where the reader of scenes keeps the path of a preset that it did not read.
 const char* const unreadPreset = "damagedPreset";
 
-/// Every place of a material that a document has.
+/// Returns every place of a material that a document has.
 std::vector<MaterialPlace> materialPlaces(const DocumentState& state, int currentObject) {
     std::vector<MaterialPlace> places;
     for (int i = 0; i < static_cast<int>(state.scene.objects.size()); ++i) {

@@ -6,8 +6,8 @@
 
 namespace patina {
 
-/// A field in which a point is dragged; x and y run from 0 to 1, y upwards. The base of the
-/// picker's two fields: they only paint differently.
+/// Represents a field in which a point is dragged; x and y run from 0 to 1, y upwards. The base of
+/// the picker's two fields: they only paint differently.
 class ColorArea : public QWidget {
     Q_OBJECT
 

@@ -25,7 +25,7 @@ ColorEditor::ColorEditor(const Parameter& parameter, QWidget* parent)
             [this](const glm::dvec3& wanted) { Q_EMIT edited(Value(wanted)); });
 }
 
-/// The popup that the editor stands in; null where it stands in a window or a dock.
+/// Returns the popup that the editor stands in; null where it stands in a window or a dock.
 QWidget* ColorEditor::popup() const {
     return window()->windowType() == Qt::Popup ? window() : nullptr;
 }

@@ -10,7 +10,7 @@ class ColorSwatch;
 class Eyedropper;
 class HexBox;
 
-/// A swatch that opens a picker, and the colour's sRGB hex.
+/// Represents a swatch that opens a picker, and the colour's sRGB hex.
 class ColorEditor : public ParameterEditor {
     Q_OBJECT
 

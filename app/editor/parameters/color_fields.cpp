@@ -14,7 +14,7 @@ QColor pureHue(double hue) {
     return QColor::fromHsvF(static_cast<float>(hue), 1.0f, 1.0f);
 }
 
-/// A ring that stands out on any colour.
+/// Paints a ring that stands out on any colour.
 void paintRing(QPainter& painter, const QPointF& centre, double radius) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);

@@ -7,7 +7,7 @@
 
 namespace patina {
 
-/// A button that shows a linear colour as it looks on screen.
+/// Represents a button that shows a linear colour as it looks on screen.
 class ColorSwatch : public PreviewButton {
     Q_OBJECT
 

@@ -17,8 +17,8 @@ struct NamedBlock {
     std::string label;
 };
 
-/// The JSON of values of a block, with the images that lie on them: {"format", "version", "kind",
-/// "block", "parameters", "textures"}.
+/// Returns the JSON of values of a block, with the images that lie on them: {"format", "version",
+/// "kind", "block", "parameters", "textures"}.
 nlohmann::json copiedValues(const NamedBlock& block, std::span<const Parameter* const> parameters,
                             const ParameterSource& source);
 
@@ -28,7 +28,7 @@ bool mayReadAll(std::span<const Parameter* const> parameters, const ParameterSou
 /// Tells whether JSON says that it is values of a block.
 bool areCopiedValues(const CopiedJson& copied);
 
-/// What copied values mean to others, and what had to be left out.
+/// Says what copied values mean to others, and what had to be left out.
 struct PastedValues {
     ValueEdits edits;
     Errors problems;

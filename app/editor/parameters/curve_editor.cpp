@@ -63,7 +63,7 @@ CurvePoints pointsOf(const std::vector<Handle>& handles) {
     return points;
 }
 
-/// The square in which the points of a curve are dragged.
+/// Holds the square in which the points of a curve are dragged.
 class CurveField : public HandleArea {
   public:
     CurveField(const Parameter& parameter, QWidget* parent)

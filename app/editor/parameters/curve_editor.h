@@ -9,7 +9,7 @@ namespace patina {
 class CurvePopup;
 class PreviewButton;
 
-/// The curve as a small picture, which opens a popup that edits it.
+/// Holds the curve as a small picture, which opens a popup that edits it.
 class CurveEditor : public ParameterEditor {
     Q_OBJECT
 

@@ -8,7 +8,7 @@ namespace patina {
 /// Returns the editor of a parameter's type.
 ParameterEditor* makeEditor(const Parameter& parameter, QWidget* parent);
 
-/// What makes the editors of each type; each stands beside its editor.
+/// Declares what makes the editors of each type; each stands beside its editor.
 #define PATINA_EDITOR_MAKER(name)                                                                  \
     ParameterEditor* make##name##Editor(const Parameter& parameter, QWidget* parent);
 PATINA_PARAMETER_TYPES(PATINA_EDITOR_MAKER)

@@ -16,8 +16,8 @@ class ParameterForm;
 class ParameterRow;
 class ParameterSection;
 
-/// What can be done to a value of a form, to a group of them or to all, by their menus and keys:
-/// copy, paste, reset, random values, locks.
+/// Says what can be done to a value of a form, to a group of them or to all, by their menus and
+/// keys: copy, paste, reset, random values, locks.
 class FormMenu : public QObject {
     Q_OBJECT
 

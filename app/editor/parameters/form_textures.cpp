@@ -16,7 +16,7 @@ bool takesImage(const Parameter& parameter) {
     return !parameter.textureChannels.empty();
 }
 
-/// An image as it lies at first. One on a number that goes beyond 1 darkens it.
+/// Returns an image as it lies at first. One on a number that goes beyond 1 darkens it.
 TextureUse firstUse(const Parameter& parameter, const QString& file) {
     TextureUse use = textureUse(parameter.id, file.toStdString());
     if (parameter.type == ParameterType::Float && parameter.max > 1.0) {

@@ -61,7 +61,8 @@ std::optional<std::size_t> HandleArea::handleNear(const QPointF& pixel) const {
     return nearest;
 }
 
-/// The nearest to x that is between the neighbours of a handle; nothing where they are too close.
+/// Returns the nearest to x that is between the neighbours of a handle; nothing where they are too
+/// close.
 std::optional<double> HandleArea::roomFor(double x, std::size_t index) const {
     const double low = index == 0 ? 0.0 : handles_[index - 1].x + limits_.gap;
     const double high = index + 1 < handles_.size() ? handles_[index + 1].x - limits_.gap : 1.0;

@@ -19,11 +19,11 @@ struct Handle {
     friend bool operator==(const Handle&, const Handle&) = default;
 };
 
-/// A field in which handles are chosen, dragged, added with a click and removed by dragging them
-/// out. One that is dragged past another takes a place behind it and stays the chosen one. Arrows
-/// move the chosen one between its neighbours, page keys choose another, Delete removes it, Esc
-/// takes a drag back. Handles stand by rising x and keep a distance. What it asks for it shows at
-/// once; the document's answer comes through setHandles().
+/// Represents a field in which handles are chosen, dragged, added with a click and removed by
+/// dragging them out. One that is dragged past another takes a place behind it and stays the chosen
+/// one. Arrows move the chosen one between its neighbours, page keys choose another, Delete removes
+/// it, Esc takes a drag back. Handles stand by rising x and keep a distance. What it asks for it
+/// shows at once; the document's answer comes through setHandles().
 class HandleArea : public QWidget {
     Q_OBJECT
 
@@ -40,7 +40,7 @@ class HandleArea : public QWidget {
     void setHandles(const std::vector<Handle>& handles);
     const std::vector<Handle>& handles() const { return handles_; }
 
-    /// The handle that keys and fields change; none where it was removed.
+    /// Returns the handle that keys and fields change; none where it was removed.
     std::optional<std::size_t> chosen() const { return chosen_; }
     void choose(std::size_t index);
 
@@ -61,9 +61,9 @@ class HandleArea : public QWidget {
   protected:
     /// Returns a new handle at a pixel.
     virtual Handle handleAt(const QPointF& pixel) const = 0;
-    /// A handle that is dragged to a pixel.
+    /// Returns a handle that is dragged to a pixel.
     virtual Handle dragged(const Handle& handle, const QPointF& pixel) const = 0;
-    /// A handle after an arrow key, by so many steps.
+    /// Returns a handle after an arrow key, by so many steps.
     virtual Handle stepped(const Handle& handle, double right, double up) const = 0;
 
     void mousePressEvent(QMouseEvent* event) override;

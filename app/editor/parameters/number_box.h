@@ -31,7 +31,8 @@ class NumberBox : public ValueBox {
     void changeEvent(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
-    /// The value as the field shows it, in full while it is edited; text that reads as the value.
+    /// Returns the value as the field shows it, in full while it is edited; text that reads as the
+    /// value.
     virtual QString textOf(double value) const;
 
   private:

@@ -43,7 +43,7 @@ const Unit* unitNamed(std::string_view name) {
     return nullptr;
 }
 
-/// What one `typed` is in `wanted`; nothing when they do not measure the same thing.
+/// Returns what one `typed` is in `wanted`; nothing when they do not measure the same thing.
 std::optional<double> conversion(std::string_view typed, std::string_view wanted) {
     if (typed == wanted) {
         return 1.0;

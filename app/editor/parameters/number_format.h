@@ -6,12 +6,12 @@
 
 namespace patina {
 
-/// A number as a form shows it: about four significant digits, no trailing zeros, `.` as the
-/// decimal mark. `decimals` is how many places the parameter asks for; small numbers get more, so
-/// that three digits always count.
+/// Returns a number as a form shows it: about four significant digits, no trailing zeros, `.` as
+/// the decimal mark. `decimals` is how many places the parameter asks for; small numbers get more,
+/// so that three digits always count.
 std::string shownNumber(double value, int decimals);
 
-/// A unit as people write it: "deg" is a degree sign, "1/m2" has its exponent raised.
+/// Returns a unit as people write it: "deg" is a degree sign, "1/m2" has its exponent raised.
 std::string shownUnit(std::string_view unit);
 
 } // namespace patina

@@ -52,7 +52,7 @@ class ParameterForm : public QWidget {
     /// Returns the row of a parameter, or null.
     ParameterRow* row(std::string_view parameterId) const;
     std::vector<ParameterRow*> rows() const;
-    /// The rows of a group, in order.
+    /// Returns the rows of a group, in order.
     std::vector<ParameterRow*> rowsOf(std::string_view group) const;
 
     /// A row that is in use stays until it is not.

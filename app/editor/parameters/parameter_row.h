@@ -42,7 +42,7 @@ class ParameterRow : public QWidget {
     bool isFolded() const;
     bool isChanged() const { return isChanged_; }
     bool isCounting() const { return isCounting_; }
-    /// An image lies on the value.
+    /// Tells whether an image lies on the value.
     bool hasTexture() const;
     bool isLocked() const;
     void reset();
@@ -56,7 +56,7 @@ class ParameterRow : public QWidget {
     /// Shows whether what sets a whole group leaves the value alone.
     void setLocked(bool isLocked);
     int labelWidthHint() const;
-    /// The least that the row needs beside its label, its marks included.
+    /// Returns the least that the row needs beside its label, its marks included.
     int widthBesideLabel() const;
     void setLabelWidth(int width);
     /// Returns what Tab goes through, in order.

@@ -9,7 +9,7 @@
 
 namespace patina {
 
-/// A value as a form writes it: few digits, the unit, the label of a choice.
+/// Returns a value as a form writes it: few digits, the unit, the label of a choice.
 QString shownValue(const Parameter& parameter, const Value& value);
 
 /// Returns what hovering over a parameter says, in plain words.

@@ -7,7 +7,7 @@
 
 namespace patina {
 
-/// A button that shows a value as a small picture.
+/// Represents a button that shows a value as a small picture.
 class PreviewButton : public QAbstractButton {
     Q_OBJECT
 

@@ -34,7 +34,7 @@ QColor shown(const glm::dvec3& linear) {
                             static_cast<float>(encoded.z));
 }
 
-/// The colours as the screen shows them, a column each.
+/// Paints the colours as the screen shows them, a column each.
 void paintRamp(QPainter& painter, const QRectF& place, const Ramp& ramp) {
     QImage colors(std::max(1, static_cast<int>(2.0 * place.width())), 1, QImage::Format_RGB32);
     for (int i = 0; i < colors.width(); ++i) {
@@ -43,7 +43,7 @@ void paintRamp(QPainter& painter, const QRectF& place, const Ramp& ramp) {
     painter.drawImage(place, colors);
 }
 
-/// A strip of the ramp's colours with the stops under it.
+/// Represents a strip of the ramp's colours with the stops under it.
 class RampStrip : public HandleArea {
   public:
     explicit RampStrip(QWidget* parent) : HandleArea({1, maxRampStops, minRampGap}, parent) {
@@ -113,7 +113,7 @@ class RampStrip : public HandleArea {
         return std::clamp((pixel.x() - colors().left()) / colors().width(), 0.0, 1.0);
     }
 
-    /// A house whose roof points at the place.
+    /// Paints a house whose roof points at the place.
     void paintStop(QPainter& painter, const Handle& handle, bool isChosen) const {
         const double x = pixelOf(handle).x();
         const double top = colors().bottom() + 1.0;

@@ -9,7 +9,7 @@ namespace patina {
 class PreviewButton;
 class RampPopup;
 
-/// The ramp as a strip of its colours, which opens a popup that edits it.
+/// Holds the ramp as a strip of its colours, which opens a popup that edits it.
 class RampEditor : public ParameterEditor {
     Q_OBJECT
 

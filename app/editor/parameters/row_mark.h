@@ -5,8 +5,8 @@
 
 namespace patina {
 
-/// A small mark beside a value that can be pressed. The row's menu does the same from the keyboard,
-/// so it takes no focus.
+/// Represents a small mark beside a value that can be pressed. The row's menu does the same from
+/// the keyboard, so it takes no focus.
 class RowMark : public QAbstractButton {
     Q_OBJECT
 

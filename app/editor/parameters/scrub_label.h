@@ -5,8 +5,9 @@
 
 namespace patina {
 
-/// A label that can be dragged sideways to change the number it names. It tells the way that was
-/// dragged; what that means is its number's business. A plain label until it is made draggable.
+/// Represents a label that can be dragged sideways to change the number it names. It tells the way
+/// that was dragged; what that means is its number's business. A plain label until it is made
+/// draggable.
 class ScrubLabel : public QLabel {
     Q_OBJECT
 

@@ -28,8 +28,9 @@ class SliderRange {
     double positionOf(double value) const;
     double valueAt(double position) const;
 
-    /// The value at a position, rounded to a power of ten that is finer than `span` (a share of the
-    /// slider's length, such as one pixel), so that a drag gives numbers a person would type.
+    /// Returns the value at a position, rounded to a power of ten that is finer than `span` (a
+    /// share of the slider's length, such as one pixel), so that a drag gives numbers a person
+    /// would type.
     double tidyValueAt(double position, double span) const;
 
     /// Like tidyValueAt, but positions go on past both ends as far as the hard range.

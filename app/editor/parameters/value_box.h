@@ -8,8 +8,8 @@ namespace patina {
 /// Tells whether a field is asked if a key for undo or redo is its own.
 bool asksForUndo(const QEvent& event);
 
-/// A field in which a value is typed. Enter or leaving it asks for what was typed, Esc takes the
-/// typing back; undo is the document's except while there is typing to take back.
+/// Represents a field in which a value is typed. Enter or leaving it asks for what was typed, Esc
+/// takes the typing back; undo is the document's except while there is typing to take back.
 class ValueBox : public QLineEdit {
     Q_OBJECT
 

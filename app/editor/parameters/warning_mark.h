@@ -5,7 +5,8 @@
 
 namespace patina {
 
-/// A warning triangle that says in its tooltip what is unusual. Empty text: nothing to see.
+/// Represents a warning triangle that says in its tooltip what is unusual. Empty text: nothing to
+/// see.
 class WarningMark : public QWidget {
     Q_OBJECT
 

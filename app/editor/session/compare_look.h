@@ -13,7 +13,7 @@ enum class CompareMode { SideBySide, Wipe, Flip, Onion, Blink, Difference };
 /// Tells where views stand that are side by side.
 enum class ViewArrangement { Grid, Row, Column };
 
-/// How A and B are compared, as it is chosen and remembered.
+/// Says how A and B are compared, as it is chosen and remembered.
 struct CompareLook {
     CompareMode mode = CompareMode::SideBySide;
     double wipe = 0.5;      ///< 0 .. 1, the share of the picture that A has
@@ -44,16 +44,16 @@ struct CompareModeRow {
     bool isComposed() const;
 };
 
-/// All modes, in the order in which they are offered.
+/// Returns all modes, in the order in which they are offered.
 std::span<const CompareModeRow> compareModes();
 const CompareModeRow& rowOf(CompareMode mode);
 
-/// The mode that is called so; side by side where there is none.
+/// Returns the mode that is called so; side by side where there is none.
 CompareMode compareModeCalled(const QString& id);
 
-/// The look with its number at this share of its range, 0 .. 1.
+/// Returns the look with its number at this share of its range, 0 .. 1.
 CompareLook withAmount(CompareLook look, double share);
-/// Where in its range the number is; 0 where the mode has none.
+/// Returns where in its range the number is; 0 where the mode has none.
 double amountOf(const CompareLook& look);
 
 /// Returns an angle within -180 .. 180 degrees.

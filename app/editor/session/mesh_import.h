@@ -3,7 +3,7 @@
 
 namespace patina {
 
-/// How a mesh file becomes an object.
+/// Says how a mesh file becomes an object.
 struct MeshImport {
     bool fits = true;   ///< into a unit box, before the scale
     double scale = 1.0; ///< metres of one unit of the file

@@ -22,7 +22,7 @@ class MessageLog : public QObject {
     /// Returns all messages: the groups first, then the events, oldest first.
     Errors messages() const;
     int count() const;
-    /// How many of them are notes.
+    /// Returns how many of them are notes.
     int noteCount() const;
 
     void add(const Error& event);

@@ -22,8 +22,8 @@ std::filesystem::path xdgFolder(const char* variable, const char* fallback) {
     return std::filesystem::path(base.toStdString()) / "patina";
 }
 
-/// Where what is remembered lies. In place of what is there and is no ordinary file comes a name
-/// that no file can have: nothing is then remembered longer than the program runs.
+/// Returns where what is remembered lies. In place of what is there and is no ordinary file comes a
+/// name that no file can have: nothing is then remembered longer than the program runs.
 QString settingsFile() {
     const std::filesystem::path file = configFolder() / "patina.ini";
     std::error_code ignored; // it is refused then

@@ -48,19 +48,19 @@ class Session {
     MouseHabits mouseHabits() const;
     void setMouseHabits(const MouseHabits& habits);
 
-    /// The keys that the user gave a command, by its name in the menus ("File/Save"); nothing where
-    /// it has its usual ones.
+    /// Returns the keys that the user gave a command, by its name in the menus ("File/Save");
+    /// nothing where it has its usual ones.
     std::optional<QString> keysOf(const QString& command) const;
     void setKeysOf(const QString& command, const std::optional<QString>& keys);
 
-    /// Whether lights are drawn into the views.
+    /// Tells whether lights are drawn into the views.
     bool showsLights() const;
     void setShowsLights(bool shows);
 
     CompareLook compareLook() const;
     void setCompareLook(const CompareLook& look);
 
-    /// Whether preset files keep what only other models use.
+    /// Tells whether preset files keep what only other models use.
     bool keepsParked() const;
     void setKeepsParked(bool keeps);
 
@@ -73,8 +73,8 @@ class Session {
     QStringList presets(Presets which) const;
     void setPresets(Presets which, const QStringList& paths);
 
-    /// How the preset library is looked at: the size of pictures, 0 where it was never chosen, as a
-    /// list or not, and the name of an order.
+    /// Says how the preset library is looked at: the size of pictures, 0 where it was never chosen,
+    /// as a list or not, and the name of an order.
     struct PresetsLook {
         int pictureSize = 0;
         bool asList = false;

@@ -131,7 +131,7 @@ void AxisRow::show(const std::optional<SheetAxis>& axis, const Subject& subject)
     showRange();
 }
 
-/// All that there is, and on top what the axis is of where that is not among it.
+/// Lists all that there is, and on top what the axis is of where that is not among it.
 void AxisRow::fillChoices(const Subject& subject) {
     offers_ = subject.offers;
     const bool isKnown = !axis_ || std::ranges::any_of(offers_, [this](const AxisOffer& each) {

@@ -29,7 +29,7 @@ class AxisRow : public QWidget {
 
     explicit AxisRow(Direction direction, QWidget* parent = nullptr);
 
-    /// What an axis may be of, in which scene.
+    /// Says what an axis may be of, in which scene.
     struct Subject {
         const Scene& scene;
         std::size_t object = 0;

@@ -7,7 +7,7 @@
 
 namespace patina {
 
-/// The cells of a sheet as a table, whose headers are the steps of its axes.
+/// Holds the cells of a sheet as a table, whose headers are the steps of its axes.
 class CellTable : public QAbstractTableModel {
     Q_OBJECT
 

@@ -18,8 +18,8 @@ namespace {
 
 using Materials = std::vector<std::pair<int, Material>>; ///< by object
 
-/// The material that a cell gives an object: that of the cell, and of the others that are edited
-/// their own with the cell's values. Nothing where it cannot have them.
+/// Returns the material that a cell gives an object: that of the cell, and of the others that are
+/// edited their own with the cell's values. Nothing where it cannot have them.
 std::optional<Material> materialOf(const SheetPlan& plan, const Scene& cell, std::size_t object,
                                    int column, int row) {
     if (object == plan.object() || plan.isControl(row)) {
@@ -50,8 +50,8 @@ Materials changedMaterials(const Document& document, const SheetPlan& plan, cons
     return changed;
 }
 
-/// The document's scene with what a cell has of lights, environment, fog, objects and the picture;
-/// materials, names and kept views are the document's.
+/// Returns the document's scene with what a cell has of lights, environment, fog, objects and the
+/// picture; materials, names and kept views are the document's.
 Scene sceneAfter(const Scene& held, const Scene& cell) {
     Scene after = cell;
     after.name = held.name;

@@ -14,7 +14,7 @@
 namespace patina {
 namespace {
 
-/// How long the context is kept for the next edit.
+/// Is how long the context is kept for the next edit.
 constexpr std::chrono::seconds patience{3};
 
 bool haveSameSteps(const Sheet& a, const Sheet& b) {
@@ -35,7 +35,7 @@ SheetRefusal refusalOf(const SheetDrawing::Request& request, const Errors& error
 
 } // namespace
 
-/// The renderer of the sheets that are drawn without a rest.
+/// Holds the renderer of the sheets that are drawn without a rest.
 class SheetDrawing::Studio {
   public:
     /// The context is current.
@@ -121,7 +121,7 @@ class SheetDrawing::Studio {
     std::optional<CellMaker> cells_; ///< goes first: it uses what stands above
 };
 
-/// What the worker's thread knows: the last sheet with its cells, and what draws them.
+/// Says what the worker's thread knows: the last sheet with its cells, and what draws them.
 class SheetDrawing::Work {
   public:
     Work(SheetDrawing& drawing, std::filesystem::path programCache)
@@ -214,7 +214,7 @@ SheetDrawing::Work::Cell SheetDrawing::Work::planned(const SheetPlan& plan, cons
     return cell;
 }
 
-/// The cell that was in this place; null: none, or it was of something else.
+/// Returns the cell that was in this place; null: none, or it was of something else.
 const SheetDrawing::Work::Cell* SheetDrawing::Work::before(const SheetPlan& plan,
                                                            const Request& request, int column,
                                                            int row) const {

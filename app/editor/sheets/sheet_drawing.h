@@ -14,7 +14,7 @@
 
 namespace patina {
 
-/// One cell as far as it is made.
+/// Represents one cell as far as it is made.
 struct SheetCell {
     QImage picture{}; ///< null: it is not drawn yet, or cannot be
     CellNumbers numbers{};

@@ -25,7 +25,8 @@ bool mayName(const fs::path& file, const fs::path& preset) {
            fs::equivalent(preset.parent_path(), file.parent_path(), unknown);
 }
 
-/// The first of "name", "name 2", "name 3" ... in the sheet's folder that is free or holds it.
+/// Returns the first of "name", "name 2", "name 3" ... in the sheet's folder that is free or holds
+/// it.
 fs::path presetBeside(const fs::path& file, const std::string& stem, const Material& material,
                       const Catalog& catalog) {
     const auto called = [&](int number) {

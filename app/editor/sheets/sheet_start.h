@@ -10,7 +10,7 @@
 
 namespace patina {
 
-/// What a sheet in the window starts from: what the active side shows, but for cells that were
+/// Says what a sheet in the window starts from: what the active side shows, but for cells that were
 /// taken from the sheet, so that one can be taken after the other and the start again.
 class SheetStart {
   public:
@@ -43,7 +43,7 @@ class SheetStart {
     std::vector<SheetAxis> axes_; ///< what the sheet goes through, without steps
 };
 
-/// The scene without what makes no difference to any picture of it: names and kept views.
+/// Returns the scene without what makes no difference to any picture of it: names and kept views.
 Scene drawnScene(Scene scene);
 
 } // namespace patina

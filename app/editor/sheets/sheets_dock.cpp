@@ -175,7 +175,7 @@ void SheetsDock::follow() {
     drawing_.ask(request());
 }
 
-/// The first two numbers of the model that count.
+/// Chooses the first two numbers of the model that count.
 void SheetsDock::chooseAxes(const std::vector<AxisOffer>& offers) {
     std::vector<SheetAxis> axes;
     for (const AxisOffer& offer : offers) {

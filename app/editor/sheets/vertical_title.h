@@ -5,8 +5,8 @@
 
 namespace patina {
 
-/// A line of text that reads from bottom to top; no wider than a line is high, and nothing without
-/// a text.
+/// Represents a line of text that reads from bottom to top; no wider than a line is high, and
+/// nothing without a text.
 class VerticalTitle : public QWidget {
     Q_OBJECT
 

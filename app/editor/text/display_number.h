@@ -19,7 +19,7 @@ QString digitsText(double number);
 /// Writes as many digits after the point as digitsText() gives another number.
 QString likeText(double number, double other);
 
-/// The digits of digitsText() without zeros that say nothing: "2", "0.5".
+/// Returns the digits of digitsText() without zeros that say nothing: "2", "0.5".
 QString roundText(double number);
 
 /// Returns large numbers in short: "2.5 k", "50 k", "1 M"; below a thousand as roundText().

@@ -29,8 +29,8 @@ Camera zoomedTo(const Camera& camera, double factor, const glm::dvec2& place,
 /// at the pivot as before.
 Camera withLens(const Camera& camera, double fieldOfView);
 
-/// degrees; the lines of sight then differ from the axis of the view by half a degree at most, so
-/// that parallel lines look parallel.
+/// Degrees; the lines of sight then differ from the axis of the view by half a degree at most,
+/// so that parallel lines look parallel.
 inline constexpr double orthographicLens = 1.0;
 
 /// Pairs an object with its mesh; both outlive it.

@@ -30,7 +30,7 @@ constexpr double eighthsPerNotch = 120.0;
 /// Converts the turn of a wheel where a trackpad reports no pixels.
 constexpr double eighthsPerPixel = 8.0;
 
-/// pixels; a pointer that moves less between press and release has clicked
+/// Pixels; a pointer that moves less between press and release has clicked
 constexpr double clickSlack = 3.0;
 
 using Drag = CameraNavigation::Drag;

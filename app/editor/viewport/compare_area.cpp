@@ -164,8 +164,8 @@ void CompareArea::showFurtherSide() {
     }
 }
 
-/// Every view to its row; the difference stays the last of the upper one. Tells whether something
-/// stands elsewhere now.
+/// Puts every view into its row; the difference stays the last of the upper one. Tells whether
+/// something stands elsewhere now.
 bool CompareArea::placeViews() {
     const bool isGrid = look_.arrangement == ViewArrangement::Grid;
     const auto way = look_.arrangement == ViewArrangement::Column ? Qt::Vertical : Qt::Horizontal;

@@ -17,7 +17,7 @@ namespace {
 /// shows it in the window takes some 40 ms more on a slow screen.
 constexpr std::chrono::milliseconds firstPatience{40};
 
-/// How long for a sketch. Before the first one there is no window yet that could stand still.
+/// Is how long for a sketch. Before the first one there is no window yet that could stand still.
 constexpr std::chrono::milliseconds firstSketchPatience{200};
 constexpr std::chrono::milliseconds sketchPatience{30};
 
@@ -209,7 +209,7 @@ bool FrameLoop::waitsForPrograms(FrameJob& job) {
     return true;
 }
 
-/// Meanwhile; it takes as long as several steps of a frame.
+/// Makes them meanwhile; it takes as long as several steps of a frame.
 void FrameLoop::makeTargets() {
     const ViewContext::Current current(context_);
     beginJob(FramePurpose::Targets).step(FrameJob::never);

@@ -6,7 +6,7 @@
 namespace patina {
 namespace {
 
-/// milliseconds; the pointer's pixel is read at most this often
+/// Milliseconds; the pointer's pixel is read at most this often
 constexpr int probeMs = 30;
 
 } // namespace

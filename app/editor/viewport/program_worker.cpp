@@ -10,7 +10,7 @@
 namespace patina {
 namespace {
 
-/// pixels; the longer edge of the small target that frames are drawn into
+/// Pixels; the longer edge of the small target that frames are drawn into
 constexpr int side = 16;
 
 /// Returns a mesh with the same box: programs do not depend on the triangles, but what is left out

@@ -16,7 +16,7 @@
 namespace patina {
 namespace {
 
-/// milliseconds; the line is written at most this often while frames follow each other
+/// Milliseconds; the line is written at most this often while frames follow each other
 constexpr int settleMs = 100;
 constexpr int progressWidth = 230;
 constexpr int percent = 100;

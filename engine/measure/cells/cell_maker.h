@@ -20,7 +20,7 @@ class CellMaker {
     using Panorama = std::shared_ptr<const EnvironmentImage>;
     using Cancelled = std::function<bool()>;
 
-    /// Where cells come from. What the functions use outlives the maker.
+    /// Says where cells come from. What the functions use outlives the maker.
     struct Supplies {
         TimedFrames::Supplies frames; ///< of what is measured
         std::filesystem::path programCache;
@@ -35,11 +35,11 @@ class CellMaker {
     /// Gets the picture of the scene's environment, unless it is that of the scene before.
     Result<void> surround(const Scene& scene);
 
-    /// The scene in the environment that surrounds it.
+    /// Returns the scene in the environment that surrounds it.
     Checked<Image> draw(const Scene& scene);
 
-    /// What is asked for of the scene's object; `cellPixels`: of a side of the pictures whose
-    /// error is measured.
+    /// Returns what is asked for of the scene's object; `cellPixels`: of a side of the pictures
+    /// whose error is measured.
     CellNumbers measure(const Scene& scene, std::size_t object,
                         const std::vector<CellNumber>& numbers, int cellPixels,
                         const Cancelled& isCancelled = {});

@@ -59,7 +59,7 @@ Checked<bool> SheetMaker::run(const GoesOn& goesOn) {
                  : tl::unexpected(oneError(failure(rows_.front().problem).value()));
 }
 
-/// The cell, with what is measured of it.
+/// Returns the cell, with what is measured of it.
 Result<void> SheetMaker::make(int column, int row, const CellMaker::Cancelled& isCancelled) {
     CellRow made{column, row};
     const Result<Scene> scene = plan_.scene(column, row);

@@ -58,7 +58,7 @@ std::vector<Choice> materialChoices(const Scene& scene, std::size_t object, cons
 /// Returns what the picture of the scene could do more cheaply, whatever is in it.
 std::vector<Choice> choicesOfPicture(const Scene& scene, const Catalog& catalog);
 
-/// The levels that the material has now, without those that are exact.
+/// Returns the levels that the material has now, without those that are exact.
 ChosenLevels levelsOf(const Material& material, const std::vector<Choice>& choices);
 
 /// Returns the same of the picture of the scene. A level that is none of the choice's is named as

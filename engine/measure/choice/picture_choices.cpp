@@ -14,14 +14,15 @@
 namespace patina {
 namespace {
 
-/// A choice that is no level of Scene::accuracy: one row of the table below, and no edit elsewhere.
+/// Represents a choice that is no level of Scene::accuracy: one row of the table below, and no edit
+/// elsewhere.
 struct PictureRow {
     const char* id;
     const char* label;
     const char* doc;
     std::vector<ChoiceLevel> (*levels)(const Scene& scene, const Catalog& catalog);
     void (*apply)(ChosenFrame& frame, const std::string& level, const Catalog& catalog);
-    /// What the scene has, which may be none of the levels.
+    /// Is what the scene has, which may be none of the levels.
     std::string (*current)(const Scene& scene, const Catalog& catalog);
 };
 
@@ -76,7 +77,7 @@ std::string currentEnvironment(const Scene& scene, const Catalog& catalog) {
                             : std::to_string(directionsOf(*scene.part(kinds::environment), *block));
 }
 
-/// A kind of transparency that sorts: the scene's own, else the first; null: there is none.
+/// Returns a kind of transparency that sorts: the scene's own, else the first; null: there is none.
 const Block* sortingBlock(const Scene& scene, const Catalog& catalog) {
     const Block* own = transparencyBlock(scene, catalog);
     if (own != nullptr && layersParameter(*own) != nullptr) {
@@ -137,13 +138,13 @@ std::string currentLayers(const Scene& scene, const Catalog& catalog) {
     return std::to_string(layersOf(*scene.part(kinds::transparency), *block));
 }
 
-/// What says how many places a kind of shadow looks at; null where nothing does.
+/// Returns what says how many places a kind of shadow looks at; null where nothing does.
 const Parameter* tapsOf(const Light& light, const Catalog& catalog) {
     const Block* block = blockOf(light.parts, kinds::shadows, catalog);
     return block == nullptr ? nullptr : block->withRole(roles::samples);
 }
 
-/// The first light that has such shadows; null where none does.
+/// Returns the first light that has such shadows; null where none does.
 const Light* tappedLight(const Scene& scene, const Catalog& catalog) {
     const auto found = std::ranges::find_if(scene.lights, [&catalog](const Light& light) {
         return light.enabled && tapsOf(light, catalog) != nullptr;

@@ -16,7 +16,7 @@ class CellMeter {
     static Result<std::unique_ptr<CellMeter>> create(TimedFrames::Supplies supplies,
                                                      std::filesystem::path programCache);
 
-    /// What is measured. The scene and the meshes must stay meanwhile.
+    /// Says what is measured. The scene and the meshes must stay meanwhile.
     struct Subject {
         const Scene& scene;
         std::size_t object = 0;
@@ -27,10 +27,10 @@ class CellMeter {
     Result<double> milliseconds(const Subject& subject);
     std::string method() const { return frames_->method(); }
 
-    /// The relative error that 99 of 100 pixels of the object keep, against the same picture with
-    /// every accuracy choice exact: in double precision where that can be, else as the device draws
-    /// it. `size`: of the pictures; `isCancelled` is asked every some milliseconds, and then there
-    /// is an error.
+    /// Returns the relative error that 99 of 100 pixels of the object keep, against the same
+    /// picture with every accuracy choice exact: in double precision where that can be, else as the
+    /// device draws it. `size`: of the pictures; `isCancelled` is asked every some milliseconds,
+    /// and then there is an error.
     Result<double> error(const Subject& subject, glm::ivec2 size,
                          const std::function<bool()>& isCancelled = {});
 

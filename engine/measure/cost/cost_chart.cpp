@@ -29,7 +29,7 @@ MedianInterval intervalOf(const CostPoint& point) {
     return point.isExact() ? MedianInterval{time, time, time} : point.cost.ratio;
 }
 
-/// What is drawn as a level is.
+/// Says what is drawn as a level is.
 struct SameNames {
     std::string names; ///< of the other levels
     int count = 0;
@@ -90,7 +90,7 @@ bool fits(const CostBudget& budget, const CostPoint& point) {
            (!budget.error || errorOf(point) <= *budget.error);
 }
 
-/// How far beyond the budget a point is.
+/// Returns how far beyond the budget a point is.
 double excess(const CostBudget& budget, const CostPoint& point) {
     double largest = 0.0;
     if (budget.milliseconds) {

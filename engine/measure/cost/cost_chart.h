@@ -27,7 +27,8 @@ struct CostPoint {
     friend bool operator==(const CostPoint&, const CostPoint&) = default;
 };
 
-/// A level that the device draws as it draws another one of the same choice, bit for bit.
+/// Represents a level that the device draws as it draws another one of the same choice, bit for
+/// bit.
 struct SameLevel {
     std::string choice; ///< Choice::id
     std::string level;
@@ -57,10 +58,11 @@ struct CostChart {
     /// Returns what the point's ratio to the exact time says.
     RatioBound boundOf(const CostPoint& point) const;
 
-    /// The levels by which the points go: in place of one that is the same as another, that one.
+    /// Returns the levels by which the points go: in place of one that is the same as another, that
+    /// one.
     ChosenLevels distinct(ChosenLevels levels) const;
 
-    /// The point of these levels, or of those that are the same; null: it was not measured.
+    /// Returns the point of these levels, or of those that are the same; null: it was not measured.
     const CostPoint* find(const ChosenLevels& levels) const;
 
     friend bool operator==(const CostChart&, const CostChart&) = default;
@@ -76,20 +78,20 @@ std::string convergedText(const CostChart& chart);
 /// That combinations were left out for want of time, and how many; empty where none were.
 std::string leftOutText(const CostChart& chart);
 
-/// The error by which points are compared: the relative error that 99 of 100 pixels keep.
+/// Returns the error by which points are compared: the relative error that 99 of 100 pixels keep.
 double errorOf(const CostPoint& point);
 
 /// Tells whether nobody can tell the two apart in time, or in their errors.
 bool tiesInTime(const CostPoint& a, const CostPoint& b);
 bool tiesInError(const CostPoint& a, const CostPoint& b);
 
-/// The other points that tie with this one in both.
+/// Returns the other points that tie with this one in both.
 std::vector<std::size_t> tiesOf(const std::vector<CostPoint>& points, const CostPoint& point);
 
-/// The points that are worth choosing, the fastest first: from the most accurate one on, each that
-/// is faster than those before it by more than the noise. So each of the others has one on the
-/// front that errs no more and is as fast as far as can be told, whatever else was measured; of
-/// points that nobody can tell apart one is on it: the exact one where it is among them.
+/// Returns the points that are worth choosing, the fastest first: from the most accurate one on,
+/// each that is faster than those before it by more than the noise. So each of the others has one
+/// on the front that errs no more and is as fast as far as can be told, whatever else was measured;
+/// of points that nobody can tell apart one is on it: the exact one where it is among them.
 std::vector<std::size_t> costFront(const std::vector<CostPoint>& points);
 
 /// Tells what a point is beside the front.
@@ -103,7 +105,7 @@ enum class Standing {
 /// Returns the standing of each point.
 std::vector<Standing> standings(const std::vector<CostPoint>& points);
 
-/// The points that may be worth choosing: the front, the fastest first, then its ties.
+/// Returns the points that may be worth choosing: the front, the fastest first, then its ties.
 std::vector<std::size_t> frontAndTies(const std::vector<CostPoint>& points);
 
 /// Holds what may be spent: milliseconds of a frame, or an error as errorOf() has it.
@@ -112,8 +114,9 @@ struct CostBudget {
     std::optional<double> error;
 };
 
-/// The point that fits the budget: the most accurate one that is fast enough, or the fastest one
-/// that is accurate enough; of those that cannot be told from it in that, the best in the other.
+/// Holds the point that fits the budget: the most accurate one that is fast enough, or the fastest
+/// one that is accurate enough; of those that cannot be told from it in that, the best in the
+/// other.
 struct BudgetAnswer {
     std::size_t point = 0; ///< the one that fits, or else the nearest
     bool fits = false;

@@ -25,12 +25,12 @@ using Seconds = std::chrono::duration<double>;
 /// The share of the time that pairs of single choices may take.
 constexpr double shareOfPairs = 0.6;
 
-/// The share of the time after which no single choice has more than one pair: it ends with that.
+/// Is the share of the time after which no single choice has more than one pair: it ends with that.
 constexpr double shareOfSingles = 0.95;
 /// Times a point's share of the time: with so much it ends, whatever it has.
 constexpr double longestShare = 3.0;
 
-/// The share of a point's progress that ends when its frame is drawn.
+/// Is the share of a point's progress that ends when its frame is drawn.
 constexpr double drawnShare = 0.3;
 
 /// The exact frame takes as long as itself; how far its pairs are apart says what noise there is.

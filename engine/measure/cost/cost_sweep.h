@@ -55,8 +55,8 @@ class CostSweep {
     /// Says why it ended before its time; empty while all is well.
     const Errors& problems() const;
 
-    /// The frame that errors are measured against, of points with the exact one's directions of an
-    /// environment; null before it is there.
+    /// Returns the frame that errors are measured against, of points with the exact one's
+    /// directions of an environment; null before it is there.
     const LinearFrame* groundTruth() const;
 
     /// Returns where the levels go wrong: the relative error of each pixel, rows from the top.

@@ -14,7 +14,8 @@ namespace patina {
 /// that tie with one of them marked.
 std::string costText(const CostChart& chart);
 
-/// One line for each point, with a line of names before them; `name` goes in the first column.
+/// Returns one line for each point, with a line of names before them; `name` goes in the first
+/// column.
 std::string costCsv(const CostChart& chart, const std::string& name, bool withNames);
 
 nlohmann::json costJson(const CostChart& chart);

@@ -100,7 +100,7 @@ class EffectCostMeter::Implementation {
     }
 
   private:
-    /// An effect that is measured, and the scene without it.
+    /// Represents an effect that is measured, and the scene without it.
     struct Test {
         std::string effect;
         Scene scene;
@@ -186,7 +186,7 @@ class EffectCostMeter::Implementation {
 
     double secondsOfPair() const { return frames_.empty() ? 0.0 : counted_ / pairs(); }
 
-    /// What the fewest pairs of every effect take, beside what is no pair.
+    /// Returns what the fewest pairs of every effect take, beside what is no pair.
     double secondsForAll() const {
         const auto minPairs = static_cast<double>(minRounds * tests_.size());
         return spent_ - counted_ + minPairs * secondsOfPair();

@@ -106,7 +106,7 @@ class ModelRanking::Implementation {
     const Errors& problems() const { return problems_; }
 
   private:
-    /// What is known of a model.
+    /// Says what is known of a model.
     struct Ranked {
         CostPairs pairs;
         int turns = 0; ///< that are done
@@ -152,7 +152,7 @@ class ModelRanking::Implementation {
         return scene;
     }
 
-    /// What is the same for all: how many pixels are shaded, and the frame without them.
+    /// Measures what is the same for all: how many pixels are shaded, and the frame without them.
     void measureFrame() {
         first_ = sceneOf(*models_.front());
         const auto buffer = drawn_->renderer().surfaces().capture(first_, view_, drawn_->meshes());

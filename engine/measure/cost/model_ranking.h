@@ -17,7 +17,7 @@ struct ModelCost {
     std::string label;
     ChoiceCost cost;                              ///< ratios are to the quickest model
     std::optional<InstructionCount> instructions; ///< of its program, where that can be counted
-    /// The share of an even white sky's light that it keeps; below 0: it sends out more than
+    /// Is the share of an even white sky's light that it keeps; below 0: it sends out more than
     /// arrives. Nothing without code in double precision. See whiteSkyAlbedo().
     std::optional<double> albedoLoss;
     RatioBound bound = RatioBound::None; ///< of the ratio

@@ -9,7 +9,7 @@
 namespace patina {
 namespace {
 
-/// A level that differs from those before it.
+/// Represents a level that differs from those before it.
 struct Known {
     PixelSampling sampling;
     std::string level;

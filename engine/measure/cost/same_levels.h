@@ -17,7 +17,7 @@ bool isDense(const Scene& scene, const MeshSource& meshes, glm::ivec2 size);
 std::vector<SameLevel> sameSampleLevels(const std::vector<Choice>& choices, glm::ivec2 size,
                                         bool dense);
 
-/// The choices without the levels that are drawn as others are.
+/// Returns the choices without the levels that are drawn as others are.
 std::vector<Choice> withoutSame(std::vector<Choice> choices, const std::vector<SameLevel>& same);
 
 } // namespace patina

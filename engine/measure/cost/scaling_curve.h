@@ -26,8 +26,8 @@ struct ScalingCurve {
 /// "pixels", "lights", "objects".
 std::string axisText(ScalingCurve::Axis axis);
 
-/// How a number is written: with so many digits, after the point for 'f', that count for 'g', which
-/// has no exponent and no zeros at its end.
+/// Says how a number is written: with so many digits, after the point for 'f', that count for 'g',
+/// which has no exponent and no zeros at its end.
 using NumberText = std::function<std::string(double number, char format, int digits)>;
 
 /// Writes a number as programs do, with a point.

@@ -143,7 +143,7 @@ class ScalingSweep::Implementation {
         return round > 1 && 3.0 * spent.count() > options_.seconds;
     }
 
-    /// How many frames the first axes have, none left out.
+    /// Returns how many frames the first axes have, none left out.
     std::size_t framesOf(std::size_t axes) const {
         std::size_t rungs = 0;
         for (std::size_t axis = 0; axis < axes; ++axis) {

@@ -12,7 +12,7 @@ constexpr int fewDirections = 64;
 /// Counts the ground truth, a converged one, and the exact one: captured, and a pair of it.
 constexpr double exactFrames = 5.0;
 
-/// How many frames with every choice exact take as long as all points.
+/// Returns how many frames with every choice exact take as long as all points.
 double framesOf(const SweepFrames& frames, int directions) {
     double count = exactFrames;
     for (const Choice& choice : frames.choices()) {

@@ -19,13 +19,14 @@ class SweepFrames {
     const CostSweep::Subject& subject() const { return subject_; }
     const std::vector<bool>& counted() const { return counted_; } ///< by object: is measured
 
-    /// The frame as it is timed.
+    /// Returns the frame as it is timed.
     ChosenFrame of(const ChosenLevels& levels) const;
 
-    /// The frame as it is captured, in whole floats; the picture's own choices say otherwise.
+    /// Returns the frame as it is captured, in whole floats; the picture's own choices say
+    /// otherwise.
     ChosenFrame captured(const ChosenLevels& levels) const;
 
-    /// The frame in which nothing of what counts is shaded.
+    /// Returns the frame in which nothing of what counts is shaded.
     ChosenFrame empty() const;
 
   private:

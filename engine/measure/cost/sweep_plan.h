@@ -20,7 +20,7 @@ class SweepPlan {
     /// `present` is measured in any case, after the exact point.
     SweepPlan(std::vector<Choice> choices, bool combinations, ChosenLevels present = {});
 
-    /// The next point, given what was measured; nothing: all are.
+    /// Returns the next point, given what was measured; nothing: all are.
     std::optional<ChosenLevels> next(const CostChart& chart);
 
     /// Returns how many points it would name that are not on the chart, if all times were sure.

@@ -21,10 +21,10 @@ struct ConvergedRender {
     friend bool operator==(const ConvergedRender&, const ConvergedRender&) = default;
 };
 
-/// A frame whose light of an environment is a mean over as many directions as the finest frame has,
-/// none of which that one or any coarser one draws. It is the mean of two halves that have nothing
-/// to do with each other, which says how far it can be trusted. Made in steps, with one context
-/// current.
+/// Represents a frame whose light of an environment is a mean over as many directions as the finest
+/// frame has, none of which that one or any coarser one draws. It is the mean of two halves that
+/// have nothing to do with each other, which says how far it can be trusted. Made in steps, with
+/// one context current.
 class ConvergedFrame {
   public:
     /// Holds what is wanted. All that is referred to must stay.

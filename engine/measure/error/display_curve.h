@@ -18,8 +18,8 @@ struct DisplayCurve {
     const reference::Block* tone = nullptr; ///< null: none
     std::vector<double> values{};           ///< of the tone curve
 
-    /// A curve without code in double precision, which was added since the program was built,
-    /// counts as none.
+    /// A curve without code in double precision, which was added since the program was
+    /// built, counts as none.
     static DisplayCurve of(const Scene& scene, const Catalog& catalog);
 
     /// Returns what the scene's light is multiplied by.

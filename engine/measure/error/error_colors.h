@@ -10,7 +10,7 @@
 
 namespace patina {
 
-/// The errors that colours tell apart: what errs less is black, what errs more is as bright.
+/// Are the errors that colours tell apart: what errs less is black, what errs more is as bright.
 inline constexpr double minErrorShown = 1e-6;
 inline constexpr double greatestErrorShown = 1.0;
 

@@ -77,8 +77,8 @@ double distance(const glm::dvec3& a, const glm::dvec3& b) {
     return std::abs(d.x) + std::hypot(d.y, d.z);
 }
 
-/// One of the Gaussians that the eye's sensitivity to contrast is a sum of: its weight and how wide
-/// it is, in squared degrees.
+/// Represents one of the Gaussians that the eye's sensitivity to contrast is a sum of: its weight
+/// and how wide it is, in squared degrees.
 struct Blur {
     double weight;
     double width;
@@ -108,7 +108,7 @@ struct Blurred {
     double whole = 0.0;
 };
 
-/// What is kept while a picture is seen.
+/// Says what is kept while a picture is seen.
 struct Memory {
     explicit Memory(std::size_t pixels) : lightness(pixels), rows(pixels) {
         for (std::vector<double>& plane : planes) {
@@ -185,7 +185,7 @@ Detector detector(bool ofPoints, double pixelsPerDegree) {
     return made;
 }
 
-/// How strong what the detector looks for is, in any direction.
+/// Adds how strong what the detector looks for is, in any direction.
 void addStrength(ParallelJob& work, const MemoryPointer& memory, glm::ivec2 size,
                  const Detector& detector, std::vector<double>& strength) {
     const auto addRows = [&](const Kernel& kernel) {

@@ -23,8 +23,8 @@ struct FrameDifference {
 /// value that is not finite is apart by the greatest float.
 FrameDifference differenceOf(const Image& a, const Image& b);
 
-/// The difference times `gain` as it is shown: sRGB, 8 bits, rows from the top, red first, without
-/// gaps.
+/// Returns the difference times `gain` as it is shown: sRGB, 8 bits, rows from the top, red first,
+/// without gaps.
 std::vector<unsigned char> shownDifference(const FrameDifference& difference, double gain);
 
 /// Returns the relative errors in the colours of errorColor(), laid out alike.

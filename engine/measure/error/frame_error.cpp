@@ -57,7 +57,7 @@ double meanOf(const std::vector<double>& values) {
     return values.empty() ? 0.0 : sum / double(values.size());
 }
 
-/// What is kept while a frame is compared.
+/// Says what is kept while a frame is compared.
 struct Comparison {
     std::vector<double> map;
     std::vector<glm::dvec3> shown;

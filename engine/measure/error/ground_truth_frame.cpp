@@ -94,8 +94,8 @@ void GroundTruthFrame::countPixels(const SurfaceBuffer& buffer) {
     }
 }
 
-/// What cannot be computed on the CPU is compared with what the device draws with every choice
-/// exact; null then.
+/// What cannot be computed on the CPU is compared with what the device draws with every
+/// choice exact; null then.
 std::unique_ptr<ReferenceFrame> GroundTruthFrame::reference(SurfaceBuffer buffer) {
     method_ = "the finest frame that the device draws";
     if (!wish_.inDoubles) {

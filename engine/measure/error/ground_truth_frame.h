@@ -12,8 +12,9 @@
 
 namespace patina {
 
-/// The frame that errors are measured against, made in steps: in double precision where the CPU can
-/// compute it, else as the device draws it. Made, used and destroyed with one context current.
+/// Holds the frame that errors are measured against, made in steps: in double precision where the
+/// CPU can compute it, else as the device draws it. Made, used and destroyed with one context
+/// current.
 class GroundTruthFrame {
   public:
     /// Holds what is wanted. Everything in it must stay.

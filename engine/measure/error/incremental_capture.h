@@ -11,9 +11,9 @@
 
 namespace patina {
 
-/// A linear frame that is drawn in slices, bit for bit the one that Renderer::capture() gives: who
-/// wants it no more stops asking. The renderer and the meshes must stay, and nothing else be drawn
-/// meanwhile.
+/// Represents a linear frame that is drawn in slices, bit for bit the one that Renderer::capture()
+/// gives: who wants it no more stops asking. The renderer and the meshes must stay, and nothing
+/// else be drawn meanwhile.
 class IncrementalCapture {
   public:
     IncrementalCapture(Renderer& renderer, const MeshSource& meshes, ChosenFrame frame);

@@ -12,7 +12,7 @@ void inParallel(
     std::size_t count,
     const std::function<void(std::size_t part, std::size_t begin, std::size_t end)>& work);
 
-/// The number of parts that inParallel() makes.
+/// Returns the number of parts that inParallel() makes.
 std::size_t parallelParts();
 
 } // namespace patina

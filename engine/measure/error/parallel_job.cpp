@@ -9,7 +9,7 @@
 namespace patina {
 namespace {
 
-/// Some milliseconds of what is done to pixels; threads cost much less than that.
+/// Takes some milliseconds of what is done to pixels; threads cost much less than that.
 constexpr std::size_t placesAtOnce = 16384;
 
 } // namespace

@@ -10,8 +10,8 @@
 
 namespace patina {
 
-/// A frame computed on the CPU in double precision, from what its programs know of each pixel.
-/// Works in steps, on all cores; who wants it no more stops asking. Needs no OpenGL.
+/// Represents a frame computed on the CPU in double precision, from what its programs know of each
+/// pixel. Works in steps, on all cores; who wants it no more stops asking. Needs no OpenGL.
 class ReferenceFrame {
   public:
     /// `wanted`, by object of the scene: whose pixels count. The error says why one of them cannot

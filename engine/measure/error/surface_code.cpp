@@ -43,7 +43,7 @@ const ParameterField* fieldOf(const BlockPlace& place, std::string_view name) {
     return found == place.layout.fields.end() ? nullptr : &*found;
 }
 
-/// The levels that the program has, which may be others than the material's.
+/// Takes the levels that the program has, which may be others than the material's.
 void takeLevels(std::vector<double>& values, const BlockPlace& place, const BlockUse& use) {
     for (const ParameterField& field : place.layout.fields) {
         const bool hasLevel = field.choice != nullptr && !field.choice->values.empty();
@@ -237,7 +237,7 @@ glm::dvec3 SurfaceShader::finished(glm::dvec3 sum) const {
     return glm::clamp(sum, 0.0, maxLight);
 }
 
-/// One of the values that the buffer has of the pixel.
+/// Returns one of the values that the buffer has of the pixel.
 glm::dvec4 SurfaceShader::noted(std::size_t value) const {
     return glm::dvec4(buffer_->values[value][pixel_]);
 }
@@ -265,7 +265,7 @@ glm::dvec3 SurfaceShader::sampled() const {
     return sum / double(SurfaceBufferLayout::samples);
 }
 
-/// What the model returns, cut at 0.
+/// Returns what the model returns, cut at 0.
 glm::dvec3 SurfaceShader::value(const glm::dvec3& l, const glm::dvec3& v) const {
     reference::Geometry geometry = reference::geometry(point_.n, point_.t, l, v);
     geometry.pixel = point_.place;

@@ -10,8 +10,8 @@
 
 namespace patina {
 
-/// All that shades an object, in double precision: the blocks of its program with the very numbers
-/// that the program was fed with.
+/// Represents all that shades an object, in double precision: the blocks of its program with the
+/// very numbers that the program was fed with.
 struct SurfaceCode {
     struct BlockCode {
         const reference::Block* code = nullptr;
@@ -71,8 +71,8 @@ class SurfaceShader {
     /// The mean of what the buffer's samples of an environment make of it.
     glm::dvec3 sampled() const;
 
-    /// The picture's linear light, given the sum of both: blended, with the surface's own glow, in
-    /// fog.
+    /// Returns the picture's linear light, given the sum of both: blended, with the surface's own
+    /// glow, in fog.
     glm::dvec3 finished(glm::dvec3 sum) const;
 
   private:

@@ -29,7 +29,7 @@ Json nested(const EvalBlock& block) {
     return json;
 }
 
-/// What names a block of its kind in a line.
+/// Returns what names a block of its kind in a line.
 std::string keyOf(const EvalBlock& block) {
     return std::string(findKind(block.block->kind)->singular);
 }

@@ -17,7 +17,7 @@ namespace patina {
 /// Holds the numbers of all fields of a struct, one after the other.
 using FieldNumbers = std::array<double, 8>;
 
-/// A block with values, as a case names it.
+/// Represents a block with values, as a case names it.
 struct EvalBlock {
     const Block* block = nullptr;
     Values values; ///< those that were given, within their ranges and not rounded
@@ -39,8 +39,8 @@ struct EvalPlace {
     FieldNumbers fields{}; ///< of what else a block is a function of (fieldsOf())
 };
 
-/// One function of a block at one place, to be evaluated on the CPU or on the graphics device; or
-/// one function of the shader library.
+/// Represents one function of a block at one place, to be evaluated on the CPU or on the graphics
+/// device; or one function of the shader library.
 struct EvalCase : EvalPlace {
     /// Tells what a case calls. Model: a block's function of directions; Fields: of the fields of
     /// another struct, of a number, or of the block's values alone.
@@ -68,7 +68,7 @@ std::size_t resultsOf(const EvalCase& request);
 /// Returns how many of them, from the first on, say a direction: their sign says nothing.
 std::size_t signedResultsOf(const EvalCase& request);
 
-/// The fields that the block's function takes; none of another subject.
+/// Returns the fields that the block's function takes; none of another subject.
 std::span<const ArgumentField> fieldsOf(const EvalCase& request);
 
 /// Returns what a function of a block is evaluated as, by what it takes; nothing where that cannot
@@ -79,7 +79,7 @@ std::optional<EvalCase::Subject> subjectOf(const BlockFunction& function);
 std::vector<const BlockFunction*> evaluatedFunctions(const BlockKind& kind);
 std::vector<const BlockFunction*> evaluatedFunctions(const Block& block);
 
-/// The case as a line that `patina eval` reads, all its values included.
+/// Returns the case as a line that `patina eval` reads, all its values included.
 nlohmann::json evalJson(const EvalCase& request);
 
 } // namespace patina

@@ -30,7 +30,7 @@ std::vector<float> texelsOf(std::span<const EvalCase* const> cases, const EvalSh
 
 } // namespace
 
-/// The context and the programs that were linked in it.
+/// Holds the context and the programs that were linked in it.
 class EvalGpu::Device {
   public:
     explicit Device(std::unique_ptr<gl::HeadlessContext> context) : context_(std::move(context)) {}

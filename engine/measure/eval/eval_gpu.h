@@ -15,7 +15,7 @@ class EvalGpu {
     EvalGpu();
     ~EvalGpu();
 
-    /// The numbers that answer each case, in the order of evaluatedInDouble.
+    /// Returns the numbers that answer each case, in the order of evaluatedInDouble.
     std::vector<Result<std::vector<double>>> evaluate(std::span<const EvalCase> cases,
                                                       const Catalog& catalog);
 

@@ -57,7 +57,7 @@ Result<gl::Program> linkedProgram(const EvalCase& request, const EvalShape& shap
     return std::move(*program);
 }
 
-/// The numbers that count of each case's pixels.
+/// Returns the numbers that count of each case's pixels.
 std::vector<float> wanted(const std::vector<float>& pixels, std::size_t count,
                           const EvalShape& shape) {
     const auto pixelsPerCase = static_cast<std::size_t>(shape.resultPixels);

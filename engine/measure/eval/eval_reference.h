@@ -7,8 +7,8 @@
 
 namespace patina {
 
-/// The library function that a case names; an error when there is none of that name or it takes
-/// another number of arguments.
+/// Returns the library function that a case names; an error when there is none of that name or it
+/// takes another number of arguments.
 Result<const reference::Function*> findEvalFunction(const EvalCase& request);
 
 /// Returns the numbers that answer a case, in double precision: what the function of the block

@@ -67,7 +67,7 @@ void addParameters(SourceBuilder& builder, const EvalBlock& block, const std::st
     builder.add(unpackSource(*block.block, {function, compiled, slots}));
 }
 
-/// What fills the model's slots, under the names by which the model knows it.
+/// Adds what fills the model's slots, under the names by which the model knows it.
 void addSlots(SourceBuilder& builder, const EvalCase& request) {
     for (const Slot& slot : request.block.block->slots) {
         const EvalBlock& filler = request.slot;
@@ -115,7 +115,7 @@ bool isStruct(std::string_view type) {
     return !type.empty() && std::isupper(static_cast<unsigned char>(type.front())) != 0;
 }
 
-/// What calls a function of fields, or of the block's values alone.
+/// Returns what calls a function of fields, or of the block's values alone.
 std::string fieldsCall(const EvalCase& request) {
     const BlockFunction& function = calledFunction(request);
     std::string argument;

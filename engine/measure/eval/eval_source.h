@@ -30,7 +30,7 @@ std::string evalKey(const EvalCase& request);
 /// called with the wrong number of arguments.
 Result<EvalShape> evalShape(const EvalCase& request);
 
-/// The fragment stage that answers the case and those with the same key.
+/// Returns the fragment stage that answers the case and those with the same key.
 Checked<ShaderSource> evalSource(const EvalCase& request, const EvalShape& shape,
                                  const std::filesystem::path& shaders);
 

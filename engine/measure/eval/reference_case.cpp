@@ -14,7 +14,7 @@ ReferenceNumbers threeNumbers(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
 }
 
-/// The numbers that a function takes at a place.
+/// Returns the numbers that a function takes at a place.
 FieldNumbers argumentsOf(Subject subject, const EvalPlace& place) {
     switch (subject) {
     case Subject::Fresnel: {

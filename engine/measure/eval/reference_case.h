@@ -25,7 +25,8 @@ reference::Geometry geometryOf(const EvalPlace& place);
 /// Holds the numbers that answer a case; what is not used is 0.
 using ReferenceNumbers = std::array<double, 6>;
 
-/// A block and what fills its slot with packed values, ready to be evaluated at many places.
+/// Represents a block and what fills its slot with packed values, ready to be evaluated at many
+/// places.
 class ReferenceCase {
   public:
     ReferenceCase(const ReferenceCode& code, std::vector<double> values,
@@ -33,10 +34,10 @@ class ReferenceCase {
     ReferenceCase(const ReferenceCase&) = delete;
     ReferenceCase& operator=(const ReferenceCase&) = delete;
 
-    /// What the function returns; a model's value with its gates and not cut at 0.
+    /// Returns what the function returns; a model's value with its gates and not cut at 0.
     ReferenceNumbers evaluate(const EvalPlace& place) const;
 
-    /// The same for a model about a geometry that is taken as it is, unit vectors or not.
+    /// Returns the same for a model about a geometry that is taken as it is, unit vectors or not.
     ReferenceNumbers evaluate(const reference::Geometry& geometry) const;
 
     const std::vector<double>& values() const { return values_; }

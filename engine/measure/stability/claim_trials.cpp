@@ -55,7 +55,7 @@ Verdict unequal(double value, double wanted) {
     return excess <= 1.0 ? Verdict() : Broken{0, value, wanted, excess};
 }
 
-/// A place, and the same after `change`; the values are divided by n.l where `perLight`.
+/// Adds a place, and the same after `change`; the values are divided by n.l where `perLight`.
 template <class Change>
 void addPairs(Trials& trials, Defect defect, bool perLight, Change change) {
     double turn = 0.7;

@@ -35,7 +35,7 @@ struct ClaimTrial {
 /// claim is about the block without what fills its slot.
 std::vector<ClaimTrial> claimTrials(const EvalCase& variant);
 
-/// The case with every colour of the block and of what fills its slot at its largest.
+/// Returns the case with every colour of the block and of what fills its slot at its largest.
 EvalCase brightest(EvalCase request);
 
 } // namespace patina

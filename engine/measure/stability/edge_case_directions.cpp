@@ -16,7 +16,7 @@ namespace {
 using Subject = EvalCase::Subject;
 using Places = std::vector<EvalPlace>;
 
-/// The smallest float that devices do not take as 0.
+/// Is the smallest float that devices do not take as 0.
 constexpr double smallestFloat = std::numeric_limits<float>::min();
 
 constexpr double cosines[] = {0.0,  smallestFloat, 1e-30,      6e-17,      1e-12,      1e-8,
@@ -113,8 +113,8 @@ EvalPlace slanted(const EvalPlace& place, const glm::dvec3& normal) {
     return result;
 }
 
-/// Every ninth place about slanting normals and every seventh with a tangent along the normal, next
-/// to it, or of an odd length.
+/// Adds every ninth place about slanting normals and every seventh with a tangent along the normal,
+/// next to it, or of an odd length.
 void addFrames(Places& places) {
     const std::size_t count = places.size();
     for (std::size_t i = 0; i < count; i += 9) {
@@ -203,7 +203,7 @@ class Random {
         return inFloat(glm::dvec3(s * std::cos(phi), s * std::sin(phi), c));
     }
 
-    /// Where l is mirrored to, up to 0.1 off in each component, no lower than 0.05.
+    /// Returns where l is mirrored to, up to 0.1 off in each component, no lower than 0.05.
     glm::dvec3 nearMirror(const glm::dvec3& l) {
         const glm::dvec3 off{uniform(-0.1, 0.1), uniform(-0.1, 0.1), 0.0};
         glm::dvec3 v = glm::normalize(glm::dvec3(-l.x, -l.y, l.z) + off);

@@ -7,8 +7,8 @@
 
 namespace patina {
 
-/// The places where functions of a struct's fields break, all exact in float: every two edge cases
-/// of two fields meet. Directions lie along the axes, next to them and at the cosines of
+/// Returns the places where functions of a struct's fields break, all exact in float: every two
+/// edge cases of two fields meet. Directions lie along the axes, next to them and at the cosines of
 /// edgeCaseDirections() to each, the second of a struct along few of them.
 std::vector<EvalPlace> edgeCaseFields(std::span<const ArgumentField> fields);
 

@@ -67,7 +67,7 @@ constexpr std::size_t signPatterns = 8;
 
 using Enough = ErrorBound::Enough;
 
-/// The numbers of a place, reachable one by one, and what moves them.
+/// Holds the numbers of a place, reachable one by one, and what moves them.
 struct Movable {
     std::vector<double*> numbers;
     std::vector<double> steps;

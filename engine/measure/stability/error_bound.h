@@ -21,7 +21,7 @@ class ErrorBound {
     /// `request` says what the values mean; it must outlive the bound.
     ErrorBound(const ReferenceCode& code, const EvalCase& request);
 
-    /// The bound of each number at this place. `exact` is bound.evaluate(place).
+    /// Returns the bound of each number at this place. `exact` is bound.evaluate(place).
     ReferenceNumbers at(const ReferenceCase& bound, const EvalPlace& place,
                         const ReferenceNumbers& exact) const;
 
@@ -33,7 +33,7 @@ class ErrorBound {
     /// Returns what is allowed without looking at the noise.
     static double floor(double exact);
 
-    /// Whether the noise that is known so far says all that is asked; more only adds to it.
+    /// Tells whether the noise that is known so far says all that is asked; more only adds to it.
     using Enough = std::function<bool(const ReferenceNumbers&)>;
 
   private:

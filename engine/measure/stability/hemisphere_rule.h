@@ -7,7 +7,7 @@
 
 namespace patina {
 
-/// A direction above the surface and its share of what a matte surface gives back.
+/// Represents a direction above the surface and its share of what a matte surface gives back.
 struct WeightedDirection {
     glm::dvec3 v;
     double weight = 0.0;

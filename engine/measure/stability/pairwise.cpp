@@ -78,8 +78,8 @@ class OpenPairs {
     std::size_t first_ = 0;
 };
 
-/// The choice of factor i that meets the most new partners among the factors already chosen. Ties
-/// go to different choices in different rows.
+/// Returns the choice of factor i that meets the most new partners among the factors already
+/// chosen. Ties go to different choices in different rows.
 std::size_t bestChoice(const OpenPairs& open, const Row& row, const std::vector<bool>& chosen,
                        std::size_t i, std::size_t count, std::size_t turn) {
     std::size_t best = turn % count;

@@ -74,7 +74,8 @@ std::vector<EvalPlace> ordinaryPlacesOf(const EvalCase& variant) {
 /// One in so many of the places with a further set of values is an ordinary one.
 constexpr std::size_t ordinaryEvery = 4;
 
-/// A step through the places that meets every one: it has no divisor in common with their number.
+/// Returns a step through the places that meets every one: it has no divisor in common with their
+/// number.
 std::size_t strideFor(std::size_t places) {
     std::size_t stride = places / 3 + 1;
     while (std::gcd(stride, places) != 1) {

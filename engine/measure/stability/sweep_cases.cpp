@@ -19,7 +19,7 @@ bool isZero(const Value& value) {
     return value == Value(0.0);
 }
 
-/// What of a value is part of the program.
+/// Returns what of a value is part of the program.
 std::size_t compiledState(const Parameter& parameter, const Value& value) {
     switch (parameter.compiled) {
     case Compiled::Yes:
@@ -45,7 +45,7 @@ Candidates zeroAndNot(const Parameter& parameter) {
     return both;
 }
 
-/// What a parameter's compiled part can be; empty when it has none.
+/// Returns what a parameter's compiled part can be; empty when it has none.
 Candidates compiledCandidates(const Parameter& parameter) {
     switch (parameter.compiled) {
     case Compiled::Yes:
@@ -78,7 +78,8 @@ EvalBlock defaults(const Block& block) {
     return made;
 }
 
-/// The block with the compiled choices that a row of pairwiseRows(compiledCounts(block)) names.
+/// Returns the block with the compiled choices that a row of pairwiseRows(compiledCounts(block))
+/// names.
 EvalBlock chosen(const Block& block, const std::vector<std::size_t>& row) {
     EvalBlock made = defaults(block);
     std::size_t next = 0;
@@ -122,7 +123,7 @@ std::vector<EvalBlock> fillers(const Catalog& catalog, const Block& block) {
     return all;
 }
 
-/// What a parameter may be without another program: its own value first.
+/// Returns what a parameter may be without another program: its own value first.
 Candidates candidates(const Parameter& parameter, const Value& own) {
     Candidates values{own};
     for (const Value& value : edgeCaseValues(parameter)) {
@@ -134,7 +135,7 @@ Candidates candidates(const Parameter& parameter, const Value& own) {
     return values;
 }
 
-/// One parameter of a case, of its block or of what fills its slot.
+/// Represents one parameter of a case, of its block or of what fills its slot.
 struct Factor {
     EvalBlock EvalCase::*part;
     const Parameter* parameter;
@@ -158,7 +159,7 @@ std::vector<Factor> factorsOf(const EvalCase& variant) {
     return factors;
 }
 
-/// A value that a slider reaches.
+/// Returns a value that a slider reaches.
 double sliderValue(const Parameter& parameter, std::mt19937& random) {
     const double low = parameter.softMin;
     const double high = parameter.softMax;

@@ -21,15 +21,15 @@ Result<EvalCase> sweepVariant(const Catalog& catalog, const Material& material);
 /// slot for it; else none.
 std::vector<EvalCase> blendVariants(const Catalog& catalog, const Material& material);
 
-/// The variant itself and then with edge-case values of its parameters and of what fills its slot,
-/// such that every two values meet; what is compiled stays.
+/// Returns the variant itself and then with edge-case values of its parameters and of what fills
+/// its slot, such that every two values meet; what is compiled stays.
 std::vector<EvalCase> sweepRows(const EvalCase& variant);
 
 /// The variant with `count` sets of values that a slider reaches, the same for every call.
 std::vector<EvalCase> ordinaryRows(const EvalCase& variant, std::size_t count);
 
-/// The compiled choices of the variant as a message names them: "scale=normalised".
-/// Empty when there is only one program.
+/// Returns the compiled choices of the variant as a message names them: "scale=normalised". Empty
+/// when there is only one program.
 std::string variantText(const EvalCase& variant);
 
 } // namespace patina

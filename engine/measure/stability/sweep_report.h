@@ -28,7 +28,7 @@ enum class Defect {
 /// Returns "not a number", "negative", ...
 const char* wordsFor(Defect defect);
 
-/// One value that is wrong.
+/// Represents one value that is wrong.
 struct SweepFinding {
     Defect defect = Defect::NotANumber;
     EvalCase request;         ///< with `gpu` set to where it went wrong

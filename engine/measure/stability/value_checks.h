@@ -13,8 +13,9 @@ class ValueChecks {
   public:
     explicit ValueChecks(const EvalCase& variant);
 
-    /// The worst that is wrong with the numbers of a case: not a number, infinite, negative, or not
-    /// 0 below the horizon where the block claims that. `excess` gets the size of the wrong number.
+    /// Returns the worst that is wrong with the numbers of a case: not a number, infinite,
+    /// negative, or not 0 below the horizon where the block claims that. `excess` gets the size of
+    /// the wrong number.
     std::optional<Defect> check(const EvalPlace& place, std::span<const double> numbers,
                                 double& excess) const;
 

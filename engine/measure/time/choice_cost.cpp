@@ -6,13 +6,14 @@
 namespace patina {
 namespace {
 
-/// The least time that can be told from nothing; the clock has an end, too.
+/// Returns the least time that can be told from nothing; the clock has an end, too.
 double noiseOf(const MedianInterval& empty) {
     constexpr double clock = 1e-4;
     return std::max(empty.upper - empty.lower, clock);
 }
 
-/// What shading takes of a frame, or the most that it may take where that is below the noise.
+/// Returns what shading takes of a frame, or the most that it may take where that is below the
+/// noise.
 double shadingTime(double frame, const MedianInterval& empty) {
     return std::max(frame - empty.median, noiseOf(empty));
 }

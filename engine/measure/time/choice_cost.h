@@ -53,7 +53,7 @@ class CostPairs {
     bool finished() const;
     int runs() const { return static_cast<int>(ratios_.size()); } ///< pairs
 
-    /// The cost without times: see withTimes().
+    /// Returns the cost without times: see withTimes().
     ChoiceCost cost() const;
 
   private:
@@ -66,15 +66,15 @@ class CostPairs {
     int exactBelowNoise_ = 0; ///< of the ratios, those to a bound
 };
 
-/// The frame that ratios count from.
+/// Holds the frame that ratios count from.
 struct ExactFrame {
     double milliseconds = 0.0; ///< of the exact frame
     MedianInterval empty;      ///< milliseconds of one of which nothing is shaded
     std::size_t pixels = 0;    ///< that are shaded
 };
 
-/// The cost with the times that its ratio means, so that the times of a chart go together although
-/// the machine was faster at one time than at another.
+/// Returns the cost with the times that its ratio means, so that the times of a chart go together
+/// although the machine was faster at one time than at another.
 ChoiceCost withTimes(ChoiceCost cost, const ExactFrame& exact);
 
 } // namespace patina

@@ -10,9 +10,9 @@ namespace {
 
 constexpr double confidence = 0.95;
 
-/// How many samples may be cut off at each end: the most k for which the chance that at most k of
-/// n fair coins show heads stays below half of what may be missed. By logarithms: of very many
-/// coins the chance that none does is no number of its own.
+/// Returns how many samples may be cut off at each end: the most k for which the chance that at
+/// most k of n fair coins show heads stays below half of what may be missed. By logarithms: of very
+/// many coins the chance that none does is no number of its own.
 std::size_t cutOff(std::size_t count) {
     double logChance = -static_cast<double>(count) * std::numbers::ln2;
     double below = std::exp(logChance);

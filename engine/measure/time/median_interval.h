@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// A median and where the true one lies.
+/// Represents a median and where the true one lies.
 struct MedianInterval {
     double median = 0.0;
     double lower = 0.0;
@@ -24,10 +24,10 @@ constexpr bool haveInterval(int samples) {
     return samples == 0 || samples >= minForInterval;
 }
 
-/// The median of samples with an interval that holds the true one with a probability of at least
-/// 95 %, whatever the samples' distribution: by order statistics, David and Nagaraja 2003, 7.1.
-/// With fewer than six samples, where there is no such interval, from the least to the greatest.
-/// All 0 for no samples.
+/// Returns the median of samples with an interval that holds the true one with a probability of at
+/// least 95 %, whatever the samples' distribution: by order statistics, David and Nagaraja 2003,
+/// 7.1. With fewer than six samples, where there is no such interval, from the least to the
+/// greatest. All 0 for no samples.
 MedianInterval medianInterval(std::vector<double> samples);
 
 } // namespace patina

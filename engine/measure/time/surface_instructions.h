@@ -8,8 +8,8 @@
 
 namespace patina {
 
-/// The instructions of the program that draws an object of the scene; nothing where its text cannot
-/// be put together or counted.
+/// Returns the instructions of the program that draws an object of the scene; nothing where its
+/// text cannot be put together or counted.
 std::optional<InstructionCount> surfaceInstructions(const Scene& scene, std::size_t object,
                                                     const Camera& camera,
                                                     const TimedFrames::Supplies& supplies);

@@ -71,7 +71,7 @@ std::string unpackedField(const ParameterField& field) {
     return fmt::format("    p.{} = {}({});\n", field.name, type, value);
 }
 
-/// The struct, its constants and the function that fills it from packed values.
+/// Returns the struct, its constants and the function that fills it from packed values.
 std::string structCode(const Block& block, const ParameterLayout& layout) {
     std::string constantLines;
     std::string fields;
@@ -103,7 +103,8 @@ std::string structCode(const Block& block, const ParameterLayout& layout) {
                        constantLines, structName(block), fields, unpacked, functions);
 }
 
-/// How what fills a slot is called; where it is a function of Directions, with the slot's geometry.
+/// Returns how what fills a slot is called; where it is a function of Directions, with the slot's
+/// geometry.
 std::string slotCall(const BlockFunction& function, const Declarations& declarations) {
     if (isOfDirections(function)) {
         return "    return slot.filler->block->model(*slot.geometry, slot.filler->parameters, "
@@ -120,7 +121,8 @@ std::string slotCall(const BlockFunction& function, const Declarations& declarat
                        declarations.numbers(result), cppType(result), in.read(result, "value"));
 }
 
-/// What a model calls to use its slots; stands after the library because it needs its structs.
+/// Returns what a model calls to use its slots; stands after the library because it needs its
+/// structs.
 std::string slotCode(const Block& block, const Declarations& declarations) {
     std::string code;
     for (const Slot& slot : block.slots) {
@@ -139,7 +141,7 @@ std::string slotCode(const Block& block, const Declarations& declarations) {
     return code;
 }
 
-/// The name of the function that the table of a block points at.
+/// Returns the name of the function that the table of a block points at.
 std::string callName(const BlockFunction& function) {
     return "call" + std::string(function.suffix);
 }
@@ -177,7 +179,7 @@ std::string numbersCall(const Block& block, const BlockFunction& function,
                        out.write(result, "result"));
 }
 
-/// The functions that the table points at.
+/// Returns the functions that the table points at.
 std::string entryFunctions(const Block& block, const Declarations& declarations) {
     std::string code;
     for (const BlockFunction& function : functionsOf(block)) {

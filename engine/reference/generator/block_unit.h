@@ -17,7 +17,7 @@ std::string unitScope(const Block& block);
 /// `lines` are the block's file and what it includes.
 std::string blockSource(const Block& block, const GlslLines& lines);
 
-/// The C++ file of a block whose kind is not compiled in double precision.
+/// Returns the C++ file of a block whose kind is not compiled in double precision.
 std::string emptyUnit(const Block& block);
 
 /// Returns the C++ file with the table of all blocks.

@@ -10,7 +10,7 @@
 
 namespace patina {
 
-/// One line of shader text and where it stands.
+/// Represents one line of shader text and where it stands.
 struct GlslLine {
     std::string file; ///< as the C++ compiler shall name it
     int number = 0;   ///< 1-based
@@ -44,10 +44,10 @@ class GlslReader {
 /// line.
 std::string asCpp(const GlslLines& lines);
 
-/// The same of a text that stands in no file.
+/// Returns the same of a text that stands in no file.
 std::string asCpp(const std::string& text);
 
-/// The lines as one text, without their places.
+/// Returns the lines as one text, without their places.
 std::string plainText(const GlslLines& lines);
 
 } // namespace patina

@@ -10,7 +10,7 @@ namespace patina {
 
 enum class Language { Cpp, Glsl };
 
-/// A type of GLSL as the generated C++ calls it.
+/// Returns a type of GLSL as the generated C++ calls it.
 std::string cppType(const std::string& type);
 
 /// Writes statements that move values between variables and a row of numbers, one place after the

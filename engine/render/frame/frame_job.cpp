@@ -15,7 +15,7 @@
 namespace patina {
 namespace {
 
-/// What a frame of a window takes of images into the GPU's memory: some milliseconds.
+/// Is what a frame of a window takes of images into the GPU's memory: some milliseconds.
 constexpr std::size_t textureBytesAtOnce = std::size_t(8) << 20;
 
 /// A whole frame that takes no longer needs no sketch, which has about this share of its work.
@@ -249,7 +249,7 @@ std::uint64_t FrameJob::missingPrograms() {
     return missing;
 }
 
-/// Those of a drag, in which places and distances decide nothing.
+/// Returns those of a drag, in which places and distances decide nothing.
 bool FrameJob::hasHeldPrograms() {
     return passes_.display.has(*plan_.effects, *shared_->catalog) &&
            passes_.programs.hasHeld(plan_, *shared_);

@@ -46,8 +46,8 @@ class FrameJob {
     /// Why there is no frame; nothing when all is well.
     const std::optional<Error>& failure() const { return failure_; }
 
-    /// A number that tells which programs are missing: 0 when all are there, and the same while the
-    /// same ones are missing. The frame was just begun.
+    /// Returns a number that tells which programs are missing: 0 when all are there, and the same
+    /// while the same ones are missing. The frame was just begun.
     std::uint64_t missingPrograms();
 
     /// Says of a sketch that the whole frame takes little, or hardly more than it did.

@@ -21,7 +21,7 @@ inline constexpr unsigned refractionBack = 0;
 inline constexpr unsigned behindColor = 1;
 inline constexpr unsigned behindDepth = 2;
 
-/// The tables that a material's blocks read in place of computing.
+/// Are the tables that a material's blocks read in place of computing.
 inline constexpr unsigned blockTables = 3;
 
 /// Is an environment: where it is bright, its picture, and that in small.

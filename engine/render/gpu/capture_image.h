@@ -10,7 +10,7 @@
 
 namespace patina {
 
-/// The linear image of a framebuffer, times two to the power of the exposure.
+/// Returns the linear image of a framebuffer, times two to the power of the exposure.
 Image readLinear(unsigned framebuffer, glm::ivec2 size, double exposure);
 
 /// Returns what `show` draws into a framebuffer of 8-bit channels, divided by 255.

@@ -10,9 +10,9 @@
 
 namespace patina {
 
-/// An edge by the numbers of four vertices, as lines with adjacency are drawn: the corner that one
-/// of its faces has beside it, its two ends, and the corner of the other face. Both corners are the
-/// same where there is one face alone, or more than two.
+/// Represents an edge by the numbers of four vertices, as lines with adjacency are drawn: the
+/// corner that one of its faces has beside it, its two ends, and the corner of the other face. Both
+/// corners are the same where there is one face alone, or more than two.
 using MeshEdge = std::array<std::uint32_t, 4>;
 
 /// Finds the edges of a mesh, each once. Vertices at the same place are one, whatever else they

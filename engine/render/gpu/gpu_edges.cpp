@@ -12,7 +12,7 @@
 namespace patina {
 namespace {
 
-/// What takes some milliseconds.
+/// Is what takes some milliseconds.
 constexpr std::size_t itemsAtOnce = 32768;
 constexpr std::size_t bytesAtOnce = std::size_t(4) << 20;
 

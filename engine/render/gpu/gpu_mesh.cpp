@@ -25,7 +25,7 @@ std::size_t writeSlice(gl::Buffer& target, std::span<const std::byte> content, s
     return slice.size();
 }
 
-/// The same of vertices, whose normals arrive valid whatever the mesh has.
+/// Returns the same of vertices, whose normals arrive valid whatever the mesh has.
 std::size_t writeVertices(gl::Buffer& target, std::span<const Vertex> vertices, std::size_t offset,
                           std::size_t bytes) {
     const std::size_t end = offset + std::min(bytes, vertices.size_bytes() - offset);

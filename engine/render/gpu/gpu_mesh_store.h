@@ -11,18 +11,18 @@
 
 namespace patina {
 
-/// The meshes that are in the GPU's memory. They are told apart by where they lie in memory, their
-/// sizes and a sample of their content, so that a new mesh at an old address is seen.
+/// Holds the meshes that are in the GPU's memory. They are told apart by where they lie in memory,
+/// their sizes and a sample of their content, so that a new mesh at an old address is seen.
 class GpuMeshStore {
   public:
     /// Returns the mesh, and uploads it when it is not there yet.
     const GpuMesh& get(const MeshView& mesh);
 
-    /// The mesh, with room for its content when it is new; it may be incomplete. It stays for as
-    /// long as somebody holds it.
+    /// Returns the mesh, with room for its content when it is new; it may be incomplete. It stays
+    /// for as long as somebody holds it.
     const std::shared_ptr<GpuMesh>& prepare(const MeshView& mesh);
 
-    /// The edges of a mesh that prepare() gave; they may be incomplete.
+    /// Returns the edges of a mesh that prepare() gave; they may be incomplete.
     GpuEdges& prepareEdges(GpuMesh& mesh, const MeshView& view) {
         return mesh.edges(view, frame_);
     }

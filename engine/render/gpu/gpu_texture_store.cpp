@@ -30,8 +30,8 @@ std::shared_ptr<const TexturePicture> checker(const Texel& light, const Texel& d
     return std::make_shared<const TexturePicture>(madeTexture(image, TextureDecoding::Linear));
 }
 
-/// The placeholder of an image that cannot be had: colours; fields that lean to the left and to the
-/// right; steps; and holes in half of the fields.
+/// Returns the placeholder of an image that cannot be had: colours; fields that lean to the left
+/// and to the right; steps; and holes in half of the fields.
 const std::shared_ptr<const TexturePicture>& placeholder(TextureRole role) {
     static const auto colors = checker({1.0f, 0.0f, 1.0f, 1.0f}, {0.1f, 0.1f, 0.1f, 1.0f});
     static const auto slopes = checker({0.75f, 0.5f, 0.9f, 1.0f}, {0.25f, 0.5f, 0.9f, 1.0f});

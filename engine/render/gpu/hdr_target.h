@@ -39,7 +39,7 @@ class HdrTarget {
     /// Binds it for drawing, with its whole area as the viewport.
     void bind() const;
 
-    /// The size of the image that is drawn.
+    /// Returns the size of the image that is drawn.
     glm::ivec2 drawnSize() const { return built_.fineness * built_.scaled; }
 
     /// Returns what the device made of what was asked for.

@@ -12,8 +12,8 @@
 
 namespace patina {
 
-/// Some of what a mesh is made of (triangles, or its edges), for some of the objects in an
-/// InstanceBuffer.
+/// Says which part of what a mesh is made of (triangles, or its edges), for some of the objects in
+/// an InstanceBuffer.
 struct DrawRange {
     int firstTriangle = 0;
     int triangles = 0;

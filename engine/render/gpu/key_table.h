@@ -8,7 +8,8 @@
 
 namespace patina {
 
-/// Numbers that were given to keys. Keeps its memory, so that filling it anew allocates nothing.
+/// Holds numbers that were given to keys. Keeps its memory, so that filling it anew allocates
+/// nothing.
 class KeyTable {
   public:
     /// Forgets all keys; at most `most` new ones follow.

@@ -11,8 +11,8 @@
 
 namespace patina {
 
-/// A program (two where there are outlines) with what is needed to feed it. It keeps the catalogue
-/// it was made from, so that it can be drawn with after the blocks have changed.
+/// Represents a program (two where there are outlines) with what is needed to feed it. It keeps the
+/// catalogue it was made from, so that it can be drawn with after the blocks have changed.
 struct Pipeline {
     std::shared_ptr<const Catalog> catalog;
     EffectSet effects;

@@ -8,8 +8,8 @@
 
 namespace patina {
 
-/// A finished picture that stands in, stretched, for one of another size that is not drawn yet.
-/// Used with one context current.
+/// Represents a finished picture that stands in, stretched, for one of another size that is not
+/// drawn yet. Used with one context current.
 class StretchedPicture {
   public:
     explicit StretchedPicture(glm::ivec2 size);

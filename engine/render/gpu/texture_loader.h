@@ -11,8 +11,8 @@
 
 namespace patina {
 
-/// Images for pictures that nobody waits for in front of a window: each is read when it is first
-/// asked for, and what cannot be read is remembered with its reason.
+/// Represents images for pictures that nobody waits for in front of a window: each is read when it
+/// is first asked for, and what cannot be read is remembered with its reason.
 class TextureLoader {
   public:
     /// The client outlives it.

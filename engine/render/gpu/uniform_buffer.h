@@ -10,7 +10,7 @@
 
 namespace patina {
 
-/// A uniform block of vec4s that is written to the GPU only when its content changed.
+/// Represents a uniform block of vec4s that is written to the GPU only when its content changed.
 class UniformBuffer {
   public:
     /// Makes room for at least `vec4s`; grows when asked for more, never shrinks.

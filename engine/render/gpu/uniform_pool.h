@@ -15,7 +15,7 @@ namespace patina {
 /// GPU again.
 class UniformPool {
   public:
-    /// A block's place, which holds until the next clear().
+    /// Represents a block's place, which holds until the next clear().
     struct Place {
         std::size_t first = 0;
         std::size_t vec4s = 0;

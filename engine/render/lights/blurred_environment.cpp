@@ -14,7 +14,7 @@ namespace {
 
 using Layout = OctahedralLayout;
 
-/// What a texel of level 0 blurs: it is a box whose variance along either axis, a twelfth of its
+/// Is what a texel of level 0 blurs: it is a box whose variance along either axis, a twelfth of its
 /// area in steradians, is 1 / kappa.
 constexpr double texelKappa = 12.0 * Layout::texels * Layout::texels / (4.0 * std::numbers::pi);
 
@@ -28,7 +28,7 @@ double meanOf(double kappa) {
     return kappa > 20.0 ? 1.0 - 1.0 / kappa : 1.0 / std::tanh(kappa) - 1.0 / kappa;
 }
 
-/// The lobe that makes one of `to` of one of `from`: the lengths of their means multiply.
+/// Returns the lobe that makes one of `to` of one of `from`: the lengths of their means multiply.
 double kappaBetween(double from, double to) {
     const double wanted = meanOf(to) / meanOf(from);
     double low = 0.0; // of log2

@@ -10,8 +10,8 @@
 
 namespace patina {
 
-/// An environment as lobes of von Mises' and Fisher's form see it: an octahedral picture whose
-/// levels are more and more out of focus, and what matte surfaces show
+/// Represents an environment as lobes of von Mises' and Fisher's form see it: an octahedral picture
+/// whose levels are more and more out of focus, and what matte surfaces show
 /// (shaders/passes/environment_out_of_focus.glsl).
 class BlurredEnvironment {
   public:

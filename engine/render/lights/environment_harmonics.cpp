@@ -26,7 +26,8 @@ Basis basisAt(const glm::dvec3& d) {
             d.x * d.x - d.y * d.y};
 }
 
-/// The squared norms' inverse of each, times what the cosine leaves of its order: 1, 2/3 and 1/4.
+/// Is the squared norms' inverse of each, times what the cosine leaves of its order: 1, 2/3 and
+/// 1/4.
 constexpr Basis factors{1.0 / (4.0 * pi),
                         2.0 / 3.0 * 3.0 / (4.0 * pi),
                         2.0 / 3.0 * 3.0 / (4.0 * pi),

@@ -31,7 +31,7 @@ Colors colorsOf(const Image& image) {
     return colors;
 }
 
-/// Where part `index` of `parts` begins.
+/// Returns where part `index` of `parts` begins.
 int borderAt(int index, int parts, int length) {
     return static_cast<int>(std::int64_t(index) * length / parts);
 }

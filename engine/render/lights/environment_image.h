@@ -19,7 +19,7 @@ struct EnvironmentTexels {
     friend bool operator==(const EnvironmentTexels&, const EnvironmentTexels&) = default;
 };
 
-/// An environment's picture as the renderer takes it.
+/// Represents an environment's picture as the renderer takes it.
 struct EnvironmentImage {
     EnvironmentTexels whole; ///< at most 4096 wide
     EnvironmentTexels small; ///< means over equal parts of it, at most 512 wide: where it is bright

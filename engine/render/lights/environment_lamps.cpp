@@ -73,7 +73,7 @@ class Sky {
         return sum;
     }
 
-    /// The brightness that this share of all directions stays below.
+    /// Returns the brightness that this share of all directions stays below.
     double below(double share) const {
         std::vector<std::size_t> order(count());
         std::iota(order.begin(), order.end(), std::size_t(0));
@@ -93,7 +93,7 @@ class Sky {
     std::vector<double> brightness_;
 };
 
-/// A connected part of the sky, and what it sends above a limit.
+/// Represents a connected part of the sky, and what it sends above a limit.
 struct Part {
     double flux = 0.0;       ///< luminance
     double square = 0.0;     ///< the same of squared luminance
@@ -124,7 +124,8 @@ struct Part {
     bool isCompact() const { return glm::length(mean) >= compactness * flux; }
 };
 
-/// The parts above a limit. Neighbours share an edge or a corner, also over the left and right end.
+/// Returns the parts above a limit. Neighbours share an edge or a corner, also over the left and
+/// right end.
 std::vector<Part> partsAbove(const Sky& sky, double limit) {
     std::vector<Part> parts;
     std::vector<bool> isTaken(sky.count(), false);
@@ -159,7 +160,8 @@ std::vector<Part> partsAbove(const Sky& sky, double limit) {
     return parts;
 }
 
-/// The lamps where all parts that matter are compact and few enough; the others go to the nearest.
+/// Returns the lamps where all parts that matter are compact and few enough; the others go to the
+/// nearest.
 std::optional<std::vector<Part>> lampsAmong(const std::vector<Part>& parts) {
     double all = 0.0;
     for (const Part& part : parts) {

@@ -25,7 +25,7 @@ namespace {
 /// Pixels of the small picture of an environment without an image.
 constexpr glm::ivec2 plainSize{256, 128};
 
-/// What does not change where the environment is bright, seen from within.
+/// Is what does not change where the environment is bright, seen from within.
 constexpr std::array<std::string_view, 3> otherRoles{roles::rotate, roles::background, roles::blur};
 
 } // namespace

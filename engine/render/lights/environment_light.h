@@ -42,8 +42,8 @@ class EnvironmentLight {
     /// Follows the scene. Allocates nothing while only values change.
     void follow(const Subject& subject, const Catalog& catalog, ProgramCache& cache);
 
-    /// The same up to and with the first thing that takes long, a part of the picture, a program or
-    /// the table: true as long as there may be more, and the next call goes on.
+    /// Returns the same up to and with the first thing that takes long, a part of the picture, a
+    /// program or the table: true as long as there may be more, and the next call goes on.
     bool followSome(const Subject& subject, const Catalog& catalog, ProgramCache& cache);
 
     /// Tells whether programs look at an environment.
@@ -72,8 +72,8 @@ class EnvironmentLight {
     /// Binds it for the programs that are used next.
     void bind() const;
 
-    /// The program for what is seen behind the objects; null where the environment is hidden or
-    /// the block does not compile.
+    /// Returns the program for what is seen behind the objects; null where the environment is
+    /// hidden or the block does not compile.
     const gl::Program* background() const { return background_; }
     double backgroundBlur() const { return blur_; } ///< half the width of the disc, in radians
 

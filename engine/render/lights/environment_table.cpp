@@ -83,7 +83,7 @@ void EnvironmentTable::gatherUpward(std::span<const glm::vec4> radiance) {
     upward_ /= double(size_.x);
 }
 
-/// The luminances, and their sum.
+/// Returns the luminances, and their sum.
 double EnvironmentTable::weigh(std::span<const glm::vec4> radiance) {
     double sum = 0.0;
     for (std::size_t i = 0; i < std::min(weights_.size(), radiance.size()); ++i) {

@@ -14,7 +14,7 @@
 
 namespace patina {
 
-/// A texture of the environment whose content is replaced now and then.
+/// Represents a texture of the environment whose content is replaced now and then.
 class EnvironmentTexture {
   public:
     /// A picture, which goes on over its left and right edges and is smooth between texels.
@@ -36,7 +36,7 @@ class EnvironmentTexture {
     int rows_ = 0; ///< of a picture that are filled
 };
 
-/// The small picture of an environment that its own program draws.
+/// Holds the small picture of an environment that its own program draws.
 class SmallEnvironment {
   public:
     /// Draws it with the program, with what that reads in place, and reads it back; its coarser

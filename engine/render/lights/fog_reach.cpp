@@ -22,8 +22,8 @@ constexpr double margin = 0.01;
 constexpr std::array<glm::dvec3, 3> axes{glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(0.0, 1.0, 0.0),
                                          glm::dvec3(0.0, 0.0, 1.0)};
 
-/// Whether a box and the body that the eye and eight corners span lie apart along a direction. Both
-/// are taken from the middle of the box.
+/// Tells whether a box and the body that the eye and eight corners span lie apart along a
+/// direction. Both are taken from the middle of the box.
 class Apart {
   public:
     Apart(const glm::dvec3& half, const glm::dvec3& eye, const FogReach::Corners& corners)

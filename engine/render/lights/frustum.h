@@ -41,9 +41,9 @@ class DepthRange {
     double farthest_ = 0.0;
 };
 
-/// The perspective of a camera whose image is `aspect` times as wide as high. The (vertical) field
-/// of view is brought into 1 .. 170 degrees. What the camera's own planes cut away is not in it;
-/// without them all depths are.
+/// Returns the perspective of a camera whose image is `aspect` times as wide as high. The
+/// (vertical) field of view is brought into 1 .. 170 degrees. What the camera's own planes cut away
+/// is not in it; without them all depths are.
 glm::dmat4 projection(const Camera& camera, double aspect, const DepthRange& depths);
 
 } // namespace patina

@@ -20,11 +20,11 @@ class LightKinds {
     /// Begins a new frame. `effects` has the effects that the programs are to have.
     void begin(const Scene& effects, const Catalog& catalog);
 
-    /// The number of the kinds that are missing in a list, the same for lists in which the same
-    /// are; 0: none.
+    /// Returns the number of the kinds that are missing in a list, the same for lists in which the
+    /// same are; 0: none.
     std::size_t missingKinds(const LightLists& lists, std::size_t list);
 
-    /// The lights of the kinds that are missing, as EffectView::unreached; null for 0.
+    /// Returns the lights of the kinds that are missing, as EffectView::unreached; null for 0.
     std::shared_ptr<const LightSet> lights(std::size_t missing) const;
 
   private:

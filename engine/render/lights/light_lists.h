@@ -15,7 +15,7 @@
 
 namespace patina {
 
-/// A ball that holds an object or the ground, in world space.
+/// Represents a ball that holds an object or the ground, in world space.
 struct Ball {
     glm::dvec3 center{0.0};
     double radius = 0.0;
@@ -35,14 +35,14 @@ class LightLists {
     /// Begins a new frame: only the list with all lights is there, number 0.
     void begin(const Scene& scene, const Catalog& catalog);
 
-    /// The number of the list for an object. There are at most `most` of them; objects beyond get
-    /// the list with all lights.
+    /// Returns the number of the list for an object. There are at most `most` of them; objects
+    /// beyond get the list with all lights.
     std::size_t listFor(const Ball& ball);
     static constexpr std::size_t maxCount = 64;
 
     bool holds(std::size_t list, std::size_t light) const;
 
-    /// The lights that are not on the list.
+    /// Returns the lights that are not on the list.
     LightSet unreached(std::size_t list) const;
 
     /// Tells whether every object has all lights.

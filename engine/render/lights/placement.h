@@ -29,7 +29,7 @@ Placement placementOf(const Object& object, const Bounds& bounds);
 /// near and far plane do not matter.
 bool isOutside(const Placement& placement, const glm::dmat4& worldToClip);
 
-/// The placements of a scene's objects, computed again only when one has changed.
+/// Holds the placements of a scene's objects, computed again only when one has changed.
 class PlacementStore {
   public:
     /// Placements of the same frame stay where they are.

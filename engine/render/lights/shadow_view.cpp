@@ -17,10 +17,10 @@ namespace {
 /// Wider cones get the six faces of a light that shines everywhere: a plane has no such angle.
 constexpr double widestCone = glm::radians(75.0);
 
-/// The share of the farthest depth that the nearest has at least, so that depths stay apart.
+/// Is the share of the farthest depth that the nearest has at least, so that depths stay apart.
 constexpr double nearestShare = 1e-3;
 
-/// What the light's descriptor says of its place, in the world.
+/// Says what the light's descriptor says of its place, in the world.
 struct LightFrame {
     glm::dvec3 position{0.0};
     glm::dvec3 direction{0.0, -1.0, 0.0}; ///< unit
@@ -74,7 +74,7 @@ glm::dvec3 seenFrom(const ShadowView& view, const glm::dvec3& x) {
     return {glm::dot(d, view.right), glm::dot(d, view.up), glm::dot(d, view.forward)};
 }
 
-/// The corners of all boxes, as the view sees them.
+/// Visits the corners of all boxes, as the view sees them.
 template <class Use>
 void eachCorner(const ShadowView& view, std::span<const CasterBox> casters, Use use) {
     for (const CasterBox& caster : casters) {
@@ -99,13 +99,13 @@ struct Range {
     bool empty() const { return !(lower.x <= upper.x); }
 };
 
-/// The next size up in steps of a twelfth of a power of two.
+/// Returns the next size up in steps of a twelfth of a power of two.
 double stepped(double size) {
     return std::exp2(std::ceil(12.0 * std::log2(std::max(size, 1e-9))) / 12.0);
 }
 
-/// A square window about the range's middle whose texels lie on a fixed grid, with a margin of two
-/// texels for filters.
+/// Fits a square window about the range's middle whose texels lie on a fixed grid, with a margin of
+/// two texels for filters.
 void fitWindow(ShadowView& view, const Range& range, int texels) {
     const glm::dvec2 size(range.upper - range.lower);
     const double side = stepped(std::max(size.x, size.y)) * texels / (texels - 5.0);
@@ -294,8 +294,8 @@ glm::dmat4 shadowClip(const ShadowView& view, int face) {
 
 namespace {
 
-/// The map's corner nearest to the light, nearer still by what places and depths are rounded by, so
-/// that no surface is behind itself.
+/// Returns the map's corner nearest to the light, nearer still by what places and depths are
+/// rounded by, so that no surface is behind itself.
 glm::dvec3 mapCorner(const ShadowView& view, double side) {
     const double farthest = std::max(std::abs(view.near), std::abs(view.far));
     const double rounding = 1e-6 * (farthest + view.far - view.near);

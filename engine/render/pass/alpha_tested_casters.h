@@ -16,7 +16,7 @@
 
 namespace patina {
 
-/// The materials of a frame that an image decides the shadows of, and the programs for them.
+/// Holds the materials of a frame that an image decides the shadows of, and the programs for them.
 class AlphaTestedCasters {
   public:
     /// The shader files may have changed.
@@ -25,7 +25,8 @@ class AlphaTestedCasters {
     /// Begins a frame.
     void clear() { count_ = 0; }
 
-    /// One more material, with the opacity that its image takes from; its number counts from 0.
+    /// Returns one more material, with the opacity that its image takes from; its number counts
+    /// from 0.
     std::size_t add(const Material& material, double opacity);
 
     /// Makes their programs, and looks whether their images are there.

@@ -54,9 +54,9 @@ std::optional<std::size_t> keyLightOf(const SceneToPack& packing, const Pipeline
     return isKnown ? key : keyLight(packing.effects, catalog);
 }
 
-/// The lights of a group, and its header: how many there are, where, and where the key light is, if
-/// it is there. A group that stands in the text line by line has all its lights; one that does not
-/// arrive is dark.
+/// Packs the lights of a group, and its header: how many there are, where, and where the key light
+/// is, if it is there. A group that stands in the text line by line has all its lights; one that
+/// does not arrive is dark.
 void packGroup(PackedScene& packed, std::span<glm::vec4> out, const Pipeline& pipeline,
                std::size_t index, const SceneToPack& packing,
                const std::optional<std::size_t>& keyLight, const glm::dmat4& cameraToWorld) {
@@ -121,7 +121,7 @@ void packOwn(std::span<glm::vec4> out, const OwnData<Owner>& data, const Owner& 
     }
 }
 
-/// Values for the place of a part: the owner's when it is the owner's block.
+/// Returns values for the place of a part: the owner's when it is the owner's block.
 const Values& partValues(const BlockPlace& place, const BlockParts& parts) {
     static const Values none;
     const BlockValues* part = partOf(parts, place.block->kind);
@@ -183,8 +183,9 @@ void packGround(std::span<glm::vec4> out, const Pipeline& pipeline, const Ground
     }
 }
 
-/// What lies back by a share of its distance lies back by the same in clip space at all of them.
-/// That share is a part of the picture's height: as little is to see of it through a long lens.
+/// What lies back by a share of its distance lies back by the same in clip space at all of
+/// them. That share is a part of the picture's height: as little is to see of it through a long
+/// lens.
 double farSide(const glm::dmat4& worldToClip, const glm::dvec3& eye) {
     constexpr double share = 1e-4;
     constexpr double shareOfHeight = 1.0 / 3000.0; // of its half

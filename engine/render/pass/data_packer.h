@@ -20,7 +20,8 @@ struct PackedScene {
     int lostLights = 0;
 };
 
-/// A scene, and the one whose effects the pipelines have: the same lights with other values.
+/// Represents a scene, and the one whose effects the pipelines have: the same lights with other
+/// values.
 struct SceneToPack {
     const Scene& scene;
     const Scene& effects;
@@ -40,8 +41,8 @@ PackedScene packScene(std::span<glm::vec4> out, const Pipeline& pipeline,
 void packMaterial(std::span<glm::vec4> out, const Pipeline& pipeline, const Material& material,
                   const glm::dmat4& cameraToWorld);
 
-/// The values of the block that puts transparent surfaces together, and the depths between which
-/// they lie.
+/// Holds the values of the block that puts transparent surfaces together, and the depths between
+/// which they lie.
 struct LayersToPack {
     const Values& values;
     double nearest = 0.0;

@@ -64,7 +64,7 @@ Result<DisplayPass::Stage*> DisplayPass::make(const Scene& scene, const Catalog&
     return &stages_.emplace(key, std::move(stage)).first->second;
 }
 
-/// The values of the scene's curve, where it is the one of the program.
+/// Packs the values of the scene's curve, where it is the one of the program.
 void DisplayPass::packTone(const FramePlan& plan) {
     static const Values none;
     static const AccuracyLevels exact;

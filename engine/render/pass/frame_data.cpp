@@ -93,7 +93,7 @@ void FrameData::fillTables(const FramePlan& plan) {
     }
 }
 
-/// What the light of the frame's materials is looked up by, where it is not what it was.
+/// Fits what the light of the frame's materials is looked up by, where it is not what it was.
 void FrameData::fitLobes(const FramePlan& plan) {
     lobes_.makeRoom(plan.materials.size());
     for (std::size_t i = 0; i < plan.materials.size(); ++i) {

@@ -8,8 +8,8 @@
 
 namespace patina {
 
-/// The part that an environment has in frames: its light's data, what is seen behind the objects,
-/// and the mean of the frames of one picture. Nothing of it exists without an environment.
+/// Holds the part that an environment has in frames: its light's data, what is seen behind the
+/// objects, and the mean of the frames of one picture. Nothing of it exists without an environment.
 class FrameEnvironment {
   public:
     /// Holds what views share of it.

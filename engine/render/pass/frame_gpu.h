@@ -40,7 +40,7 @@ struct FrameGpu {
     bool isSketch = false;
 };
 
-/// The state that objects are drawn with.
+/// Holds the state that objects are drawn with.
 enum class BlendState {
     Opaque,  ///< what is nearest is seen
     Depths,  ///< depths alone

@@ -206,7 +206,7 @@ void LayerComposer::clearLayers() const {
     glClearBufferfv(GL_DEPTH, 0, &nearest);
 }
 
-/// The nearest that is behind the layer before and in front of what is solid.
+/// Returns the nearest that is behind the layer before and in front of what is solid.
 bool LayerComposer::drawDepths(const HdrTarget& target, const DrawObjects& drawObjects) const {
     const Side& at = side(progress_.layer);
     const Side& nearer = side(progress_.layer + 1);

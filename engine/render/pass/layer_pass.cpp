@@ -9,7 +9,7 @@
 namespace patina {
 namespace {
 
-/// The block that puts the plan's layers together; null where none are needed.
+/// Returns the block that puts the plan's layers together; null where none are needed.
 const Block* blockFor(const FramePlan& plan, const Catalog& catalog) {
     const bool isNeeded =
         plan.effects->part(kinds::transparency) != nullptr &&
@@ -113,7 +113,7 @@ bool LayerPass::compose(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget
     return composer_.draw(gpu.target(), drawStage);
 }
 
-/// All that is in layers; false where it goes on with the next batch.
+/// Returns all that is in layers; false where it goes on with the next batch.
 bool LayerPass::drawObjects(const FramePlan& plan, FrameGpu& gpu, LayerComposer::Stage stage,
                             StepBudget& budget) {
     const std::span<const DrawBatch> batches = plan.list.transparentBatches();

@@ -19,8 +19,8 @@
 
 namespace patina {
 
-/// What the reflectance of a frame's materials was taken apart into, on the GPU: a matte part and
-/// two lobes for each viewer. Only materials whose light is fitted have a table.
+/// Says what the reflectance of a frame's materials was taken apart into, on the GPU: a matte part
+/// and two lobes for each viewer. Only materials whose light is fitted have a table.
 class LobeStore {
   public:
     /// Makes room for so many materials; allocates nothing when there were as many.
@@ -44,7 +44,7 @@ class LobeStore {
         gl::TextureArray table;
         gl::Framebuffer framebuffer;
     };
-    /// What fitting needs, once something is to be fitted.
+    /// Says what fitting needs, once something is to be fitted.
     struct Fitting {
         void makeRoom(const LobeTableShape& shape);
 

@@ -37,7 +37,7 @@ class PipelineStore {
         EffectView view{};
     };
 
-    /// The pipeline for a material, whose key is EffectKey::ofMaterial().
+    /// Returns the pipeline for a material, whose key is EffectKey::ofMaterial().
     const Entry& get(const Material& material, std::uint64_t materialKey,
                      const Surroundings& surroundings);
 
@@ -51,10 +51,10 @@ class PipelineStore {
         return hasFinal({keyOf(mode), sceneKey});
     }
 
-    /// A plain fallback for an object whose own program never compiled.
+    /// Returns a plain fallback for an object whose own program never compiled.
     const Entry& fallback(const Surroundings& surroundings);
 
-    /// The scene's ground, which must be seen.
+    /// Returns the scene's ground, which must be seen.
     const Entry& ground(const Surroundings& surroundings);
 
     ProgramCache& programs() { return programs_; }

@@ -43,7 +43,7 @@ Result<bool> ProgramPass::prepare(FramePlan& plan, FrameGpu& gpu) {
     return false;
 }
 
-/// What is around objects with these lights missing.
+/// Returns what is around objects with these lights missing.
 PipelineStore::Surroundings ProgramPass::surroundings(const FramePlan& plan, std::size_t missing,
                                                       const Catalog& catalog) {
     EffectView view = plan.effectView;

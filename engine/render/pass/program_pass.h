@@ -20,7 +20,7 @@ struct RenderResources;
 /// last good ones where these do not compile.
 class ProgramPass : public Pass {
   public:
-    /// Those of all, unless one had to be made: the next call goes on then.
+    /// Returns those of all, unless one had to be made: the next call goes on then.
     Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;
 
     /// 0 when all programs of a plan are there, else a number that is the same while the same ones

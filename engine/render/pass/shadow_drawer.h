@@ -14,7 +14,7 @@
 
 namespace patina {
 
-/// The depth maps' images, what they show, and the images of the casters.
+/// Holds the depth maps' images, what they show, and the images of the casters.
 struct ShadowTargets {
     const gl::TextureArray& texture;
     std::span<ShadowLayers::Layer> layers;

@@ -9,8 +9,8 @@
 
 namespace patina {
 
-/// The lights of a frame and what casts shadows in them: those of `effects` say whether there are
-/// shadows, those of `scene` where they fall.
+/// Holds the lights of a frame and what casts shadows in them: those of `effects` say whether there
+/// are shadows, those of `scene` where they fall.
 struct ShadowedScene {
     const Scene& scene;
     const Scene& effects;

@@ -61,7 +61,7 @@ void DrawList::addOpaque(std::span<const DrawItem> items, std::span<const DrawMa
     }
 }
 
-/// How near the nearest object of each material and of its program is.
+/// Finds how near the nearest object of each material and of its program is.
 void DrawList::rank(std::span<const DrawMaterial> materials) {
     ranks_.assign(materials.size(), {infinity, infinity});
     programs_.clear();

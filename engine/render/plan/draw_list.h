@@ -56,10 +56,10 @@ struct DrawBatch {
     double nearest = 0.0; ///< distance of the nearest one
 };
 
-/// The order in which a frame's objects are drawn. What hides comes first, by program, material and
-/// mesh; of each of these the nearest first, and near objects of a batch before far ones, so that
-/// depth hides what is behind. Then the others, far ones first, each alone, so that each is blended
-/// over what is seen through it.
+/// Holds the order in which a frame's objects are drawn. What hides comes first, by program,
+/// material and mesh; of each of these the nearest first, and near objects of a batch before far
+/// ones, so that depth hides what is behind. Then the others, far ones first, each alone, so that
+/// each is blended over what is seen through it.
 class DrawList {
   public:
     /// Items that are not in the picture or have no program are left out; all have a mesh.
@@ -70,7 +70,7 @@ class DrawList {
     std::size_t opaqueBatches() const { return opaque_; }
     std::span<const DrawBatch> transparentBatches() const { return batches().subspan(opaque_); }
 
-    /// The numbers of all items in the order of drawing.
+    /// Returns the numbers of all items in the order of drawing.
     std::span<const std::uint32_t> items() const { return order_; }
 
   private:

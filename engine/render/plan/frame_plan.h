@@ -54,7 +54,8 @@ struct FramePlan {
 
     glm::dmat4 worldToClip() const;
 
-    /// The scene's values for the block by which the programs put together what is transparent.
+    /// Returns the scene's values for the block by which the programs put together what is
+    /// transparent.
     const BlockValues& transparency() const;
 
     /// Tells whether there are so many triangles that they, not the pixels, are what takes long.

@@ -18,7 +18,7 @@ bool isOfOneMesh(const Object& a, const Object& b) {
     return a.mesh == b.mesh && a.fitUnitBox == b.fitUnitBox && a.flipNormals == b.flipNormals;
 }
 
-/// The scene whose effects the programs of a view have.
+/// Returns the scene whose effects the programs of a view have.
 const Scene& effectsOf(const View& view, const Scene& scene) {
     const bool fits = view.effects != nullptr &&
                       view.effects->objects.size() == scene.objects.size() &&
@@ -26,7 +26,7 @@ const Scene& effectsOf(const View& view, const Scene& scene) {
     return fits ? *view.effects : scene;
 }
 
-/// Whether the frame's objects and its ground lie behind the fog's box or in it.
+/// Tells whether the frame's objects and its ground lie behind the fog's box or in it.
 FogReach fogReach(const FramePlan& plan, const Catalog& catalog) {
     FogReach fog(*plan.effects, catalog, glm::dvec3(plan.cameraToWorld[3]));
     if (!fog.asks()) {

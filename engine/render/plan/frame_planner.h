@@ -27,7 +27,7 @@ class FramePlanner {
               const Catalog& catalog, PlanWish wish = {});
 
   private:
-    /// The lowest height of an object, as long as it is the same mesh at the same place.
+    /// Holds the lowest height of an object, as long as it is the same mesh at the same place.
     struct Lowest {
         glm::dmat4 world{0.0};
         std::span<const Vertex> vertices;

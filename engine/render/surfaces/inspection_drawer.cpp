@@ -134,7 +134,7 @@ void InspectionDrawer::drawItems(const Scene& scene, int firstTerm) {
     });
 }
 
-/// The linear target into a framebuffer, with patterns for what is wrong.
+/// Shows the linear target in a framebuffer, with patterns for what is wrong.
 void InspectionDrawer::show(const Scene& scene, const View& view, unsigned framebuffer) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, view.size.x, view.size.y);

@@ -26,8 +26,8 @@ class InspectionDrawer {
     const FrameReport& draw(const Scene& scene, const View& view, const MeshSource& meshes,
                             unsigned framebuffer);
 
-    /// The same frame as draw() shows it, or as it is before that: luminance in red, PixelDefect in
-    /// green.
+    /// Returns the same frame as draw() shows it, or as it is before that: luminance in red,
+    /// PixelDefect in green.
     Result<Image> capture(const Scene& scene, const View& view, const MeshSource& meshes,
                           bool display);
 

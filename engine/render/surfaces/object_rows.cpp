@@ -67,7 +67,7 @@ void addUnreached(std::vector<EffectRow>& rows, const Scene& scene, std::size_t 
     }
 }
 
-/// What an image does that is the same all over the object.
+/// Returns what an image does that is the same all over the object.
 const char* evenlyText(const BoundTexture& image) {
     switch (image.role) {
     case TextureRole::Normal:

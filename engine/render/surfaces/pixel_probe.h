@@ -20,14 +20,14 @@ struct LightShare {
     float nl = 0.0f;       ///< cosine of its direction with the normal
 };
 
-/// A colour after blending, and the share that blended.
+/// Represents a colour after blending, and the share that blended.
 struct BlendedColor {
     glm::vec3 value{0.0f};
     float share = 0.0f;
 };
 
-/// The numbers of one pixel as they were computed: linear, before exposure. What is not in the
-/// program is not here.
+/// Holds the numbers of one pixel as they were computed: linear, before exposure. What is not in
+/// the program is not here.
 struct PixelProbe {
     std::size_t object = 0; ///< its place in the scene
     PixelDefect defect = PixelDefect::None;

@@ -11,7 +11,7 @@
 
 namespace patina {
 
-/// The colours that a program of the inspection writes: the picture's, then the terms.
+/// Are the colours that a program of the inspection writes: the picture's, then the terms.
 inline constexpr int inspectionOutputs = 8;
 
 /// Represents a few pixels of a frame in whole floats: the four that are shaded together with one

@@ -42,7 +42,7 @@ struct SurfaceBuffer {
     /// Returns what a pixel shows; nothing: the background.
     std::optional<std::size_t> objectAt(std::size_t pixel) const;
 
-    /// The place of its middle as shaders know it, (0, 0) at the bottom left.
+    /// Returns the place of its middle as shaders know it, (0, 0) at the bottom left.
     glm::dvec2 place(std::size_t pixel) const;
 };
 

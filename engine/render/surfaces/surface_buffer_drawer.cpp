@@ -15,7 +15,7 @@ namespace {
 constexpr int outputs = SurfaceBufferLayout::outputs;
 constexpr int sharesPerValue = 4;
 
-/// What the programs write to.
+/// Says what the programs write to.
 class BufferTarget {
   public:
     static Result<BufferTarget> create(glm::ivec2 size) {
@@ -71,7 +71,7 @@ class BufferTarget {
     gl::Framebuffer framebuffer_;
 };
 
-/// How many values a pixel of the object has.
+/// Returns how many values a pixel of the object has.
 std::size_t valuesOf(const BufferedObject& object, std::size_t lights) {
     return object.firstShare + (lights + sharesPerValue - 1) / sharesPerValue;
 }

@@ -17,11 +17,11 @@
 
 namespace patina {
 
-/// The objects of a frame whose numbers are wanted and not its picture: each is drawn by itself and
-/// as an opaque one, with programs of one output, whatever the target is.
+/// Holds the objects of a frame whose numbers are wanted and not its picture: each is drawn by
+/// itself and as an opaque one, with programs of one output, whatever the target is.
 class SurfaceItems {
   public:
-    /// An object that is drawn, and what its program is fed with.
+    /// Represents an object that is drawn, and what its program is fed with.
     struct Item {
         std::size_t index = 0; ///< in the scene
         const GpuMesh* mesh = nullptr;
@@ -80,7 +80,8 @@ class SurfaceItems {
     FrameReport report_;
 };
 
-/// The scene's lights in the order in which the program adds them; of a drawing's the key light.
+/// Returns the scene's lights in the order in which the program adds them; of a drawing's the key
+/// light.
 std::vector<std::size_t> lightsInOrder(const Scene& scene, const Pipeline& pipeline);
 
 } // namespace patina

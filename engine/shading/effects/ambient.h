@@ -22,7 +22,7 @@ struct AmbientEffect {
     friend bool operator==(const AmbientEffect&, const AmbientEffect&) = default;
 };
 
-/// An expression for what the model makes of light from all around.
+/// Returns an expression for what the model makes of light from all around.
 std::string ambientShare(SurfaceText& text);
 
 /// Returns "0.1, 0.2, 0.3".

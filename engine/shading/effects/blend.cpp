@@ -11,9 +11,9 @@
 namespace patina {
 namespace {
 
-/// The material's Fresnel term, unless its model calls it. A fallback for an unknown model keeps
-/// its stripes: blending it would hide them. Where the model was left out, as to see what it does,
-/// the blend stays.
+/// Returns the material's Fresnel term, unless its model calls it. A fallback for an unknown model
+/// keeps its stripes: blending it would hide them. Where the model was left out, as to see what it
+/// does, the blend stays.
 const BlockValues* blendedPart(const MaterialSubject& subject, const EffectSet& set) {
     const std::string& model = subject.material.model.id;
     const bool isUnknown = !model.empty() && subject.catalog.find(kinds::models, model) == nullptr;

@@ -7,8 +7,8 @@
 
 namespace patina {
 
-/// The material's Fresnel term where its model calls none: the summed light is blended towards its
-/// tint.
+/// Holds the material's Fresnel term where its model calls none: the summed light is blended
+/// towards its tint.
 struct BlendEffect {
     std::optional<BlockUse> blend;
 

@@ -12,7 +12,7 @@
 namespace patina {
 namespace {
 
-/// The first block that ships and suits; null: there is none.
+/// Returns the first block that ships and suits; null: there is none.
 template <class Suits>
 const Block* shippedBlock(const Catalog& catalog, std::string_view kind, const Suits& suits) {
     const auto found =
@@ -22,8 +22,8 @@ const Block* shippedBlock(const Catalog& catalog, std::string_view kind, const S
     return found == catalog.blocks.end() ? nullptr : &*found;
 }
 
-/// A model with a slot for a block of a kind that needs one; else one without, so that the block is
-/// called by the program itself.
+/// Returns a model with a slot for a block of a kind that needs one; else one without, so that the
+/// block is called by the program itself.
 bool suitsPart(const Block& model, const std::string& kind) {
     return (model.slot(kind) != nullptr) == findKind(kind)->needsSlot;
 }
@@ -57,7 +57,7 @@ Material trialMaterial(const Block& block, const Catalog& catalog) {
     return material;
 }
 
-/// The block where it is a light, else one that casts shadows; null where none ships.
+/// Returns the block where it is a light, else one that casts shadows; null where none ships.
 const Block* trialLight(const Block& block, const Catalog& catalog) {
     if (block.kind == kinds::lights) {
         return &block;

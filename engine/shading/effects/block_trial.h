@@ -7,7 +7,8 @@
 
 namespace patina {
 
-/// A scene in which the block is called, with its defaults; beside it there are blocks that ship.
+/// Returns a scene in which the block is called, with its defaults; beside it there are blocks that
+/// ship.
 Scene trialScene(const Block& block, const Catalog& catalog);
 
 /// A small program that calls what the block is called by, whatever a document shows and, but of

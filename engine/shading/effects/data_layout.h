@@ -74,8 +74,8 @@ struct ShadowLayout {
 struct ObjectLayout : PartPlaces, OwnData<Material> {
     static constexpr int surface = 0; ///< x: opacity; y: one over what the model does not pass
     static constexpr int fixed = 1;   ///< the model's values follow
-    /// The rows that take (u, v, 1) to a place in the image, with its strength and its threshold in
-    /// their w.
+    /// Are the rows that take (u, v, 1) to a place in the image, with its strength and its
+    /// threshold in their w.
     static constexpr int vec4sPerTexture = 2;
 
     std::optional<BlockPlace> model;
@@ -109,7 +109,7 @@ struct ObjectLayout : PartPlaces, OwnData<Material> {
 struct SceneLayout : PartPlaces, OwnData<Scene> {
     static constexpr int ambient = 0;
     static constexpr int fixed = 1;
-    /// What every driver offers in one block (16 KiB), and the most that is used of it (64 KiB).
+    /// Is what every driver offers in one block (16 KiB), and the most that is used of it (64 KiB).
     static constexpr int minCapacity = 1024;
     static constexpr int maxCapacity = 4096;
 
@@ -120,7 +120,7 @@ struct SceneLayout : PartPlaces, OwnData<Scene> {
     const Block* environment = nullptr; ///< its values are in an array of their own
 };
 
-/// The array `environmentData`, shared by all programs that look at the environment.
+/// Holds the array `environmentData`, shared by all programs that look at the environment.
 struct EnvironmentLayout {
     static constexpr int turn = 0;  ///< x, y: cosine and sine of its rotation; z: the first round
                                     ///< of samples; w: how many rounds
@@ -138,7 +138,7 @@ struct ViewLayout {
     static constexpr int vec4s = 6;
 };
 
-/// The place of a block at `next`, which moves behind it.
+/// Returns the place of a block at `next`, which moves behind it.
 BlockPlace placed(const BlockUse& use, int& next);
 
 /// They point into the catalogue's blocks, which must stay.

@@ -10,8 +10,8 @@
 
 namespace patina {
 
-/// Every effect of the program that shows a picture, in the order of their rows. A new one is a row
-/// here.
+/// Lists every effect of the program that shows a picture, in the order of their rows. A new
+/// one is a row here.
 using AllDisplayEffects = EffectChoices<ExposureEffect, ToneEffect>;
 
 /// Exactly what happens to a picture after the objects are drawn: the choices of all effects of the

@@ -53,7 +53,7 @@ EffectListing::Reason always(std::string sentence);
 /// Appends to the detail of a line.
 std::string detailed(std::string detail, bool counts, std::string_view more);
 
-/// The lines of what is not in a program.
+/// Holds the lines of what is not in a program.
 class LeftOutListing {
   public:
     explicit LeftOutListing(const EffectSubject& subject) : subject_(subject) {}

@@ -41,9 +41,9 @@ void addRefracting(Scene& alone, const Scene& scene, const Catalog& catalog) {
     }
 }
 
-/// The scene with only the object that is looked at, one that casts shadows if any does, and one
-/// that refracts light if a dark environment is in for it: which effects one object has depends on
-/// no more.
+/// Returns the scene with only the object that is looked at, one that casts shadows if any does,
+/// and one that refracts light if a dark environment is in for it: which effects one object has
+/// depends on no more.
 Scene aloneIn(const Scene& scene, std::size_t object, const Catalog& catalog) {
     Scene alone = scene;
     alone.objects = {scene.objects[object]};
@@ -85,7 +85,7 @@ std::vector<EffectLine> linesOf(const Scene& scene, std::size_t object, const Ca
     return lines;
 }
 
-/// What is neither in the object's program nor in the ground's or the display's.
+/// Returns what is neither in the object's program nor in the ground's or the display's.
 std::vector<EffectLine> missingLines(const EffectSubject& subject, const EffectSet& set) {
     std::vector<EffectLine> out = leftOutLines(set, subject);
     const EffectSubject withoutMaterial{nullptr, subject.scene, subject.catalog, subject.view};
@@ -96,7 +96,7 @@ std::vector<EffectLine> missingLines(const EffectSubject& subject, const EffectS
     return out;
 }
 
-/// The scene without one effect, by its name.
+/// Takes one effect out of the scene, by its name.
 void takeOut(Scene& scene, std::string_view name, const Catalog& catalog) {
     const std::size_t slash = name.find('/');
     const EffectName effect{name.substr(0, slash), slash == std::string_view::npos

@@ -9,7 +9,7 @@
 
 namespace patina {
 
-/// An effect in the listing that the editor's panel and `patina effects` show.
+/// Represents an effect in the listing that the editor's panel and `patina effects` show.
 struct EffectRow {
     EffectLine line;
     bool in = true;         ///< in the program or the pass behind it
@@ -23,9 +23,9 @@ struct EffectRow {
 std::vector<EffectRow> effectRows(const Scene& scene, std::size_t object, const Catalog& catalog,
                                   const EffectView& view = {});
 
-/// The scene without some effects, by the names of EffectLine::effect, on every object: what a
-/// view shows while they are switched off, and what their cost is measured against. A name that
-/// means nothing changes nothing.
+/// Returns the scene without some effects, by the names of EffectLine::effect, on every object:
+/// what a view shows while they are switched off, and what their cost is measured against. A name
+/// that means nothing changes nothing.
 Scene withoutEffects(Scene scene, std::span<const std::string> effects, const Catalog& catalog);
 
 } // namespace patina

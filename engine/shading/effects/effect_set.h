@@ -27,8 +27,8 @@
 
 namespace patina {
 
-/// Every effect, in the order in which a program's text is assembled, which is that of its rows. A
-/// new one is a row here.
+/// Lists every effect, in the order in which a program's text is assembled, which is that of
+/// its rows. A new one is a row here.
 using AllEffects =
     EffectChoices<GroundEffect, ModelEffect, SlotsEffect, LightsEffect, ShadowsEffect,
                   OcclusionEffect, AmbientEffect, HemisphereEffect, EnvironmentEffect, BlendEffect,

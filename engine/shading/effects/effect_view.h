@@ -14,7 +14,7 @@ struct EffectView {
     /// that nothing is left out because of it.
     double farthest = std::numeric_limits<double>::infinity();
 
-    /// The scene's lights that end before what is drawn; null: none.
+    /// Are the scene's lights that end before what is drawn; null: none.
     std::shared_ptr<const LightSet> unreached = nullptr;
 
     /// No ray from the eye to what is drawn meets the box that the scene's fog fills.

@@ -10,8 +10,8 @@ namespace patina {
 /// Tells whether the block's parameter is a colour that is emitted and not black.
 bool isEmitted(const Parameter& parameter, const Values& values);
 
-/// The light that the surface sends out by itself: the model's colours that are emitted and not
-/// black everywhere.
+/// Holds the light that the surface sends out by itself: the model's colours that are emitted and
+/// not black everywhere.
 struct EmissionEffect {
     boost::container::small_vector<const Parameter*, 2> emission;
 

@@ -73,7 +73,7 @@ void addOutput(SourceBuilder& out, const BlockUse& use, EnvironmentOutput output
     out.addFile("passes/environment_background.glsl");
 }
 
-/// How its light comes to a material.
+/// Returns how its light comes to a material.
 EnvironmentMethod methodFor(const EffectSet& set) {
     if (takesKeyAlone(set)) {
         return set.keyKind != 0 ? EnvironmentMethod::None : EnvironmentMethod::OneLight;

@@ -85,7 +85,7 @@ enum class EnvironmentOutput {
     FittedBackground   ///< the same from the octahedral picture, without grain
 };
 
-/// A program that covers the target. The uniform block is called EnvironmentBlock.
+/// Returns a program that covers the target. The uniform block is called EnvironmentBlock.
 Checked<ProgramSource> environmentProgram(const BlockUse& use, const Catalog& catalog,
                                           EnvironmentOutput output);
 
@@ -99,13 +99,14 @@ struct OctahedralLayout {
     static constexpr glm::ivec2 matteOrigin{texels * 5 / 4, texels / 2};
 };
 
-/// A program that makes a level of any environment's octahedral picture from the level before.
+/// Returns a program that makes a level of any environment's octahedral picture from the level
+/// before.
 Checked<ProgramSource> environmentBlurProgram(const Catalog& catalog);
 
-/// A program that takes the samples of SurfaceOutput::LobeSamples apart into lobes.
+/// Returns a program that takes the samples of SurfaceOutput::LobeSamples apart into lobes.
 Checked<ProgramSource> lobeFitProgram(const LobeTableShape& shape, const Catalog& catalog);
 
-/// A program that makes the table which surfaces read from the lobes that were fitted.
+/// Returns a program that makes the table which surfaces read from the lobes that were fitted.
 Checked<ProgramSource> lobeTableProgram(const LobeTableShape& shape, const Catalog& catalog);
 
 /// Defines the shape of a table of lobes, which its programs and its readers know it by.

@@ -18,10 +18,10 @@
 namespace patina {
 namespace {
 
-/// The steepest that the sRGB curve is, at black.
+/// Is the steepest that the sRGB curve is, at black.
 constexpr double srgbSlope = 12.92;
 
-/// A number that the block's descriptor names, in its range.
+/// Returns a number that the block's descriptor names, in its range.
 double number(const Block& block, const Values& values, const std::string& id) {
     const Parameter* parameter = block.parameter(id);
     const double* held =
@@ -53,7 +53,7 @@ const glm::dvec3* vectorOf(const Parameter* parameter, const Values& values) {
                                 : std::get_if<glm::dvec3>(&givenValue(*parameter, values));
 }
 
-/// The longest way through the box that the fog fills; infinite where it fills none.
+/// Returns the longest way through the box that the fog fills; infinite where it fills none.
 double longestWay(const Block& block, const Values& values) {
     const glm::dvec3* size = vectorOf(block.parameter(block.hides->size), values);
     if (size == nullptr) {
@@ -63,8 +63,8 @@ double longestWay(const Block& block, const Values& values) {
     return isFlat ? 0.0 : glm::length(*size);
 }
 
-/// What fog is decided by: the next power of two, so that a camera that moves seldom asks for other
-/// programs.
+/// Returns what fog is decided by: the next power of two, so that a camera that moves seldom asks
+/// for other programs.
 double decisive(double number) {
     return std::isfinite(number) && number > 0.0 ? std::exp2(std::ceil(std::log2(number))) : number;
 }

@@ -10,14 +10,14 @@
 
 namespace patina {
 
-/// The share of a surface `distance` metres away that fog of these values hides, 0 .. 1, or hides
-/// at most, by what the block's descriptor says; nothing where it says nothing.
-/// `thickness` is the share of its density that fog has on the way, where it falls with height.
+/// Returns the share of a surface `distance` metres away that fog of these values hides, 0 .. 1, or
+/// hides at most, by what the block's descriptor says; nothing where it says nothing. `thickness`
+/// is the share of its density that fog has on the way, where it falls with height.
 std::optional<double> hiddenShare(const Block& block, const Values& values, double distance,
                                   double thickness = 1.0);
 
-/// The most by which the scene's fog can change a display value (0 .. 1) of what is drawn: a
-/// bound, so that fog below half of an 8-bit step can be left out unseen. It holds up to the next
+/// Returns the most by which the scene's fog can change a display value (0 .. 1) of what is drawn:
+/// a bound, so that fog below half of an 8-bit step can be left out unseen. It holds up to the next
 /// power of two of the view's distance, so that a camera that moves seldom asks for other programs.
 /// Infinite where the block does not say; 0 where the view misses its box.
 double maxChange(const Scene& scene, const Block& block, const EffectView& view);
@@ -28,7 +28,7 @@ struct FogBox {
     glm::dvec3 size{0.0}; ///< from side to side
 };
 
-/// The box that the fog fills, by what its descriptor says; nothing where it fills none.
+/// Returns the box that the fog fills, by what its descriptor says; nothing where it fills none.
 std::optional<FogBox> fogBox(const Block& block, const Values& values);
 
 /// Fog that gets thinner above a height.

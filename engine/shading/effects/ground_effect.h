@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// The scene's ground, drawn in place of a model.
+/// Holds the scene's ground, drawn in place of a model.
 struct GroundEffect {
     GroundMode ground = GroundMode::Off;
 

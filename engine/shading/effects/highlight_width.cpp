@@ -8,7 +8,7 @@
 namespace patina {
 namespace {
 
-/// The function that widens what a parameter says; null where that is no highlight's width.
+/// Returns the function that widens what a parameter says; null where that is no highlight's width.
 const char* wideningOf(const Parameter& parameter) {
     switch (parameter.highlight) {
     case HighlightWidth::Slope:

@@ -47,7 +47,7 @@ double leftAt(double distance, const Block& block, const Values& values) {
     return 1.0 / std::max(sum, smallest);
 }
 
-/// What range and cone leave.
+/// Returns what range and cone leave.
 double arrivingAt(const glm::dvec3& way, double distance, const LightReach& reach) {
     const bool isBeside = reach.angle > 0.0 && distance > 0.0 &&
                           glm::dot(way / distance, reach.axis) < std::cos(reach.angle);

@@ -27,7 +27,7 @@ class LightLines {
     /// Returns them sorted by key.
     const std::vector<Group>& groups() const { return groups_; }
 
-    /// Lines for the lights of a group; 0: a loop.
+    /// Returns lines for the lights of a group; 0: a loop.
     int of(const Group& group) const;
     int of(std::uint64_t key) const;
 

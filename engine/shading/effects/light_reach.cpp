@@ -12,7 +12,7 @@
 namespace patina {
 namespace {
 
-/// A value that a descriptor's reach names; `none` where it names nothing.
+/// Returns a value that a descriptor's reach names; `none` where it names nothing.
 template <class T>
 T valueOf(const Block& block, const Values& values, const std::string& id, T none) {
     const Parameter* parameter = id.empty() ? nullptr : block.parameter(id);

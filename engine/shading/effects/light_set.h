@@ -7,7 +7,7 @@
 
 namespace patina {
 
-/// Some of a scene's lights, by their numbers.
+/// Holds some of a scene's lights, by their numbers.
 class LightSet {
   public:
     /// Keeps its memory.

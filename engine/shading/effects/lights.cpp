@@ -17,8 +17,8 @@
 namespace patina {
 namespace {
 
-/// What a light adds: {0} is its Illumination, {1} what shadows leave of it (or the number of the
-/// function that says so), {2} the function that asks the model.
+/// Is what a light adds: {0} is its Illumination, {1} what shadows leave of it (or the number of
+/// the function that says so), {2} the function that asks the model.
 constexpr const char* litSource = "    sum += {2}(s, {0}, p);\n";
 constexpr const char* sharedLitSource = "    Illumination light = {0};\n"
                                         "    float share = arriving{1}(s, light, base);\n"
@@ -51,7 +51,7 @@ std::string whyNoLight(const Light& light, const Block* block) {
     return whyNeutral(*block, light.block.parameters);
 }
 
-/// The names of the lights of one block, each group after the other.
+/// Returns the names of the lights of one block, each group after the other.
 std::string shiningText(const std::vector<const LightGroup*>& groups,
                         const EffectSubject& subject) {
     const std::vector<std::string> names = lightNames(groups, subject);
@@ -95,7 +95,7 @@ void callLights(SurfaceText& text, std::size_t index, const std::string& functio
     }
 }
 
-/// What the function of a group does with one light.
+/// Returns what the function of a group does with one light.
 std::string litBody(SurfaceText& text, std::size_t index) {
     const LightGroup& group = text.set.lights[index];
     const Block& block = group.block.block();

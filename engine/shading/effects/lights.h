@@ -11,8 +11,8 @@
 
 namespace patina {
 
-/// All lights of one kind with the same compiled values: one loop in the program, or a line for
-/// each.
+/// Represents all lights of one kind with the same compiled values: one loop in the program, or a
+/// line for each.
 struct LightGroup {
     BlockUse block;
     std::optional<BlockUse> shadow; ///< how their shadows are drawn; nothing: there are none
@@ -50,9 +50,9 @@ std::string namesText(const std::vector<std::string>& names);
 /// Returns what is compiled of blocks of one kind, which differ in nothing else: each text once.
 std::string compiledText(const std::vector<const BlockUse*>& uses);
 
-/// The scene's lights. One is left out when it is switched off, cannot send anything, or, with all
-/// of its group, ends before what is drawn. A drawing takes the key light of them alone, unless the
-/// scene says otherwise.
+/// Holds the scene's lights. One is left out when it is switched off, cannot send anything, or,
+/// with all of its group, ends before what is drawn. A drawing takes the key light of them alone,
+/// unless the scene says otherwise.
 struct LightsEffect {
     std::vector<LightGroup> lights; ///< sorted by kind of light, then by compiled values
     std::uint64_t keyKind = 0;      ///< lightKey() of the key light; 0: no light shines

@@ -41,8 +41,8 @@ std::string gateSource(const Block& model) {
     return condition.empty() ? "false" : condition;
 }
 
-/// What keeps a model's value from being negative: nothing, where it says that it never is, which
-/// it says of unit normals. (What is stored is cut anyway.)
+/// Returns what keeps a model's value from being negative: nothing, where it says that it never is,
+/// which it says of unit normals. (What is stored is cut anyway.)
 const char* cutSource(const Block& model, bool hasUnitNormals) {
     const bool isKept = std::ranges::find(model.claims, "non_negative") != model.claims.end();
     return isKept && hasUnitNormals ? "(color)" : "max(color, vec3(0.0))";

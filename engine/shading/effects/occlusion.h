@@ -10,8 +10,8 @@
 
 namespace patina {
 
-/// What an object hides of the environment and of the ambient light from itself, by the openness of
-/// its vertices. It is left out where the scene has no such light, and of drawings.
+/// Says what an object hides of the environment and of the ambient light from itself, by the
+/// openness of its vertices. It is left out where the scene has no such light, and of drawings.
 struct OcclusionEffect {
     bool wantsOcclusion = false; ///< as the scene says
     bool isOccluded = false;

@@ -17,7 +17,7 @@ std::string sizeSource(const OutlineLayout& layout) {
     return fmt::format("#define OBJECT_VEC4S {}\n", layout.vec4s());
 }
 
-/// The block, with `Outline` for its struct and `unpackOutline` for what fills it.
+/// Adds the block, with `Outline` for its struct and `unpackOutline` for what fills it.
 void addOutlineBlock(SourceBuilder& out, const BlockUse& use) {
     const Block& block = use.block();
     out.addFile("passes/blocks.glsl");

@@ -9,7 +9,7 @@
 
 namespace patina {
 
-/// The block that draws a material's outline, when it draws any line; else a null block and a
+/// Holds the block that draws a material's outline, when it draws any line; else a null block and a
 /// sentence why not.
 struct OutlineChoice {
     const Block* block = nullptr;
@@ -34,7 +34,7 @@ struct OutlineEffect {
     friend bool operator==(const OutlineEffect&, const OutlineEffect&) = default;
 };
 
-/// The array `objectData` of the program that draws outlines.
+/// Holds the array `objectData` of the program that draws outlines.
 struct OutlineLayout {
     static constexpr int line = 0;  ///< x, y: a pixel of the picture in clip space; z: what nears a
                                     ///< point to the eye by as much as it is wide there
@@ -48,8 +48,8 @@ struct OutlineLayout {
 /// Points into the catalogue's block; nothing where the set has no outline.
 std::optional<OutlineLayout> outlineLayout(const EffectSet& set);
 
-/// The program that draws the lines of a set with an outline. It reads edges (GpuEdges) and knows
-/// of the scene only its fog.
+/// Returns the program that draws the lines of a set with an outline. It reads edges (GpuEdges) and
+/// knows of the scene only its fog.
 Checked<ProgramSource> outlineProgram(const EffectSet& set, const Catalog& catalog,
                                       int sceneVec4s = SceneLayout::minCapacity);
 

@@ -22,7 +22,7 @@ std::optional<double> numberIn(const Block& block, const Values& values, std::st
     return number == nullptr ? std::nullopt : std::optional(*number);
 }
 
-/// The index of a dielectric that reflects so much of what meets it straight.
+/// Returns the index of a dielectric that reflects so much of what meets it straight.
 double indexOf(const glm::dvec3& f0) {
     const double mean = std::clamp((f0.x + f0.y + f0.z) / 3.0, 0.0, 0.66);
     return (1.0 + std::sqrt(mean)) / (1.0 - std::sqrt(mean));
@@ -39,7 +39,7 @@ std::optional<double> fresnelIndex(const Block& block, const Values& values) {
     return color == nullptr ? std::nullopt : std::optional(indexOf(*color));
 }
 
-/// The index that the material has by what else it is made of.
+/// Returns the index that the material has by what else it is made of.
 std::optional<double> surfaceIndex(const Material& material, const Catalog& catalog) {
     const BlockValues* part = material.part(kinds::fresnel);
     const Block* fresnel = part == nullptr ? nullptr : catalog.find(kinds::fresnel, part->id);
@@ -120,7 +120,7 @@ std::string namesSource(const Block& block) {
                        structName(block), function);
 }
 
-/// What is seen where a ray leaves everything.
+/// Writes what is seen where a ray leaves everything.
 void writeDistance(SurfaceText& text) {
     if (!text.set.environment) {
         text.out.add(

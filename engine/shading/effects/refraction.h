@@ -18,10 +18,10 @@ struct RefractionChoice {
 /// coloured. Allocates nothing.
 RefractionChoice refractionChoice(const Material& material, const Catalog& catalog);
 
-/// The index of the body relative to what surrounds it, by the roles of parameters: the block's own
-/// `index`, or, where its `indexFrom` does not say "own", that of the material's Fresnel term
-/// (`indexInside` over `indexOutside`, or sqrt(f0) = (n - 1) / (n + 1) for the mean of `f0`), or
-/// the model's `index`. 0.1 .. 10.
+/// Returns the index of the body relative to what surrounds it, by the roles of parameters: the
+/// block's own `index`, or, where its `indexFrom` does not say "own", that of the material's
+/// Fresnel term (`indexInside` over `indexOutside`, or sqrt(f0) = (n - 1) / (n + 1) for the mean of
+/// `f0`), or the model's `index`. 0.1 .. 10.
 double bodyIndex(const Material& material, const RefractionChoice& choice, const Catalog& catalog);
 
 /// Tells whether light leaves it in its old direction: a pane, which has a thickness.

@@ -5,8 +5,8 @@
 
 namespace patina {
 
-/// The program that draws the farthest surface of a body, for a target of 32-bit floats: with the
-/// uniform `refractionBody`, the middle and the radius of a ball around the body.
+/// Returns the program that draws the farthest surface of a body, for a target of 32-bit floats:
+/// with the uniform `refractionBody`, the middle and the radius of a ball around the body.
 Checked<ProgramSource> bodyBackProgram(const Catalog& catalog);
 
 } // namespace patina

@@ -9,7 +9,7 @@
 
 namespace patina {
 
-/// The program that draws depths into the map of a light, with the uniform `worldToMap`.
+/// Returns the program that draws depths into the map of a light, with the uniform `worldToMap`.
 Checked<ProgramSource> shadowMapProgram(const Catalog& catalog);
 
 /// Tells whether an image of the material decides where it casts shadows.

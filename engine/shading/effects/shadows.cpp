@@ -13,7 +13,7 @@
 namespace patina {
 namespace {
 
-/// The mesh whose parts all lie in one plane.
+/// Names the mesh whose parts all lie in one plane.
 constexpr std::string_view flatMesh = "builtin:plane";
 
 /// What hides at least so much casts shadows.
@@ -151,7 +151,7 @@ const Block* shadowBlock(const Light& light, const Block& block, const Catalog& 
                : blockOf(light.parts, kinds::shadows, catalog);
 }
 
-/// One line for each kind of shadow, with the lights that have such.
+/// Lists one line for each kind of shadow, with the lights that have such.
 void ShadowsEffect::list(EffectListing& listing, const EffectSet& set) const {
     std::map<std::string_view, std::vector<const LightGroup*>> kinds;
     for (const LightGroup& group : set.lights) {

@@ -27,7 +27,7 @@ bool hasShadows(const Scene& scene, const Catalog& catalog);
 /// Tells whether a light of the set has shadows.
 bool hasShadows(const EffectSet& set);
 
-/// The block that draws the shadows in a light of kind `light`; null where it has none.
+/// Returns the block that draws the shadows in a light of kind `light`; null where it has none.
 const Block* shadowBlock(const Light& light, const Block& block, const Catalog& catalog);
 
 /// Shadows in the lights that have some; LightGroup says which.

@@ -19,7 +19,7 @@ bool isNeutral(const SlotChoice& choice, const Material& material) {
     return choice.block != nullptr && isNeutralPart(*choice.block, *choice.values, material);
 }
 
-/// A sentence about the slot of a kind that no block of the id fills.
+/// Lists a sentence about the slot of a kind that no block of the id fills.
 void listUnknown(LeftOutListing& listing, const Slot& slot, const std::string& id) {
     listing.add(slot.kind, fmt::format("No block \"{}\" is known for the model's slot.", id));
 }

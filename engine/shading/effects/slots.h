@@ -7,8 +7,8 @@
 
 namespace patina {
 
-/// The block that fills a model's slot, and its values: the material's part of that kind, else the
-/// slot's default with its own defaults. A null block: the slot stays empty.
+/// Holds the block that fills a model's slot, and its values: the material's part of that kind,
+/// else the slot's default with its own defaults. A null block: the slot stays empty.
 struct SlotChoice {
     const Block* block = nullptr;
     const Values* values = nullptr;

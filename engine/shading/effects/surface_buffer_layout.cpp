@@ -45,7 +45,7 @@ void writeBlendValues(SurfaceText& text) {
     noteValues(text, block.kind, "blend");
 }
 
-/// Where the environment's light comes from in one round, or, of a drawing, as one light.
+/// Writes where the environment's light comes from in one round, or, of a drawing, as one light.
 void writeSamples(SurfaceText& text) {
     if (!text.set.model || !isLitByEnvironment(text.set)) {
         return;
@@ -86,7 +86,7 @@ void writeShares(SurfaceText& text, std::size_t index) {
     text.main += fmt::format("    noteShares{}(s);\n", index);
 }
 
-/// What shadows leave of each light that has some.
+/// Writes what shadows leave of each light that has some.
 void writeAllShares(SurfaceText& text) {
     if (!text.set.model || !hasShadows(text.set)) {
         return;

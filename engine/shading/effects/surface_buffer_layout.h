@@ -20,9 +20,9 @@ struct SurfaceBufferLayout {
     static constexpr int sampleValues = 2; ///< a direction, and what arrives from it
 };
 
-/// The images of a set that change a parameter, by their place in EffectSet::textures. Their
-/// results are the first values, in this order; behind them are the samples of an environment's
-/// light, then what effects add (`writeBuffer`), then four lights' shares share each.
+/// Returns the images of a set that change a parameter, by their place in EffectSet::textures.
+/// Their results are the first values, in this order; behind them are the samples of an
+/// environment's light, then what effects add (`writeBuffer`), then four lights' shares share each.
 std::vector<std::size_t> texturedInputs(const EffectSet& set);
 
 /// Returns the first of the values that effects add.

@@ -14,7 +14,7 @@ void writeSize(SurfaceText& text) {
     text.out.add(fmt::format("#define OBJECT_VEC4S {}\n", text.object.vec4s));
 }
 
-/// Each effect's part of what lights a surface.
+/// Writes each effect's part of what lights a surface.
 void writeAllLight(SurfaceText& text) {
     text.set.each([&text](const auto& effect) {
         if constexpr (requires { effect.writeLight(text); }) {
@@ -23,7 +23,7 @@ void writeAllLight(SurfaceText& text) {
     });
 }
 
-/// What becomes of the light of a surface.
+/// Writes what becomes of the light of a surface.
 void writeRest(SurfaceText& text) {
     text.set.each([&text](const auto& effect) {
         if constexpr (requires { effect.write(text); }) {
@@ -110,7 +110,7 @@ void writeLobeSamples(SurfaceText& text) {
     text.out.add("void main() {\n" + text.main + "    storeSample(model);\n}\n");
 }
 
-/// What fills the tables that blocks read.
+/// Writes what fills the tables that blocks read.
 void writeTables(SurfaceText& text) {
     writeSize(text);
     text.out.addFile("passes/blocks.glsl");
@@ -146,7 +146,7 @@ void writeFragment(SurfaceText& text) {
     }
 }
 
-/// The same functions as at a pixel, without what only a pixel has.
+/// Returns the same functions as at a pixel, without what only a pixel has.
 std::string writeVertexLight(SurfaceText& text) {
     text.out.addFile("passes/vertex_light.glsl");
     text.readFrom("objectData");

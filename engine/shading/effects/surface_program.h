@@ -12,10 +12,10 @@
 
 namespace patina {
 
-/// The program that draws surfaces with exactly these effects, in canonical order: what is not in
-/// the set is not in the text. Errors name files that could not be read. A set without a model has
-/// no table of albedos, and one whose levels read no table has no tables. `sceneVec4s` is the size
-/// of the scene's block.
+/// Returns the program that draws surfaces with exactly these effects, in canonical order: what is
+/// not in the set is not in the text. Errors name files that could not be read. A set without a
+/// model has no table of albedos, and one whose levels read no table has no tables. `sceneVec4s` is
+/// the size of the scene's block.
 Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catalog,
                                       SurfaceOutput output = SurfaceOutput::Picture,
                                       int sceneVec4s = SceneLayout::minCapacity);

@@ -15,8 +15,8 @@
 
 namespace patina {
 
-/// The text of a stage that draws surfaces, while the effects write it: each adds its declarations
-/// to `out`, then its statement to `main`.
+/// Holds the text of a stage that draws surfaces, while the effects write it: each adds its
+/// declarations to `out`, then its statement to `main`.
 class SurfaceText {
   public:
     SurfaceText(SourceBuilder& stage, const EffectSet& effects, const ObjectLayout& objectLayout,

@@ -11,7 +11,7 @@
 namespace patina {
 namespace {
 
-/// A literal that GLSL takes for a float.
+/// Returns a literal that GLSL takes for a float.
 std::string literal(double value) {
     constexpr double maxFloat = std::numeric_limits<float>::max();
     std::string text =
@@ -101,7 +101,7 @@ void TextureWriter::writeSamplers(SourceBuilder& out) const {
     }
 }
 
-/// The part of the image that counts, as a colour where the value is one.
+/// Returns the part of the image that counts, as a colour where the value is one.
 std::string TextureWriter::texel(std::size_t index) const {
     const BoundTexture& texture = set_.textures[index];
     const std::string read = fmt::format("texture({}, imagePlace({})).{}", samplerName(index),

@@ -27,7 +27,7 @@ class TextureWriter {
     /// Writes samplers and functions.
     void writeDeclarations(SourceBuilder& out) const;
 
-    /// Those that opacity() needs alone.
+    /// Writes those that opacity() needs alone.
     void writeOpacityDeclarations(SourceBuilder& out) const;
 
     /// Perturbs the normal of the Surface `s`.

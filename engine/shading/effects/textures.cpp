@@ -38,7 +38,8 @@ bool takes(const Parameter& parameter, TextureChannel channel) {
     });
 }
 
-/// The block that the model's slot of this kind calls, or the Fresnel term that blends the sum.
+/// Returns the block that the model's slot of this kind calls, or the Fresnel term that blends the
+/// sum.
 const Block* partBlock(std::string_view kind, const Block& model, const Material& material,
                        const Catalog& catalog) {
     if (const Slot* slot = model.slot(kind)) {
@@ -70,7 +71,7 @@ void findParameter(TextureTarget& target, std::string_view key, const Material& 
     }
 }
 
-/// The key of the images of a role that changes no parameter.
+/// Returns the key of the images of a role that changes no parameter.
 std::string_view keyOf(TextureRole role) {
     constexpr std::array<std::string_view, 3> keys{"normal", "height", "opacity"};
     return *std::ranges::find(keys, role, textureRole);
@@ -113,7 +114,7 @@ std::string detailOf(const BoundTexture& texture, const EffectSubject* subject) 
                        texture.cutOut ? ", cut out" : "");
 }
 
-/// A parameter of the table that a level reads which an image changes; null: there is none.
+/// Returns a parameter of the table that a level reads which an image changes; null: there is none.
 const Parameter* texturedInput(const EffectSet& set, const Block& block, const EnumValue& level) {
     const BlockTable* table = block.table(level.table);
     if (table == nullptr) {
@@ -131,7 +132,7 @@ const Parameter* texturedInput(const EffectSet& set, const Block& block, const E
     return nullptr;
 }
 
-/// All whose values an image may change.
+/// Returns all whose values an image may change.
 std::vector<const BlockUse*> usesOf(const EffectSet& set) {
     std::vector<const BlockUse*> uses;
     if (set.model) {
@@ -146,7 +147,7 @@ std::vector<const BlockUse*> usesOf(const EffectSet& set) {
     return uses;
 }
 
-/// The tables that the material chooses and an image rules out.
+/// Lists the tables that the material chooses and an image rules out.
 void listComputedTables(LeftOutListing& listing, const BlockUse& use, const Material& material,
                         const EffectSet& set) {
     const Block& block = use.block();
@@ -163,7 +164,8 @@ void listComputedTables(LeftOutListing& listing, const BlockUse& use, const Mate
     }
 }
 
-/// The rows that take (u, v, 1) to a place in the image: turned about the middle, scaled, moved.
+/// Packs the rows that take (u, v, 1) to a place in the image: turned about the middle, scaled,
+/// moved.
 void packTexture(std::span<glm::vec4> out, const TextureUse& use, TextureRole role) {
     const double angle = glm::radians(std::fmod(use.rotation, 360.0));
     const glm::dvec2 turn(std::cos(angle), std::sin(angle));

@@ -26,8 +26,8 @@ struct TextureTarget {
 TextureTarget textureTarget(std::string_view key, const TextureUse& use, const Material& material,
                             const Catalog& catalog);
 
-/// The channel that counts: never Auto. Where that makes alpha of it the grey of an image without
-/// alpha counts (see TexturePicture::hasAlpha).
+/// Returns the channel that counts: never Auto. Where that makes alpha of it the grey of an image
+/// without alpha counts (see TexturePicture::hasAlpha).
 TextureChannel channelOf(const TextureUse& use, const TextureTarget& target);
 
 /// Tells whether the colours of the file are taken as light: those that Auto takes for encoded.
@@ -36,7 +36,8 @@ bool isColorUse(TextureRole role, TextureChannel channel);
 /// Tells whether an image gives the parameter another value than the form's.
 bool isTextured(std::string_view parameterId, const Material& material);
 
-/// An image that is in a program. Which image, and where it lies on the surface, is data.
+/// Represents an image that is in a program. Which image, and where it lies on the surface, is
+/// data.
 struct BoundTexture {
     TextureRole role = TextureRole::Input;
     std::string_view kind{};              ///< role Input: "models" or a part's

@@ -10,7 +10,7 @@ namespace patina {
 
 struct DisplaySet;
 
-/// The tone curve that brings the light of the picture into a display's range.
+/// Holds the tone curve that brings the light of the picture into a display's range.
 struct ToneEffect {
     std::optional<BlockUse> tone;
 

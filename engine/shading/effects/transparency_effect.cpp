@@ -105,7 +105,7 @@ void TransparencyEffect::place(ObjectLayout& layout, const EffectSet& set) const
     }
 }
 
-/// What a surface adds to a sum of layers. The inspection looks at each surface by itself.
+/// Writes what a surface adds to a sum of layers. The inspection looks at each surface by itself.
 void TransparencyEffect::write(SurfaceText& text) const {
     if (!text.object.transparency || text.isInspected()) {
         return;

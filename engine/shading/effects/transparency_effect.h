@@ -14,8 +14,8 @@ int countTransparent(const Scene& scene, const Catalog& catalog);
 /// Tells whether what is drawn with the set may be transparent.
 bool isVisiblyTransparent(const EffectSet& set);
 
-/// The block that puts together what is transparent; null where nothing is, or each object is
-/// blended by itself.
+/// Returns the block that puts together what is transparent; null where nothing is, or each object
+/// is blended by itself.
 const Block* transparencyBlock(const Scene& scene, const Catalog& catalog);
 
 /// Says how what is transparent is put together, in the programs that draw it; without a block each

@@ -7,7 +7,7 @@
 
 namespace patina {
 
-/// The object that sides C and D are shown on.
+/// Holds the object that sides C and D are shown on.
 struct FurtherSides {
     int object = 0;
 

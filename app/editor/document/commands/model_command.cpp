@@ -9,7 +9,7 @@ namespace patina {
 
 namespace {
 
-/// A value of the former model that the new one has too, or one that it had before.
+/// Returns a value of the former model that the new one has too, or one that it had before.
 bool isCarriedOver(const Parameter& parameter, const Material& material, const Block* before) {
     const Parameter* former = before ? before->parameter(parameter.id) : nullptr;
     return (former && former->type == parameter.type) || material.parked.contains(parameter.id);

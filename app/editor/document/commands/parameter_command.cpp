@@ -15,7 +15,7 @@ Values heldNow(const Document& document, const BlockPath& path, const Block& blo
     return values;
 }
 
-/// The part of `values` that `after` changes.
+/// Returns the part of `values` that `after` changes.
 Values formerOf(const Values& values, const Values& after) {
     Values part;
     for (const auto& [id, value] : after) {
@@ -32,8 +32,8 @@ std::vector<std::string> idsOf(const Values& values) {
     return ids;
 }
 
-/// What is given, and what that changes beside it: a choice sets others where they are not given,
-/// and turns to the one for values of one's own where it does not say what is set.
+/// Returns what is given, and what that changes beside it: a choice sets others where they are not
+/// given, and turns to the one for values of one's own where it does not say what is set.
 Values decided(const Block& block, const Values& held, Values given) {
     fillGaps(block, given);
     Values all = held;
