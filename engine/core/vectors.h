@@ -23,7 +23,7 @@ inline glm::vec3 unitOrZero(const glm::vec3& v) {
         return v / std::sqrt(square);
     }
     const float largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    if (!(largest > 0.0f) || !std::isfinite(largest)) { // also for NaN
+    if (!isFinite(v) || largest == 0.0f) {
         return glm::vec3(0.0f);
     }
     const glm::vec3 scaled = v / largest;
