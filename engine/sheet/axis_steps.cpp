@@ -71,7 +71,7 @@ std::vector<std::string> wordsIn(const std::string& text) {
     return words;
 }
 
-/// Every choice that the words do not name is exact.
+/// Sets the named levels; every choice that the words do not name becomes exact.
 Result<void> applyLevels(Scene& scene, std::size_t object, const std::string& levels,
                          const Catalog& catalog) {
     Material& material = materialOf(scene, object);
@@ -115,7 +115,7 @@ std::string labelOfLevels(const Material& material, const std::string& levels,
     return label.empty() ? "Exact" : label;
 }
 
-/// Returns the exact way, and every other level by itself.
+/// Returns the entry for everything exact, and one entry for each inexact level on its own.
 std::vector<std::string> everyLevel(const Material& material, const Catalog& catalog) {
     std::vector<std::string> all{exactWord};
     for (const AccuracyChoice* choice : choicesOf(material, catalog)) {
@@ -170,8 +170,8 @@ std::string labelOfLights(Scene scene, const std::string& entry, const Catalog& 
     return block == nullptr ? "No light" : block->label;
 }
 
-/// Returns the scene's lights together and each alone; where it has fewer than two, each kind of
-/// light.
+/// Returns entries for the scene's lights together and for each alone; where it has fewer than two,
+/// for each light block in place of them.
 std::vector<std::string> everyLight(const Scene& scene, const Catalog& catalog) {
     std::vector<std::string> all{allWord};
     if (scene.lights.size() > 1) {
@@ -186,7 +186,7 @@ std::vector<std::string> everyLight(const Scene& scene, const Catalog& catalog) 
     return all;
 }
 
-/// The scene's own keeps its values.
+/// Chooses an environment; the scene's own one keeps its values.
 Result<void> applyEnvironment(Scene& scene, const std::string& entry, const Catalog& catalog) {
     const BlockValues* held = scene.part(kinds::environment);
     return held != nullptr && held->id == entry ? Result<void>()
@@ -209,7 +209,8 @@ std::vector<std::string> everyBlock(std::string_view kind, const Catalog& catalo
     return all;
 }
 
-/// Those that need a picture are left out, unless the scene shows one.
+/// Returns "none" and the environments' ids. One that needs an image file is left out unless it is
+/// the scene's own, since nobody has named a file for it.
 std::vector<std::string> everyEnvironment(const Scene& scene, const Catalog& catalog) {
     std::vector<std::string> all{noneWordOf(kinds::environment)};
     const BlockValues* held = scene.part(kinds::environment);
@@ -240,7 +241,7 @@ NamedParameter parameterOf(const Scene& scene, std::size_t object, const std::st
                : NamedParameter{parameterIn(scene.objects[object].material, id, catalog)};
 }
 
-/// A number with no more decimals than the parameter is shown with, and none that say nothing.
+/// Returns a number with at most the parameter's decimals and without trailing zeros.
 std::string roundedText(double number, const Parameter& parameter) {
     const int decimals = std::clamp(parameter.decimals, 0, 9);
     const std::string text = fmt::format("{:.{}f}", number, decimals);
@@ -265,7 +266,7 @@ double alongRange(const SheetRange& range, const Parameter& parameter, int step)
     const double number = isLog ? range.from * std::pow(range.to / range.from, share)
                                 : range.from + share * (range.to - range.from);
     const bool isEnd = step == range.steps - 1 && range.steps > 1;
-    return isEnd ? range.to : number; // which rounding would miss
+    return isEnd ? range.to : number; // rounding could miss the end
 }
 
 std::vector<std::string> rangeEntries(const SheetRange& range, const Parameter& parameter) {
@@ -278,7 +279,8 @@ std::vector<std::string> rangeEntries(const SheetRange& range, const Parameter& 
     return entries;
 }
 
-/// Returns all choices of an enum, both states of a switch, or the slider's range of a number.
+/// Fills an axis that names no steps: with all choices of an enum, both states of a switch, or the
+/// slider's range of a number. It is an error for any other type.
 Result<void> chooseEntries(SheetAxis& axis, const Parameter& parameter) {
     const ParameterTypeInfo& info = infoOf(parameter.type);
     if (info.isChoice) {
@@ -296,8 +298,8 @@ Result<void> chooseEntries(SheetAxis& axis, const Parameter& parameter) {
     return {};
 }
 
-/// Returns the levels of an accuracy choice, of the material or of the picture, that is named as a
-/// value.
+/// Returns the levels of the accuracy choice, of the material or of the picture, that has this id,
+/// and stores its label in `title`. Empty where no choice has this id.
 std::vector<SheetStep> levelSteps(const Scene& scene, std::size_t object, const std::string& id,
                                   const Catalog& catalog, std::string& title) {
     std::vector<SheetStep> steps;
@@ -412,7 +414,7 @@ std::vector<std::string> everyEntry(AxisKind kind, const Scene& scene, std::size
     return {};
 }
 
-/// Are ordered as AxisKind is.
+/// Holds the title of an axis by its AxisKind.
 constexpr std::array<const char*, 5> titles{"Model", "Environment", "Light", "Accuracy", "Value"};
 
 } // namespace

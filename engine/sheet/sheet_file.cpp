@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Says what an axis is of, by the key that holds it.
+/// Pairs the kind of an axis with the key that holds its steps in a file.
 struct KindKey {
     AxisKind kind;
     const char* key;
@@ -29,7 +29,8 @@ constexpr std::array kindKeys{
 
 constexpr std::array<std::string_view, 3> numberWords{"time", "error", "albedo"};
 
-/// Returns a value as a file has it, as it is typed for --set; nothing for an object and the like.
+/// Returns a file's value as it would be typed for --set. Nothing is returned for null, an object,
+/// or an array that is empty or not of numbers.
 std::optional<std::string> typedText(const Json& json) {
     if (json.is_string()) {
         return json.get<std::string>();
@@ -61,12 +62,12 @@ Json jsonOfTyped(const std::string& text) {
     return number && shortestFloatText(*number) == text ? Json(*number) : Json(text);
 }
 
-/// Returns a mistake in one of an array's values.
+/// Returns a mistake that points at one of an array's values.
 ValueError wrongAt(std::size_t index, std::string problem, const char* expected) {
     return {Error{{}, 0, 0, std::move(problem), expected}, fmt::format("/{}", index)};
 }
 
-/// Reads one sheet file.
+/// Reads one sheet file and collects its mistakes.
 class SheetReader {
   public:
     SheetReader(const LocatedJson& document, const ReadingRights& rights)
@@ -178,7 +179,7 @@ class SheetReader {
         }
     }
 
-    /// A key that is misspelt would change the axis in silence.
+    /// Makes every unknown key an error, since a misspelt one would change the axis in silence.
     void refuseUnknown(JsonReader& reader) {
         const Json misspelt = reader.unknown(); // outlives the loop
         for (const auto& item : misspelt.items()) {
@@ -248,7 +249,7 @@ std::size_t stepsOf(const SheetAxis& axis) {
                       : std::max<std::size_t>(axis.entries.size(), 1);
 }
 
-/// `key`: of the axis in files.
+/// Adds what breaks the limits of one axis; `key` is the axis' key in the file.
 void addAxisMistakes(Errors& mistakes, const SheetAxis& axis, const std::string& key) {
     const bool isFinite =
         !axis.range || (std::isfinite(axis.range->from) && std::isfinite(axis.range->to));
@@ -332,7 +333,7 @@ Result<void> writeSheet(const std::filesystem::path& path, const Sheet& sheet) {
 
 std::vector<std::filesystem::path> shippedSheets() {
     std::vector<std::filesystem::path> sheets;
-    std::error_code ignored; // of a folder that cannot be read: there are none
+    std::error_code ignored; // a folder that cannot be read has no sheets
     const auto folder = dataFolder() / "presets" / "sheets";
     for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
         if (entry.path().string().ends_with(sheetEnding)) {

@@ -12,35 +12,36 @@
 
 namespace patina {
 
-/// What a file of a sheet says it is, and how its name ends.
 inline constexpr FileFormat sheetFormat{"patina.sheet", 1, "sheet"};
 inline constexpr std::string_view sheetEnding = ".patina-sheet.json";
 
+/// Holds what reading a sheet gave; its notes are about things that lost nothing.
 struct SheetReading {
     Sheet sheet;
     Errors notes;
-    OutsideFiles outside{}; ///< the preset, where it may not be read
-    bool readOnly = false;  ///< it was written by a newer Patina
+    OutsideFiles outside{}; ///< holds the preset where it may not be read
+    bool readOnly = false;  ///< says that a newer Patina wrote it
 };
 
-/// Reads a sheet. Its preset is a path from the file's folder. Every mistake has its line and
-/// column.
+/// Reads a sheet. The file names its preset relative to its folder; the value has the full path.
+/// Every mistake has its line and column.
 Checked<SheetReading> readSheet(const std::filesystem::path& path,
                                 const ReadingRights& rights = {});
 
-/// Returns the sheet's JSON; its preset relative to `folder`.
+/// Returns the sheet's JSON, whose preset is a path relative to `folder`.
 nlohmann::json toJson(const Sheet& sheet, const std::filesystem::path& folder);
 
 Result<void> writeSheet(const std::filesystem::path& path, const Sheet& sheet);
 
-/// Returns the sheets that ship, by their files' names.
+/// Returns the files of the sheets that ship, sorted; empty where their folder cannot be read.
 std::vector<std::filesystem::path> shippedSheets();
 
-/// Returns the word of a number in files and on the command line: "time", "error", "albedo".
+/// Returns the word for a number in files and on the command line: "time", "error" or "albedo".
 std::string_view wordOf(CellNumber number);
 std::optional<CellNumber> cellNumberOf(std::string_view word);
 
-/// Returns what is wrong with a sheet whatever it is of: steps, sizes, numbers of cells.
+/// Returns what is wrong with a sheet whatever scene it shows: its steps, its cells' size, and its
+/// size as a whole. The `file` of each error is a JSON pointer into the sheet.
 Errors limitMistakes(const Sheet& sheet);
 
 } // namespace patina

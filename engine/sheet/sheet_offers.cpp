@@ -12,7 +12,7 @@
 namespace patina {
 namespace {
 
-/// Tells whether a block with these values reads one of them.
+/// Tells whether a block with these values reads this parameter.
 bool counts(const Parameter& parameter, const Values& values) {
     const Result<Expression> condition = Expression::parse(parameter.enabledWhen);
     return !condition || condition->evaluate(values);
@@ -43,7 +43,7 @@ void addValues(std::vector<AxisOffer>& offers, const Block& block, const std::st
     }
 }
 
-/// Adds the levels of each choice by itself.
+/// Adds each accuracy choice of the block that has two levels at least and is not offered yet.
 void addChoices(std::vector<AxisOffer>& offers, const Block& block) {
     for (const AccuracyChoice& choice : block.accuracy) {
         const bool isNew = std::ranges::none_of(

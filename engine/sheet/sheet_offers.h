@@ -11,17 +11,18 @@
 
 namespace patina {
 
-/// Represents one thing that an axis of a sheet may be of.
+/// Describes one thing that an axis of a sheet may go through.
 struct AxisOffer {
-    SheetAxis axis;                ///< of a number: with its slider's range; else of all there is
-    std::string label;             ///< for people
-    std::optional<Parameter> of{}; ///< the number that the range is of
-    bool counts = true;            ///< the material as it is reads the value
+    SheetAxis axis;    ///< has the slider's range of a number; else it goes through all steps
+    std::string label; ///< is what users see
+    std::optional<Parameter> of{}; ///< is the number that varies; empty for others
+    bool counts = true;            ///< says whether the material reads the value now
 };
 
-/// Returns what a sheet of an object may go through: the values of its material that are numbers,
-/// choices or switches, those of its model first, then each of its accuracy choices, then models,
-/// all of its accuracy, lights and environments, where there are two at least.
+/// Returns what a sheet of this object may go through: the values of its material that are numbers,
+/// choices or switches, those of its model first; then each of its accuracy choices; then models,
+/// all levels of its accuracy, lights and environments, where each has two steps at least. Empty
+/// where the scene has no such object.
 std::vector<AxisOffer> axisOffers(const Scene& scene, std::size_t object, const Catalog& catalog);
 
 } // namespace patina

@@ -9,11 +9,11 @@
 namespace patina {
 namespace {
 
-constexpr float background = 0.13f;  ///< of the display
-constexpr double displayGamma = 2.2; ///< for that grey alone, which no cell has
+constexpr float background = 0.13f;  ///< sRGB, 0 .. 1
+constexpr double displayGamma = 2.2; ///< converts that grey alone, never a cell
 constexpr int maxScale = 4;
 
-/// Returns the cells' share that a label's square takes: letters are legible, and a few words fit.
+/// Returns how much labels are magnified, so that they are legible and a few words fit a cell.
 int scaleFor(int cellPixels) {
     return std::clamp(cellPixels / 64, 1, maxScale);
 }
@@ -51,12 +51,12 @@ int SheetPicture::rowStep() const {
     return step() + look_.captionLines * labelHeight(captionScale());
 }
 
-/// Numbers are longer than labels.
+/// Returns half of the labels' scale, since captions are longer.
 int SheetPicture::captionScale() const {
     return std::max(1, scale_ / 2);
 }
 
-/// The control row stands apart.
+/// Sets the control row off by a gap.
 glm::ivec2 SheetPicture::corner(int column, int row) const {
     const int apart = plan_.isControl(row) && plan_.isControl(plan_.rows() - 1) ? 6 * scale_ : 0;
     return {left_ + column * step(), top_ + row * rowStep() + apart};
@@ -120,7 +120,7 @@ void SheetPicture::put(int column, int row, const Image& picture,
     }
 }
 
-/// In as many lines as it takes.
+/// Breaks the text into lines and cuts off what does not fit into the cell.
 void SheetPicture::putProblem(int column, int row, const std::string& why) {
     const glm::ivec2 at = corner(column, row);
     const int line = labelHeight(1);

@@ -15,8 +15,8 @@
 namespace patina {
 namespace {
 
-/// Returns the scene that an axis is planned in: the start, or the first model of the other axis
-/// that has the value.
+/// Returns the scene in which an axis is planned: the start, or, where the start has not the axis'
+/// value, the start with the first model of the other axis that has it.
 Scene sceneFor(const SheetAxis& axis, const SheetAxis* other, const Scene& start,
                std::size_t object, const Catalog& catalog) {
     if (axis.kind != AxisKind::Value || other == nullptr || other->kind != AxisKind::Models ||
@@ -44,7 +44,7 @@ Error ofAxis(const char* name, Error error) {
     return error;
 }
 
-/// Plans one axis and tries each of its steps.
+/// Plans one axis, tries each of its steps and adds to `errors` why one cannot be applied.
 Result<PlannedAxis> tried(const SheetAxis& axis, const Scene& scene, std::size_t object,
                           const Catalog& catalog, const char* name, Errors& errors) {
     auto planned = plannedAxis(axis, scene, object, catalog);
@@ -61,7 +61,7 @@ Result<PlannedAxis> tried(const SheetAxis& axis, const Scene& scene, std::size_t
     return planned;
 }
 
-/// Returns what limitMistakes() says, without places in a file.
+/// Returns the errors of limitMistakes() without their JSON pointers, since there is no file.
 Errors mistakesOf(const Sheet& sheet) {
     Errors errors = limitMistakes(sheet);
     for (Error& error : errors) {
@@ -70,8 +70,8 @@ Errors mistakesOf(const Sheet& sheet) {
     return errors;
 }
 
-/// Returns the order in which a cell takes on its axes: see AxisKind; of values, one that sets
-/// others first.
+/// Returns a key that sorts axes in the order in which a cell applies them: by AxisKind, and of two
+/// values the one that sets others first.
 std::pair<AxisKind, bool> orderOf(const PlannedAxis& axis) {
     return {axis.axis.kind, !axis.setsOthers};
 }

@@ -13,31 +13,31 @@
 
 namespace patina {
 
-/// Represents one step of an axis.
+/// Pairs what a step of an axis is in data with what users read.
 struct SheetStep {
-    std::string entry; ///< as SheetAxis::entries has it
-    std::string label; ///< for people
+    std::string entry; ///< is an entry as in SheetAxis::entries
+    std::string label; ///< is what users see
 
     friend bool operator==(const SheetStep&, const SheetStep&) = default;
 };
 
-/// Represents an axis whose steps are known.
+/// Holds an axis with all of its steps, also where the sheet gave none.
 struct PlannedAxis {
     SheetAxis axis;
-    std::string title;            ///< for people: "Metalness", "Key: Intensity (EV)", "Model"
-    std::vector<SheetStep> steps; ///< at least one
-    bool setsOthers = false;      ///< a value that sets others with it, which one given alone beats
+    std::string title;            ///< is shown: "Metalness", "Key: Intensity (EV)", "Model"
+    std::vector<SheetStep> steps; ///< has one step at least
+    bool setsOthers = false;      ///< says that its value sets others, which other axes override
 
     friend bool operator==(const PlannedAxis&, const PlannedAxis&) = default;
 };
 
-/// Represents a sheet of one object of a scene: which steps its axes have, and which scene each
-/// cell shows. A pure function of the scene.
+/// Says for a sheet of one object of a scene which steps its axes have and which scene each cell
+/// shows. It depends on nothing but the sheet, the scene and the catalogue.
 class SheetPlan {
   public:
-    /// Plans a sheet of `start`'s object with this number. Every step that cannot be is in the
-    /// error, which names its axis. A value that some models of the other axis lack is none: their
-    /// cells cannot be had.
+    /// Plans a sheet of `start`'s object with this number. Every step that cannot be applied is an
+    /// error that names its axis. Where an axis goes through models and the other one through a
+    /// value, it is enough that one model has the value: scene() is an error for the others.
     static Checked<SheetPlan> of(const Sheet& sheet, Scene start, std::size_t object,
                                  std::shared_ptr<const Catalog> catalog);
 
@@ -51,19 +51,18 @@ class SheetPlan {
     std::size_t object() const { return object_; }
     const std::shared_ptr<const Catalog>& catalog() const { return catalog_; }
 
-    std::string rowLabel(int row) const; ///< "Start" of the control row; empty without a y axis
-    std::string cellLabel(int column, int row) const; ///< "Metalness 0.5, Smoothness 0"
+    std::string rowLabel(int row) const; ///< is "Start" for the control row; empty without a y axis
+    std::string cellLabel(int column, int row) const; ///< reads "Metalness 0.5, Smoothness 0"
 
-    /// Returns the sheet with the steps that its axes have, also where they were all that there
-    /// are.
+    /// Returns the sheet with the steps of this plan written out in its axes.
     Sheet shown(Sheet sheet) const;
 
-    /// Returns the scene of a cell: the start in the control row. An error where the cell cannot
-    /// be.
+    /// Returns the scene of a cell, which is the start in the control row. It is an error where a
+    /// step cannot be applied together with the other axis' one.
     Result<Scene> scene(int column, int row) const;
 
-    /// Brings a cell's values into an object of a scene and into the scene itself. Nothing in the
-    /// control row, which has none of its own.
+    /// Applies a cell's steps to a scene and its object of this number; the control row changes
+    /// nothing. After an error the scene may be changed in part.
     Result<void> apply(Scene& scene, std::size_t object, int column, int row) const;
 
   private:

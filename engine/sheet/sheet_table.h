@@ -5,20 +5,20 @@
 
 namespace patina {
 
-/// Represents one cell of a sheet's table.
+/// Holds one cell of a sheet's table.
 struct CellRow {
     int column = 0;
     int row = 0;
     CellNumbers numbers{};
-    std::string problem{}; ///< why there is no picture; empty where there is one
+    std::string problem{}; ///< says why there is no picture; empty where there is one
 };
 
-/// Returns the cells as comma-separated values with a line of names: where each is, what its axes
-/// are at, its numbers, and why there is none. Milliseconds, relative error, albedo.
+/// Returns the cells as comma-separated values below a line of names: column and row from 1, the
+/// entries of both axes, milliseconds, relative error, albedo, and why there is no picture.
 std::string sheetCsv(const SheetPlan& plan, const std::vector<CellRow>& cells);
 
-/// Returns "1.2 ms", "error 0.003", "albedo 0.82": a line for each of these kinds, empty where
-/// there is no number.
+/// Returns a line for each of these kinds, as "1.2 ms", "error 0.003" or "albedo 0.82"; a line is
+/// empty where there is no number.
 std::vector<std::string> captionOf(const CellNumbers& numbers,
                                    const std::vector<CellNumber>& kinds);
 
