@@ -15,7 +15,7 @@
 namespace patina {
 namespace {
 
-constexpr int side = 16; // pixels of the picture that nobody sees
+constexpr int side = 16; ///< pixels of the square picture, which nobody sees
 
 std::string nameOf(const Block& block) {
     return block.kind + '/' + block.id;
@@ -36,13 +36,13 @@ std::string hashIn(const ProgramSource& source, const Block& block) {
     return {};
 }
 
-/// A drawing of each block in turn.
+/// Compiles and draws blocks one after the other in a context of its own.
 class TrialDrawer {
   public:
     explicit TrialDrawer(std::shared_ptr<const Catalog> catalog)
         : catalog_(std::move(catalog)), mesh_(builtinMesh(Object()).value_or(Mesh())) {}
 
-    /// Is false where no context could be made.
+    /// Makes the context and the renderer; false where that fails.
     bool open() {
         context_ = gl::HeadlessContext::create().value_or(nullptr);
         renderer_ = context_ ? Renderer::create({}).value_or(nullptr) : nullptr;
@@ -52,7 +52,8 @@ class TrialDrawer {
         return renderer_ != nullptr;
     }
 
-    /// Tells what is tried before the driver has it, and what came of it.
+    /// Calls `tell` with the block's hash before the driver gets its code, and with the mistakes
+    /// after that.
     void tryOut(const Block& block, const std::function<void(const TrialReport&)>& tell) {
         const Checked<ProgramSource> source = trialProgram(block, *catalog_);
         if (!source) {
@@ -66,7 +67,7 @@ class TrialDrawer {
     }
 
   private:
-    /// What drawing says of the block's own files.
+    /// Draws the block and returns those messages that are about its own shader file.
     Errors drawnMistakes(const Block& block) {
         View view;
         view.size = {side, side};

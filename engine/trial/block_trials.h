@@ -10,15 +10,15 @@
 
 namespace patina {
 
-/// Holds what a process is asked to try.
+/// Says which blocks a process tries and where they are.
 struct TrialRequest {
-    std::filesystem::path shaders;   ///< the blocks that ship
-    std::filesystem::path own;       ///< the user's
-    std::vector<std::string> blocks; ///< "<kind>/<id>", in this order
+    std::filesystem::path shaders;   ///< is the folder of the blocks that ship
+    std::filesystem::path own;       ///< is the folder of the user's blocks
+    std::vector<std::string> blocks; ///< are "<kind>/<id>", tried in this order
 };
 
-/// Compiles each block and draws it once, with whatever that does to this process, and tells before
-/// and after each one.
+/// Compiles each block and draws it once, and calls `tell` before and after each one. A block may
+/// crash, hang or exhaust this process.
 void tryBlocks(const TrialRequest& request, const std::function<void(const TrialReport&)>& tell);
 
 } // namespace patina

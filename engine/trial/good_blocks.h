@@ -6,16 +6,16 @@
 
 namespace patina {
 
-/// Remembers what did no harm when it was tried, as empty files of a cache folder that bear its
-/// keys. A folder that cannot be written to costs nothing but the time to try again.
+/// Remembers which blocks passed their trial, as empty files in a cache folder that are named by
+/// keys. Where the folder cannot be written to, blocks are merely tried again.
 class GoodBlocks {
   public:
-    /// Keeps nothing where the folder is empty.
+    /// Keeps nothing where `folder` is empty.
     explicit GoodBlocks(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
     bool has(const std::string& key) const;
 
-    /// The oldest go when there are more than 1000.
+    /// Adds a key, and removes the oldest ones when there are more than 1000.
     void add(const std::string& key) const;
 
   private:

@@ -5,9 +5,9 @@
 
 namespace patina {
 
-/// The hidden command `patina try-blocks SHADERS OWN KIND/ID...`, which a TrialGate starts: writes
-/// trial reports to standard output. Gives the process' status back, or nothing where the arguments
-/// are no such command.
+/// Runs the hidden command `patina try-blocks SHADERS OWN KIND/ID...`, which a TrialGate starts and
+/// which writes trial reports to standard output. Returns the process' status, or nothing where the
+/// arguments are another command.
 std::optional<int> runTrialCommand(int argc, char** argv);
 
 } // namespace patina

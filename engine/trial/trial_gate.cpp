@@ -24,10 +24,10 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
-/// Is how often memory and time are looked at: in so much time little more can be filled.
+/// Says how often memory and time are checked: little memory can be filled in between.
 constexpr auto watchEvery = 10ms;
 
-/// A process that ended with so much of its memory in use had too little of it.
+/// Is the share of its memory limit above which a process that ended is said to have needed more.
 constexpr double nearlyAll = 0.75;
 
 std::string nameOf(const StrangerBlock& block) {
@@ -62,21 +62,21 @@ std::string mebibytes(std::size_t bytes) {
 
 } // namespace
 
-/// A process that tries some blocks, and ends at the first that does it harm.
+/// Follows one process that tries some blocks, and ends it at the first that does it harm.
 class TrialGate::Run {
   public:
     Run(TrialProcess process, const std::vector<StrangerBlock>& blocks, const TrialLimits& limits,
         const std::atomic<bool>& isStopped)
         : process_(std::move(process)), blocks_(blocks), limits_(limits), isStopped_(isStopped) {}
 
-    /// Says what came of a block.
+    /// Holds the result of a block's trial.
     struct Verdict {
         const StrangerBlock* block = nullptr;
         Errors mistakes{};
-        bool isFinal = true;
+        bool isFinal = true; ///< is false where the files changed, so that it is tried again
     };
 
-    /// Holds those of the blocks that it came to.
+    /// Waits for the process and returns a verdict for each block that it came to.
     std::vector<Verdict> verdicts() {
         beginWatch();
         while (!process_.hasEnded() && !isStopped_) {
@@ -95,7 +95,7 @@ class TrialGate::Run {
         return std::move(verdicts_);
     }
 
-    /// There is no OpenGL to try anything with, nor anything to compile it for.
+    /// Tells whether the process said that it found no OpenGL to try blocks with.
     bool isWithoutDriver() const { return isWithoutDriver_; }
 
   private:
@@ -113,7 +113,7 @@ class TrialGate::Run {
     void take(const std::string& line) {
         std::optional<TrialReport> report = trialReport(line);
         if (!report) {
-            return; // what a driver prints
+            return; // the driver printed it
         }
         const StrangerBlock* block = named(report->block);
         isWithoutDriver_ = isWithoutDriver_ || report->block.empty();
@@ -136,7 +136,7 @@ class TrialGate::Run {
         return {&block, std::move(report.mistakes)};
     }
 
-    /// Says nothing of the files that were asked about.
+    /// Returns a verdict that is not final: what was tried is not what was asked about.
     static Verdict changed(const StrangerBlock& block) {
         return {&block, {aboutBlock(block, "its files changed while it was tried", {})}, false};
     }
@@ -173,7 +173,8 @@ class TrialGate::Run {
                            how, mebibytes(limits_.memoryBytes));
     }
 
-    /// Belongs to the block that is being tried; to the first one, where it never came so far.
+    /// Refuses the block that is being tried, or the first one where none was begun, and ends the
+    /// process.
     void refuse(const std::string& why) {
         const StrangerBlock& block = trying_ != nullptr ? *trying_ : blocks_.front();
         if (!triedHash_.empty() && triedHash_ != block.hash) {
@@ -192,7 +193,7 @@ class TrialGate::Run {
     const TrialLimits& limits_;
     const std::atomic<bool>& isStopped_;
     const StrangerBlock* trying_ = nullptr;
-    std::string triedHash_; ///< of the files of `trying_` that were read
+    std::string triedHash_; ///< is the hash of the files of `trying_` as the process read them
     std::vector<Verdict> verdicts_;
     double workBefore_ = 0.0;
     Clock::time_point begun_;
@@ -215,12 +216,12 @@ std::string TrialGate::keyOf(const StrangerBlock& block, const std::string& driv
         generate("patina trial 1\n" + nameOf(block) + '\n' + block.hash + '\n' + driver));
 }
 
-/// Is null where it was never tried.
+/// Returns a block's mistakes, none where it passed; null where it was never tried.
 const Errors* TrialGate::known(const std::string& key) {
     const std::lock_guard lock(mutex_);
     const auto found = known_.find(key);
     if (found != known_.end()) {
-        return &found->second; // never changed once it is there
+        return &found->second; // stays valid: entries are neither changed nor erased
     }
     return GoodBlocks(options_.folder).has(key) ? &known_.emplace(key, Errors()).first->second
                                                 : nullptr;
@@ -262,7 +263,7 @@ BlockGate::Answer TrialGate::ask(std::span<const StrangerBlock> blocks, bool may
     return answer;
 }
 
-/// Where there is a context for a window and none without: nothing can be tried on this machine.
+/// Lets blocks pass untried, on a machine that has a context for a window but none without one.
 void TrialGate::letIn(const std::vector<StrangerBlock>& blocks, const std::string& driver) {
     const std::lock_guard lock(mutex_);
     for (const StrangerBlock& block : blocks) {
@@ -270,7 +271,7 @@ void TrialGate::letIn(const std::vector<StrangerBlock>& blocks, const std::strin
     }
 }
 
-/// A process tries as many as it survives; the rest are for the next one.
+/// Tries blocks in one process after the other: each tries as many as it survives.
 void TrialGate::tryOut(std::vector<StrangerBlock> blocks, const std::string& driver) {
     while (!blocks.empty() && !isStopped_) {
         std::vector<StrangerBlock> together;

@@ -12,20 +12,20 @@
 
 namespace patina {
 
-/// Holds what one block may take to be compiled and drawn once.
+/// Limits what compiling a block and drawing it once may take.
 struct TrialLimits {
-    double seconds = 20.0;     ///< of the process' own work, on all processors together
-    double waitSeconds = 60.0; ///< by the clock, for one that hangs
+    double seconds = 20.0;     ///< limits the process' own work, on all processors together
+    double waitSeconds = 60.0; ///< limits the time by the clock, for one that hangs
     std::size_t memoryBytes = std::size_t(2) << 30;
 };
 
-/// Has blocks tried in a process of their own, `patina try-blocks`, and remembers by their hash and
-/// the driver what came of it: good ones in a folder, all for as long as it lives.
+/// Tries blocks in a process of their own, `patina try-blocks`, and remembers the results by hash
+/// and driver: those that passed in a folder, all of them for its own lifetime.
 class TrialGate : public BlockGate {
   public:
     struct Options {
-        std::filesystem::path program{}; ///< empty: this one
-        std::filesystem::path folder{};  ///< of what is remembered; empty: none
+        std::filesystem::path program{}; ///< is started to try blocks; empty: this very program
+        std::filesystem::path folder{};  ///< keeps those that passed; empty: none is kept
         TrialLimits limits{};
     };
 
@@ -36,7 +36,7 @@ class TrialGate : public BlockGate {
     void stop() override;
     void resume() override;
 
-    /// Processes that were started.
+    /// Returns how many processes were started.
     int startedCount() const { return started_; }
 
   private:
@@ -49,8 +49,8 @@ class TrialGate : public BlockGate {
     void tryOut(std::vector<StrangerBlock> blocks, const std::string& driver);
 
     Options options_;
-    std::mutex trials_; ///< one at a time
-    std::mutex mutex_;  ///< guards what follows
+    std::mutex trials_; ///< lets one trial run at a time
+    std::mutex mutex_;  ///< guards known_
     std::map<std::string, Errors> known_;
     std::atomic<bool> isStopped_ = false;
     std::atomic<int> started_ = 0;

@@ -29,7 +29,8 @@ namespace process = boost::process;
 
 namespace {
 
-/// Half of what programs have in general, so that what goes well there has room to spare here.
+/// Limits the stack to half of what programs usually have: a block that passes here has room to
+/// spare in the program.
 constexpr std::size_t stackBytes = std::size_t(4) << 20;
 
 constexpr std::size_t maxLineBytes = std::size_t(1) << 20;
@@ -125,8 +126,8 @@ TrialProcess::End TrialProcess::end() {
         return *state_->end;
     }
     const pid_t id = state_->child.id();
-    ::kill(id, SIGKILL);    // which is too late for one that has ended by itself
-    state_->child.detach(); // waited for here, where the system tells what it took
+    ::kill(id, SIGKILL);    // does nothing where it has ended by itself
+    state_->child.detach(); // wait4 below also tells how much memory it used
     int status = 0;
     rusage used{};
     while (::wait4(id, &status, 0, &used) < 0 && errno == EINTR) {

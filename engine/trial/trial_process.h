@@ -13,10 +13,12 @@
 
 namespace patina {
 
-/// A process whose lines are read while its memory and its time are watched. It dies with the
-/// thread that started it, and with this object.
+/// Runs a process, reads its lines, and tells its memory and time. It dies with the thread that
+/// started it, and with this object.
 class TrialProcess {
   public:
+    /// Starts a program whose data may take at most `memoryBytes`. It is an error where the system
+    /// refuses.
     static Result<TrialProcess> start(const std::filesystem::path& program,
                                       const std::vector<std::string>& arguments,
                                       std::size_t memoryBytes);
@@ -25,11 +27,11 @@ class TrialProcess {
     TrialProcess& operator=(TrialProcess&&) noexcept;
     ~TrialProcess();
 
-    /// Returns the next line of its standard output, waited for so long; nothing: there is none
-    /// yet, or none will come (hasEnded()).
+    /// Returns the next line of its standard output, for which it waits so long. Nothing is
+    /// returned where there is none yet, or none will come (hasEnded()).
     std::optional<std::string> line(std::chrono::milliseconds patience);
 
-    /// Its output is at its end.
+    /// Tells whether its output is at its end and all of it was returned.
     bool hasEnded() const;
 
     /// Returns how long it has computed, on all processors together; 0 once it has gone.
@@ -40,12 +42,12 @@ class TrialProcess {
 
     /// Says how it ended.
     struct End {
-        int signal = 0;                 ///< that ended it; 0: none
-        int status = 0;                 ///< it gave back
-        std::size_t maxMemoryBytes = 0; ///< it ever held
+        int signal = 0;                 ///< is the signal that ended it; 0: none
+        int status = 0;                 ///< is its exit status; 0 after a signal
+        std::size_t maxMemoryBytes = 0; ///< is the most that it ever held
     };
 
-    /// Ends it, where it has not by itself.
+    /// Kills it unless it has ended by itself, and says how it ended. May be called again.
     End end();
 
   private:

@@ -25,7 +25,7 @@ Json toJson(const Error& error) {
             {"expected", shortened(error.expected)}};
 }
 
-/// Throws what the library throws where something is missing or of another type.
+/// Throws Json::exception where a member is missing or of another type.
 Error errorFrom(const Json& json) {
     return {json.at("file"), json.at("line"), json.at("column"), json.at("problem"),
             json.at("expected")};

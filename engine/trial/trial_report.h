@@ -9,19 +9,20 @@
 
 namespace patina {
 
-/// Represents a line that the process which tries blocks writes: that a trial begins, what is tried
-/// once its files are read, or what came of it.
+/// Holds one line of the process which tries blocks: that a trial begins, which hash the block has
+/// once its files are read, or the result.
 struct TrialReport {
-    std::string block; ///< "<kind>/<id>"; empty: no block can be tried on this machine
+    std::string block; ///< is "<kind>/<id>"; empty: no block can be tried on this machine
     bool isDone = false;
-    std::string hash{}; ///< of what is tried (see StrangerBlock); empty: it is not read yet
+    std::string hash{}; ///< is StrangerBlock::hash of what is tried; empty: not read yet
     Errors mistakes{};
 };
 
-/// Returns one line of JSON without its end. At most 20 mistakes, with texts of 2000 bytes at most.
+/// Returns the report as one line of JSON without a line break. It has at most 20 mistakes, whose
+/// texts are cut at 2000 bytes.
 std::string toLine(const TrialReport& report);
 
-/// Nothing when the line is something else.
+/// Reads such a line; nothing is returned where the line is something else.
 std::optional<TrialReport> trialReport(std::string_view line);
 
 } // namespace patina

@@ -3,7 +3,7 @@
 
 namespace patina {
 
-/// Is the command by which the program tries blocks. It is in no help: nobody types it.
+/// Names the command by which the program tries blocks. No help lists it, since nobody types it.
 inline constexpr const char* trialCommandWord = "try-blocks";
 
 } // namespace patina
