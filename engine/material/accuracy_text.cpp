@@ -8,7 +8,8 @@
 namespace patina {
 namespace {
 
-/// Returns the choice that a name means among those of one block.
+/// Returns the block's choice that a name means, with a prefix or without; null where it means
+/// none.
 const AccuracyChoice* choiceNamed(const Block& block, const std::string& name) {
     for (const std::string& before : {std::string("accuracy"), block.kind}) {
         if (name.starts_with(before + '.')) {

@@ -13,7 +13,8 @@ namespace patina {
 const AccuracyChoice* accuracyChoiceIn(const Material& material, const std::string& name,
                                        const Catalog& catalog);
 
-/// Sets such a choice. False where none has this name.
+/// Sets the level of such a choice. Returns false where no choice has this name, and an error where
+/// the choice has no such level.
 Result<bool> setLevel(Material& material, const std::string& name, const std::string& level,
                       const Catalog& catalog);
 

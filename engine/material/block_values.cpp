@@ -12,12 +12,12 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Returns where a value is parked whose plain id is taken by a value of another block.
+/// Returns the key under which a value is parked whose plain id is taken by another block's value.
 std::string ownKey(const std::string& blockId, const std::string& parameterId) {
     return blockId + '/' + parameterId;
 }
 
-/// Returns what a document holds for a value: in range, and a float.
+/// Returns what a document holds for a value: in range, and rounded to float.
 Value held(const Parameter& parameter, const Value& value) {
     return roundedToFloat(conformed(parameter, value));
 }
@@ -43,7 +43,8 @@ class Carrier {
     }
 
   private:
-    /// Returns the current value under the parameter's id, if both blocks mean the same by it.
+    /// Returns the current value under the parameter's id; null where there is none or the blocks
+    /// give the parameter different types.
     const Value* sameMeaning(const Parameter& parameter) const {
         const auto found = values_.parameters.find(parameter.id);
         if (found == values_.parameters.end()) {
@@ -54,7 +55,7 @@ class Carrier {
         return differs ? nullptr : &found->second;
     }
 
-    /// Returns the parked value that fits; taken out, because it comes back or is superseded.
+    /// Takes the parked value that fits out of the parked ones: it comes back or is superseded.
     std::optional<Value> takeParked(const Parameter& parameter) {
         for (const std::string& key : {ownKey(to_.id, parameter.id), parameter.id}) {
             const auto found = parked_.find(key);
@@ -69,14 +70,14 @@ class Carrier {
         return std::nullopt;
     }
 
-    /// True when the current value is only what the old block made of the parked one, and nobody
-    /// has touched it since.
+    /// Tells whether the current value is only what the old block made of the parked one, and
+    /// nobody has changed it since.
     bool standsFor(const Value& current, const Value& original, const Parameter& parameter) const {
         const Parameter* old = from_ == nullptr ? nullptr : from_->parameter(parameter.id);
         return old != nullptr && current == held(*old, original);
     }
 
-    /// The value before it is brought into range, if there is one that fits.
+    /// Returns the value that fits, not yet brought into range; nothing where there is none.
     std::optional<Value> valueFor(const Parameter& parameter) {
         std::optional<Value> original = takeParked(parameter);
         const Value* current = sameMeaning(parameter);

@@ -8,24 +8,25 @@
 
 namespace patina {
 
-/// Returns a block with all parameters at their defaults, rounded to float as all in a document.
+/// Returns a block with all parameters at their defaults, rounded to float as every document value.
 BlockValues defaultBlockValues(const Block& block);
 
-/// Returns the values for another block, or for another version of the same one: values whose id
+/// Returns the values for another block, or for another version of the same one. Values whose id
 /// and type both have carry over, what does not fit goes to `parked`, and parked values that fit
 /// come back. `from` is null when the block of the values is not known.
 BlockValues carriedOver(const BlockValues& values, const Block* from, const Block& to,
                         nlohmann::json& parked);
 
-/// Moves all values to `parked`.
+/// Copies all values to `parked`, by id.
 void park(const Values& values, nlohmann::json& parked);
 
-/// Says where notes go and what blocks there are while a file is read.
+/// Reads the blocks of a file against a catalogue and collects notes.
 struct BlockReader {
     const Catalog& catalog;
     Errors& notes;
 
-    /// Reads "id" and "version" of a block object and its values, which may stand elsewhere.
+    /// Reads "id" and "version" from `block` and the values from `parameters`, which a preset has
+    /// beside its model. What does not fit goes to `parked`.
     BlockValues read(JsonReader& block, JsonReader& parameters, std::string_view kind,
                      nlohmann::json& parked) const;
 
@@ -33,10 +34,10 @@ struct BlockReader {
     BlockValues read(JsonReader& block, std::string_view kind) const;
 };
 
-/// {"id", "version", "parameters"} and the keys the reader did not know.
+/// Returns {"id", "version", "parameters"} and the keys that the reader did not know.
 nlohmann::json toJson(const BlockValues& values);
 
-/// The values alone, with those the reader did not know.
+/// Returns the values alone, with those that the reader did not know.
 nlohmann::json parametersJson(const BlockValues& values);
 
 } // namespace patina

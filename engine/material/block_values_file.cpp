@@ -15,9 +15,10 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t maxNotes = 20; ///< about unknown keys of one block; nobody reads more
+constexpr std::size_t maxNotes = 20; ///< limits notes about one block's unknown keys
 
-/// The value JSON shows by itself, for blocks whose descriptor is not there.
+/// Guesses a value from its JSON alone, for blocks without a descriptor. Nothing is returned where
+/// writing the value would not give the same JSON.
 std::optional<Value> guessed(const Json& json) {
     Parameter parameter;
     const std::size_t size = json.is_array() ? json.size() : 0;
@@ -37,7 +38,7 @@ std::optional<Value> guessed(const Json& json) {
     return *value;
 }
 
-/// Reads the values of one block.
+/// Reads the values of one block, whose descriptor is known or not.
 class ValuesReader {
   public:
     ValuesReader(JsonReader& reader, BlockValues& values, Errors& notes, Json& parked)
@@ -102,8 +103,8 @@ class ValuesReader {
         settleShorthands(block, values_.parameters);
     }
 
-    /// Returns the id under which the file has the parameter: its own, or one it had when the file
-    /// was written.
+    /// Returns the id under which the file has the parameter: its own, or one that it had when the
+    /// file was written.
     std::string idInFile(const Parameter& parameter) {
         if (!reader_.has(parameter.id)) {
             for (const Migration& migration : parameter.migrations) {
@@ -137,7 +138,8 @@ class ValuesReader {
         return roundedToFloat(inRange);
     }
 
-    /// A choice that is not known may be one of a later version: it is parked, the default used.
+    /// Parks a choice that is not known, since it may be one of a later version; any other misfit
+    /// is an error. Returns the default.
     Value refused(const Parameter& parameter, const std::string& id, const Json& json,
                   const ValueError& why) {
         if (infoOf(parameter.type).isChoice && json.is_string()) {

@@ -6,7 +6,8 @@
 namespace patina {
 namespace {
 
-/// Returns what is chosen of a kind, or what the model's slot has while nothing is.
+/// Returns the block chosen of a kind, or the default of the model's slot where none is; null where
+/// neither is known or the chosen one does nothing with this model.
 const Block* partInUse(const Material& material, const Block& model, std::string_view kind,
                        const Catalog& catalog) {
     const BlockValues* part = material.part(kind);

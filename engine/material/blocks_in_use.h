@@ -7,9 +7,9 @@
 
 namespace patina {
 
-/// Returns the blocks whose formulas a material is made of, as far as the catalogue knows them: its
-/// model first, then what fills the model's slots and what is blended over a model without such a
-/// slot.
+/// Returns the blocks whose formulas a material uses, as far as the catalogue knows them: its model
+/// first, then what fills the model's slots and what is blended over a model without such a slot.
+/// Empty where the model is not known.
 std::vector<const Block*> blocksInUse(const Material& material, const Catalog& catalog);
 
 } // namespace patina

@@ -5,11 +5,11 @@
 
 namespace patina {
 
-/// Holds what the first lines of one of Patina's own files say.
+/// Describes one of Patina's own file formats as its first lines name it.
 struct FileFormat {
-    const char* name;   ///< the value of "format"
-    int version;        ///< the newest that can be read
-    const char* called; ///< what a user calls such a file
+    const char* name;   ///< is the value of "format"
+    int version;        ///< is the newest version that can be read
+    const char* called; ///< is the word for such a file in messages
 };
 
 enum class FileAge { Readable, Newer };
@@ -18,8 +18,8 @@ enum class FileAge { Readable, Newer };
 /// file is read as well as it can be.
 FileAge readHeader(JsonReader& reader, const FileFormat& format, Errors& notes);
 
-/// Returns what reading gave: a file of a newer version may mean something else by a key, so there
-/// a wrong type is no reason to refuse the file.
+/// Returns what reading gave, or its errors and notes where there are errors. In a file of a newer
+/// version errors count as notes, since it may mean something else by a key.
 template <class Reading>
 Checked<Reading> settled(Reading reading, Errors errors) {
     if (errors.empty()) {

@@ -8,7 +8,7 @@
 namespace patina {
 namespace {
 
-/// Every choice of the block gets a level, the exact one where none fits.
+/// Gives every choice of the block a level: the exact one where it has none or an unknown one.
 void completeAccuracy(const Block& block, AccuracyLevels& accuracy) {
     for (const AccuracyChoice& choice : block.accuracy) {
         std::string& level = accuracy[choice.id];
@@ -20,8 +20,8 @@ void completeAccuracy(const Block& block, AccuracyLevels& accuracy) {
     }
 }
 
-/// The values of parts are parked by themselves, in a member of their kind's name: their ids may be
-/// a model's, too.
+/// Takes the parked values of a part out of `parked`. They have a member of their own, named by
+/// their kind, since a model may use the same ids.
 nlohmann::json takePool(nlohmann::json& parked, std::string_view kind) {
     const auto found = parked.find(kind);
     if (found == parked.end() || !found->is_object()) {

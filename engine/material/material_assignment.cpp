@@ -14,7 +14,7 @@
 namespace patina {
 namespace {
 
-/// Returns what every material has, by its id or after the word for it.
+/// Sets what every material has, by its id alone or after "material."; false where it is none.
 Result<bool> setOwn(Material& material, const Assignment& assignment) {
     const std::string named = assignment.inside(settings::material);
     const std::string& id = named.empty() ? assignment.id : named;
@@ -34,7 +34,8 @@ Result<bool> setIn(const Block* block, BlockValues* values, const std::string& i
                             : assignIn(*block, values->parameters, {id, text});
 }
 
-/// "<kind>" chooses a part, "<kind>.<id>" or the id alone sets one of its parameters.
+/// Chooses a part by "<kind>", or sets one of its parameters by "<kind>.<id>" or the id alone.
+/// Returns false where no part has the id.
 Result<bool> setInParts(Material& material, const std::string& id, const std::string& text,
                         const Catalog& catalog) {
     for (const std::string_view kind : partKinds(BlockOwner::Material)) {
@@ -56,7 +57,7 @@ Result<bool> setInParts(Material& material, const std::string& id, const std::st
     return false;
 }
 
-/// Returns all that may be set in a material.
+/// Returns all ids that may be set in a material, for an error message.
 std::vector<std::string> knownIds(const Material& material, const Catalog& catalog) {
     std::vector<std::string> ids = parameterIds(*settingsBlock(settings::material));
     for (const Block* block : blocksInUse(material, catalog)) {

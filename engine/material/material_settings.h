@@ -11,7 +11,7 @@ namespace patina {
 /// Returns the value of a setting that every material has; nothing where there is none of this id.
 std::optional<Value> settingOf(const Material& material, std::string_view id);
 
-/// Does nothing where the id is not known or the value has the wrong type.
+/// Stores such a value. Does nothing where the id is not known or the value has the wrong type.
 void storeSetting(Material& material, std::string_view id, const Value& value);
 
 } // namespace patina

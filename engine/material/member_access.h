@@ -18,11 +18,12 @@ struct MemberAccess {
     std::function<void(Owner&, const Value&)> write;
 };
 
-/// Holds the members that settings describe, by the parameters' ids.
+/// Maps the ids of settings to the members that hold them.
 template <class Owner>
 using MemberTable = std::map<std::string, MemberAccess<Owner>, std::less<>>;
 
-/// Returns a member whose type is one of the alternatives of Value.
+/// Reaches a member whose type is one of the alternatives of Value. A value of another type is not
+/// written.
 template <class Owner, class Member>
 MemberAccess<Owner> member(Member Owner::*field) {
     return {[field](const Owner& owner) { return Value(owner.*field); },
@@ -33,7 +34,7 @@ MemberAccess<Owner> member(Member Owner::*field) {
             }};
 }
 
-/// Reaches a member of a member.
+/// Reaches a member of a member in the same manner.
 template <class Owner, class Inner, class Member>
 MemberAccess<Owner> member(Inner Owner::*inner, Member Inner::*field) {
     return {[=](const Owner& owner) { return Value(owner.*inner.*field); },

@@ -10,13 +10,14 @@ namespace {
 
 using Json = nlohmann::json;
 
-// Members of `parked`: kind -> what rests. No parameter's id can be either, for a parameter's value
-// is never an object.
-constexpr const char* inSlotKey = "inSlot";           ///< fills the slot; null: nothing chosen
-constexpr const char* withoutSlotKey = "withoutSlot"; ///< is on in models without the slot
-constexpr const char* blackKey = "black"; ///< black colours by id, where the model's own are used
+// These members of `parked` map kinds to what rests. They cannot be confused with parked values,
+// which are never objects.
+constexpr const char* inSlotKey = "inSlot";           ///< holds what fills the slot; null: nothing
+constexpr const char* withoutSlotKey = "withoutSlot"; ///< holds what is on without the slot
+constexpr const char* blackKey =
+    "black"; ///< holds black colours by id while the model's own are used
 
-/// Returns a member that is an object, taken out.
+/// Takes a member out of `parked`; an empty object where it is missing or no object.
 Json take(Json& parked, const char* key) {
     const auto found = parked.find(key);
     if (found == parked.end() || !found->is_object()) {
@@ -33,7 +34,7 @@ void put(Json resting, Json& parked, const char* key) {
     }
 }
 
-/// Moves one kind of part in and out of rest.
+/// Moves the part of one kind between the material and what rests.
 class PartSwap {
   public:
     PartSwap(Material& material, std::string kind, const Catalog& catalog)
@@ -105,7 +106,8 @@ bool isBlack(const Material& material, const Parameter& parameter) {
     return found != material.model.parameters.end() && found->second == Value(glm::dvec3(0.0));
 }
 
-/// Nothing is to be seen of it, whatever the light.
+/// Tells whether the material is black whatever the light: no colour of the model is above 0, and
+/// no chosen part fills a slot that has no default.
 bool isDark(const Material& material, const Block& model) {
     const auto shows = [&](const Parameter& parameter) {
         return infoOf(parameter.type).isColor && !isBlack(material, parameter);
@@ -117,7 +119,7 @@ bool isDark(const Material& material, const Block& model) {
            std::none_of(model.slots.begin(), model.slots.end(), isFilled);
 }
 
-/// Black colours that rested come back, but where a colour was chosen meanwhile.
+/// Brings black colours back that rested, except where a colour was chosen meanwhile.
 void bringBack(const Json& black, Material& material, const Block& model) {
     const Values usual = defaultBlockValues(model).parameters;
     for (const auto& [id, value] : black.items()) {
@@ -129,13 +131,13 @@ void bringBack(const Json& black, Material& material, const Block& model) {
     }
 }
 
-/// The model's own colours in place of black ones, which rest.
+/// Replaces black colours, but no emission, with the model's own, and returns the black ones by id.
 Json lighten(Material& material, const Block& model) {
     Json black = Json::object();
     for (const Parameter& parameter : model.parameters) {
         const Value usual = roundedToFloat(parameter.defaultValue);
-        if (infoOf(parameter.type).isColor && !parameter.emission &&
-            isBlack(material, parameter) && usual != Value(glm::dvec3(0.0))) {
+        if (infoOf(parameter.type).isColor && !parameter.emission && isBlack(material, parameter) &&
+            usual != Value(glm::dvec3(0.0))) {
             black[parameter.id] = {0.0, 0.0, 0.0};
             material.model.parameters[parameter.id] = usual;
         }

@@ -8,11 +8,11 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* parkedKey = "parked"; ///< of a part
+constexpr const char* parkedKey = "parked"; ///< holds a part's own parked values
 
 using Blocks = std::map<std::string, const Block*, std::less<>>;
 
-/// Returns the material's blocks by kind, null those that the catalogue lacks.
+/// Returns the material's blocks by kind; a block is null where the catalogue does not know it.
 Blocks blocksOf(const Material& material, const Catalog& catalog) {
     Blocks blocks;
     blocks[std::string(kinds::models)] = catalog.find(kinds::models, material.model.id);
@@ -32,7 +32,7 @@ bool isChoiceOfAny(const Catalog& catalog, const std::string& id) {
         catalog.blocks, [&id](const Block& block) { return block.accuracyChoice(id) != nullptr; });
 }
 
-/// Those of a block's own parameters.
+/// Returns those parked values whose ids are the block's own parameters.
 Json ownOf(const Json& parked, const Block& block) {
     Json own = Json::object();
     for (const auto& [id, value] : parked.items()) {
@@ -43,7 +43,8 @@ Json ownOf(const Json& parked, const Block& block) {
     return own;
 }
 
-/// The values of parts are parked in members of their kinds' names.
+/// Returns those parked values that the blocks may use, with the values of parts in members named
+/// by their kinds.
 Json ownOf(const Json& parked, const Blocks& blocks) {
     Json own = ownOf(parked, *blocks.at(std::string(kinds::models)));
     for (const auto& [key, value] : parked.items()) {

@@ -6,9 +6,9 @@
 namespace patina {
 
 /// Returns the material without what only other blocks than its own would use: values that are
-/// parked for them, and levels of their accuracy choices. A parked value that stands for one which
-/// a block of the material could not use as it came stays, and so does everything while the
-/// catalogue lacks one of the blocks.
+/// parked for them, and levels of their accuracy choices. A parked value stays where a block of the
+/// material has a parameter of its id and could not use it as it came. Everything stays while one
+/// of the blocks is missing from the catalogue.
 Material withoutParked(const Material& material, const Catalog& catalog);
 
 } // namespace patina

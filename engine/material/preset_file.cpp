@@ -115,7 +115,7 @@ class PresetReader {
         }
     }
 
-    /// A part without a place changes nothing; it is kept for the next model.
+    /// Notes a part that does nothing with this model; it is kept for the next one.
     void notePlace(const std::string& kind) {
         const Block* model = blocks_.catalog.find(kinds::models, material().model.id);
         if (model != nullptr && !hasPlaceFor(*model, kind)) {
@@ -146,8 +146,8 @@ class PresetReader {
         }
     }
 
-    /// A choice of another block is kept for the day when that comes back; one of no block at all
-    /// is a slip, unless a block is missing that may know it.
+    /// Notes a choice that no block of the catalogue has, since it may be misspelt, unless a block
+    /// of the material is missing that may have it. A choice of another block is kept silently.
     void noteChoices(const Json& levels) {
         std::vector<std::string> known;
         bool isAllThere = addChoices(kinds::models, material().model.id, known);
@@ -165,7 +165,7 @@ class PresetReader {
         }
     }
 
-    /// False where the catalogue lacks the block.
+    /// Adds the ids of a block's choices; false where the catalogue does not know the block.
     bool addChoices(std::string_view kind, const std::string& id,
                     std::vector<std::string>& known) const {
         const Block* block = blocks_.catalog.find(kind, id);
@@ -226,7 +226,7 @@ class PresetReader {
     std::string parent_;
 };
 
-/// The model object holds the id and version; its values stand beside it.
+/// Returns the model object without its values, which stand beside it in the file.
 Json modelJson(const BlockValues& model) {
     Json json = model.unknown;
     json.erase("parameters");

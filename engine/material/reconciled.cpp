@@ -6,7 +6,8 @@
 namespace patina {
 namespace {
 
-/// Values that a file gave stay as they are then, also those that it left out.
+/// Tells whether the block has not changed; values from a file then stay as they are, and so do
+/// those that it left out.
 bool isAsItWas(const Block* before, const Block& after) {
     return before != nullptr && *before == after;
 }

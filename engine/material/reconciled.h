@@ -5,9 +5,9 @@
 
 namespace patina {
 
-/// The values of a block after its descriptor may have changed: values keep by id, what no longer
-/// fits is parked and comes back when it fits again. A block that the new catalogue does not know
-/// stays as it is.
+/// Returns the values of a block after its descriptor may have changed: values are kept by id, what
+/// no longer fits is parked and comes back when it fits again. A block that the new catalogue does
+/// not know stays as it is.
 BlockValues reconciled(const BlockValues& values, std::string_view kind, const Catalog& before,
                        const Catalog& after);
 

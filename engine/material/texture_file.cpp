@@ -13,7 +13,7 @@ using Json = nlohmann::json;
 
 const std::vector<std::string> everyChannel{"rgb", "r", "g", "b", "a"};
 
-/// Reads one image.
+/// Reads one image of a preset and its settings.
 class TextureReader {
   public:
     TextureReader(JsonReader reader, std::string_view key, Errors& notes)
@@ -50,7 +50,8 @@ class TextureReader {
         use_.file = imageFromFile(use_.file, references.base());
     }
 
-    /// A choice that is not known may be one of a later version: the usual one is used meanwhile.
+    /// Reads one setting. A choice that is not known may be one of a later version: it goes to
+    /// `kept`, and the default is used.
     void readSetting(const Parameter& setting, Json& kept) {
         const Json* json = reader_.find(setting.id);
         if (json == nullptr) {
@@ -102,9 +103,8 @@ TextureReading readTextures(JsonReader& preset, References& references, Errors& 
             reading.uses[key] = TextureReader(textures.child(key), key, notes).run(references);
             continue;
         }
-        notes.push_back(textures.document().error(textures.pointer(key),
-                                                  "the texture names no file",
-                                                  "an object with \"file\""));
+        notes.push_back(textures.document().error(
+            textures.pointer(key), "the texture names no file", "an object with \"file\""));
         reading.unknown[key] = texture;
     }
     return reading;

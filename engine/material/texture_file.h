@@ -10,17 +10,17 @@
 
 namespace patina {
 
-/// Holds the images of a preset, by key, and what stood among them that is none.
+/// Holds the images of a preset by key, and the entries among them that name no file.
 struct TextureReading {
     std::map<std::string, TextureUse, std::less<>> uses;
     nlohmann::json unknown = nlohmann::json::object();
 };
 
-/// Reads the object "textures" of a preset; paths start at the references' folder, or stay as they
-/// are where there is none. What loses nothing is noted, the rest are errors of the reader's list.
+/// Reads the object "textures" of a preset. Paths start at the references' folder, or are unchanged
+/// where there is none. Problems that lose nothing go to `notes`, others to the reader's errors.
 TextureReading readTextures(JsonReader& preset, References& references, Errors& notes);
 
-/// Returns the JSON of one image, every setting written.
+/// Returns the JSON of one image with every setting; its path is relative to `folder`.
 nlohmann::json toJson(const TextureUse& use, std::string_view key,
                       const std::filesystem::path& folder);
 

@@ -13,11 +13,10 @@
 namespace patina {
 namespace {
 
-/// Holds the keys under which a material takes images, and whether some of its blocks are not
-/// known.
+/// Collects the keys under which a material takes images.
 struct Keys {
     std::vector<std::string> known;
-    bool isWhole = true;
+    bool isWhole = true; ///< is false where a block of the material is not known
 
     void add(const Block& block, const std::string& prefix) {
         for (const Parameter& parameter : block.parameters) {
@@ -28,8 +27,8 @@ struct Keys {
     }
 };
 
-/// Returns the id of what the material has of a kind: chosen, or called by the model's slot as it
-/// comes.
+/// Returns the id of the block that is chosen of a kind, or the default of the model's slot; empty
+/// where there is neither.
 std::string partId(std::string_view kind, const Block& model, const Material& material) {
     if (const BlockValues* part = material.part(kind)) {
         return part->id;

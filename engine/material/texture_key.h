@@ -9,8 +9,8 @@
 
 namespace patina {
 
-/// Why the material has nothing that an image under this key could drive. Nothing when it has, or
-/// when that cannot be told because the block in question is not in the catalogue.
+/// Says why the material has nothing that an image under this key could drive. Nothing is returned
+/// where it has, or where a block of the material is missing from the catalogue.
 std::optional<Error> whyNoImage(std::string_view key, const Material& material,
                                 const Catalog& catalog);
 

@@ -7,12 +7,12 @@
 
 namespace patina {
 
-/// True for a path that a file may name without asking the user: relative, with forward slashes,
-/// and not leading out of the file's own folder.
+/// Tells whether a file may name this path without asking the user: it is relative, has forward
+/// slashes, and does not lead out of the file's own folder.
 bool staysInFolder(std::string_view path);
 
-/// Returns an image as a file names it, made absolute: relative paths start at the file's folder.
-/// Without a folder it stays as it is.
+/// Returns the path of an image that a file names, made absolute: relative paths start at the
+/// file's folder. Without a folder it is unchanged.
 std::string imageFromFile(const std::string& image, const std::filesystem::path& folder);
 
 /// Returns the inverse: relative to the folder, with forward slashes.

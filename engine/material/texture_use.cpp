@@ -28,7 +28,7 @@ constexpr Words<TextureWrap, 3> wraps{{{"repeat", TextureWrap::Repeat},
 constexpr Words<TextureFilter, 2> filters{
     {{"smooth", TextureFilter::Smooth}, {"nearest", TextureFilter::Nearest}}};
 
-/// Says how a setting is read and written as a parameter's value.
+/// Reads and writes a setting as a parameter's value.
 struct Access {
     std::function<Value(const TextureUse&)> read;
     std::function<void(TextureUse&, const Value&)> write;

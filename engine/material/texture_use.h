@@ -11,58 +11,60 @@
 
 namespace patina {
 
-/// Tells what an image on a surface is for; follows from the key under which a material has it.
+/// Tells what an image on a surface is for. It follows from the key under which a material has it.
 enum class TextureRole {
-    Input,   ///< it drives a parameter of the model or of a part
-    Normal,  ///< "normal": a normal map in tangent space, green up
-    Height,  ///< "height": a height map in metres
-    Opacity, ///< "opacity": how much of the surface is there
+    Input,   ///< drives a parameter of the model or of a part
+    Normal,  ///< is "normal": a normal map in tangent space, green up
+    Height,  ///< is "height": a height map in metres
+    Opacity, ///< is "opacity": the share of the surface that is there
 };
 
-/// Auto is sRGB for the colours of 8-bit and 16-bit files, and linear for everything else.
+/// Tells how a file encodes its values. Auto is sRGB for the colours of 8-bit and 16-bit files, and
+/// linear for everything else.
 enum class TextureColorSpace { Auto, Srgb, Linear };
 
-/// Auto is the first channel that the parameter takes; alpha for the opacity.
+/// Tells which channel is used. Auto is the first channel that the parameter takes; alpha for the
+/// opacity.
 enum class TextureChannel { Auto, Color, Red, Green, Blue, Alpha };
 
 enum class TextureMode { Replace, Multiply, Add };
 enum class TextureWrap { Repeat, Clamp, Mirror };
 enum class TextureFilter { Smooth, Nearest };
 
-/// Represents an image on a surface: which file, and how it is read and laid on.
+/// Describes an image on a surface: which file it is, how it is read, and how it is placed.
 struct TextureUse {
-    std::string file;     ///< a full path with forward slashes
-    bool outside = false; ///< a file named it that may not: it is not read until the user agrees
-    bool enabled = true;  ///< off: it stays where it lies and counts for nothing
+    std::string file;     ///< is a full path with forward slashes
+    bool outside = false; ///< says that it is not read until the user agrees (OutsideFile)
+    bool enabled = true;  ///< keeps the settings of an unused image where it is false
     TextureColorSpace colorSpace = TextureColorSpace::Auto;
     TextureChannel channel = TextureChannel::Auto;
     TextureMode mode = TextureMode::Replace;
     TextureWrap wrap = TextureWrap::Repeat;
     TextureFilter filter = TextureFilter::Smooth;
-    glm::dvec2 scale{1.0};  ///< how often the image fits into one unit of u and of v
-    glm::dvec2 offset{0.0}; ///< in images, after scale and rotation
+    glm::dvec2 scale{1.0};  ///< repeats of the image in one unit of u and of v
+    glm::dvec2 offset{0.0}; ///< images, after scale and rotation
     double rotation = 0.0;  ///< degrees, counter-clockwise as seen on the surface
-    double strength = 1.0;  ///< 0 .. 1: its share; of a normal map: times the slopes; of a height
-                            ///< map: metres from black to white
-    bool cutOut = false;    ///< opacity only: either there or not
-    double threshold = 0.5; ///< of what is there, while cut out
-    nlohmann::json unknown = nlohmann::json::object(); ///< keys the reader did not know
+    double strength = 1.0;  ///< is its share, 0 .. 1; a normal map's factor of slopes; a height
+                            ///< map's metres from black to white
+    bool cutOut = false;    ///< makes each point opaque or absent; for opacity only
+    double threshold = 0.5; ///< is the opacity below which a point is absent, while cut out
+    nlohmann::json unknown = nlohmann::json::object(); ///< holds keys the reader did not know
 
     friend bool operator==(const TextureUse&, const TextureUse&) = default;
 };
 
-/// Returns the keys of a material's images that are no parameter's id.
+/// Returns the role of an image by its key; every key but "normal", "height" and "opacity" is taken
+/// for a parameter's.
 TextureRole textureRole(std::string_view key);
 
-/// Returns an image laid on as usual for that key.
+/// Returns an image with the default settings for that key.
 TextureUse textureUse(std::string_view key, std::string file);
 
-/// Returns the settings of an image in this role, described as the parameters of a block;
-/// `channels` are those that the parameter takes.
+/// Returns the settings of an image in this role, described as the parameters of a block.
+/// `channels` are those that the parameter takes; where it is empty, each single channel is one.
 Block textureSettings(TextureRole role, const std::vector<std::string>& channels = {});
 
-/// Reads a setting's value, and puts another one in its place. The id must be one of
-/// textureSettings().
+/// Returns a setting's value; the id must be one of textureSettings().
 Value textureSetting(const TextureUse& use, std::string_view id);
 void storeTextureSetting(TextureUse& use, std::string_view id, const Value& value);
 

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* parentKey = "parent";
 
-/// What a variant has of its own in any case.
+/// Names the keys that a variant never inherits.
 constexpr const char* notInherited[] = {"format", "version", "name", "parked", "extras", parentKey};
 
 std::string namedParent(const Json& preset) {
@@ -28,8 +28,8 @@ bool isSameFile(const fs::path& a, const fs::path& b) {
     return a == b || fs::equivalent(a, b, missing);
 }
 
-/// Returns what a variant of a material is a patch of: values of another model carry over as they
-/// do when an artist chooses it.
+/// Returns the JSON that a variant of `parent` with this model patches. Values carry over to
+/// another model as they do when an artist chooses it.
 Json inherited(const Material& parent, const std::string& model, const fs::path& folder,
                const Catalog& catalog) {
     const Block* before = catalog.find(kinds::models, parent.model.id);
@@ -42,7 +42,7 @@ Json inherited(const Material& parent, const std::string& model, const fs::path&
     return json;
 }
 
-/// The merge patch that makes `to` from `from`.
+/// Returns the merge patch that makes `to` from `from`.
 Json patchBetween(const Json& from, const Json& to) {
     if (!from.is_object() || !to.is_object()) {
         return to;
@@ -101,7 +101,7 @@ class VariantReader {
         return variant.error(std::string("/") + parentKey, std::move(problem), std::move(expected));
     }
 
-    /// A parent that is not read.
+    /// Returns the error for a parent that is not read.
     static tl::unexpected<Errors> unread(const LocatedJson& variant, std::string problem) {
         return tl::unexpected(Errors{mistake(variant, std::move(problem),
                                              "the path of a preset from the folder of this one")});
@@ -152,7 +152,7 @@ class VariantReader {
     }
 
     const Catalog& catalog_;
-    std::vector<fs::path> below_; ///< the variants that led here
+    std::vector<fs::path> below_; ///< are the variants that led here
 };
 
 } // namespace
@@ -179,7 +179,7 @@ Json variantJson(const Material& material, const fs::path& file, const Catalog& 
     Json whole = toJson(material, folder);
     whole.erase(parentKey);
     const fs::path parent = parentOf(material);
-    ReadingRights all; // its user made it a variant
+    ReadingRights all; // the user chose this parent, wherever it is
     all.everything = true;
     const auto reading =
         isSameFile(parent, file) ? tl::unexpected(Errors()) : readPreset(parent, catalog, all);
