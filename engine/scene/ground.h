@@ -8,17 +8,17 @@ namespace patina {
 /// Tells how a scene's ground is drawn.
 enum class GroundMode {
     Off,
-    Shadows, ///< only its shadows are seen: it darkens what is behind
-    Plane    ///< a matt plane that the lights shine on
+    Shadows, ///< shows only its shadows: it darkens what is behind
+    Plane    ///< is a matt plane that the lights shine on
 };
 
-/// Represents a level plane on which shadows fall. It casts none, and is seen from above only.
+/// Is a level plane on which shadows fall. It casts none, and is seen from above only.
 struct Ground {
     GroundMode mode = GroundMode::Off;
-    bool automatic = true;  ///< the height is the lowest point of the objects that are drawn
+    bool automatic = true;  ///< puts it at the lowest point of the objects that are drawn
     double height = 0.0;    ///< metres, where it is not automatic
-    glm::dvec3 color{0.5f}; ///< the plane's share of the light that comes back; a float
-    double opacity = 1.0;   ///< 0 .. 1: of the plane, or of the shadows on it
+    glm::dvec3 color{0.5f}; ///< is the reflectance of the plane; a float
+    double opacity = 1.0;   ///< 0 .. 1, of the plane or of the shadows on it
 
     friend bool operator==(const Ground&, const Ground&) = default;
 };

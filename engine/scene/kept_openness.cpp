@@ -20,12 +20,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Another one is made for other rays.
+/// Begins every file. It must change whenever opennessOf() gives other values.
 constexpr std::string_view magic = "patina openness 1\n";
 
 constexpr std::uintmax_t folderBytes = std::uintmax_t(256) << 20;
 
-/// FNV-1a by eight bytes at a time, with a shift that brings the upper half down.
+/// Returns an FNV-1a hash that takes eight bytes at a time, with a shift that mixes the upper bits
+/// into the lower ones. It begins with `hash`.
 std::uint64_t hashOf(std::span<const std::byte> bytes, std::uint64_t hash) {
     while (!bytes.empty()) {
         std::uint64_t word = 0;
@@ -49,7 +50,7 @@ std::uint64_t hashOf(const MeshView& mesh, std::uint64_t hash) {
 constexpr std::uint64_t firstSeed = 0xcbf29ce484222325u;
 constexpr std::uint64_t secondSeed = 0x9e3779b97f4a7c15u;
 
-/// Nothing where there is no such file or it is not whole.
+/// Reads the openness of so many vertices; nothing where there is no such file or it is damaged.
 std::optional<std::vector<VertexOpenness>> read(const fs::path& file, std::size_t vertices) {
     const std::size_t bytes = vertices * sizeof(VertexOpenness);
     const std::size_t whole = magic.size() + bytes + sizeof(std::uint64_t);
@@ -65,7 +66,7 @@ std::optional<std::vector<VertexOpenness>> read(const fs::path& file, std::size_
     return isWhole ? std::optional(std::move(openness)) : std::nullopt;
 }
 
-/// Removes the oldest ones where all files together are too large.
+/// Removes the folder's oldest files while all together exceed `folderBytes`.
 void makeRoom(const fs::path& folder) {
     struct Kept {
         fs::path file;
@@ -90,7 +91,7 @@ void makeRoom(const fs::path& folder) {
     }
 }
 
-/// What cannot be kept is made again the next time.
+/// Writes the file. Errors are ignored, since what is not kept is merely computed again.
 void keep(std::span<const VertexOpenness> openness, const fs::path& file) {
     std::error_code error;
     fs::create_directories(file.parent_path(), error);

@@ -20,11 +20,11 @@ double lengthOf(const Span& span) {
     return length;
 }
 
-/// Leaves out the triangle that a pole folds to a line.
+/// Adds a triangle that faces its normals, unless a pole folds it to a line.
 void addTriangle(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     const glm::vec3 origin = mesh.vertices[a].position;
-    const glm::vec3 normal = glm::cross(mesh.vertices[b].position - origin,
-                                        mesh.vertices[c].position - origin);
+    const glm::vec3 normal =
+        glm::cross(mesh.vertices[b].position - origin, mesh.vertices[c].position - origin);
     if (glm::dot(normal, normal) == 0.0f) {
         return;
     }

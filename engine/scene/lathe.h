@@ -9,21 +9,21 @@
 
 namespace patina {
 
-/// Represents a point of a profile: distance from the axis and height, with the unit normal of the
-/// solid.
+/// Is a point of a profile: `position` is the distance from the axis and the height, `normal` the
+/// unit normal that points out of the solid.
 struct ProfilePoint {
     glm::dvec2 position;
     glm::dvec2 normal;
 };
 
-/// Represents a smooth piece of a profile; where one span ends and the next begins the surface has
-/// an edge.
+/// Is a smooth piece of a profile; where one span ends and the next begins the surface has an edge.
 using Span = std::vector<ProfilePoint>;
 
 /// Holds the outline of a solid of revolution about +y, from the bottom to the top.
 using Profile = std::vector<Span>;
 
-/// `steps` straight pieces from `from` to `to`, the solid to the left when looking along them.
+/// Returns a line from `from` to `to` in `steps` equal pieces; looking along it, the solid is to
+/// the left.
 Span segment(const glm::dvec2& from, const glm::dvec2& to, int steps);
 
 /// Returns an arc about `centre`; angles in radians from +y towards the outside, normals away from

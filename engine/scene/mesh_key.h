@@ -7,7 +7,7 @@
 
 namespace patina {
 
-/// Holds what makes the triangles of one object differ from another's.
+/// Identifies the triangles of an object: two objects with equal keys have the same ones.
 struct MeshKey {
     std::string mesh;
     bool fitUnitBox = false;

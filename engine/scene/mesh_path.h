@@ -11,8 +11,8 @@ namespace patina {
 /// Returns "sphere" for "builtin:sphere"; nothing for the path of a file.
 std::optional<std::string_view> builtinName(std::string_view mesh);
 
-/// Returns a mesh as a scene file names it, made absolute: relative paths start at the scene's
-/// folder.
+/// Returns the path of a mesh that a scene file names, made absolute: relative paths start at the
+/// scene's folder. The name of a mesh made by code is unchanged.
 std::string meshFromFile(const std::string& mesh, const std::filesystem::path& folder);
 
 /// Returns the inverse: relative to the folder, with forward slashes.

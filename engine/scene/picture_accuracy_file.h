@@ -6,11 +6,11 @@
 
 namespace patina {
 
-/// Takes a scene's `accuracy` from its file, with a note for each level that is not known; keys
-/// that are not known stay in Scene::unknown.
+/// Reads a scene's `accuracy` from its file, with a note for each level and each key that is not
+/// known; such keys are kept in Scene::unknown.
 void readPictureAccuracy(JsonReader& file, Scene& scene, Errors& notes);
 
-/// Writes it beside what is there, without choices that are as always.
+/// Adds `accuracy` to a scene's file, without choices that have their default level.
 void writePictureAccuracy(nlohmann::json& file, const PictureAccuracy& accuracy);
 
 } // namespace patina

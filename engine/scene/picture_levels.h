@@ -12,7 +12,7 @@ namespace patina {
 /// "picture.<choice>=<level>".
 bool isOfPicture(const std::string& assignment);
 
-/// Makes such an assignment.
+/// Makes such an assignment. It is an error where there is no such choice or level.
 Result<void> choosePictureAccuracy(Scene& scene, const std::string& assignment);
 
 } // namespace patina

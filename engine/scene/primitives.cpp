@@ -17,8 +17,9 @@ namespace {
 
 using std::numbers::pi;
 
-/// Steps round an axis. An outline of 1000 pixels across is then at most 0.16 pixels from the true
-/// circle, and triangles stay large enough to be cheap for a renderer without a GPU.
+/// Is the number of steps round an axis. An outline of 1000 pixels across is then at most 0.16
+/// pixels from the true circle, and triangles are large enough to be cheap for a renderer without a
+/// GPU.
 constexpr int columns = 128;
 
 Mesh finished(Mesh mesh) {
@@ -59,7 +60,7 @@ Mesh cone() {
     return finished(std::move(mesh));
 }
 
-/// Adds a square grid of side 2 centred at `n`, facing along `n`; uv runs along t and n x t.
+/// Adds a square grid of side 2 round `centre` that faces along `n`; u runs along t, v along n x t.
 void addSquare(Mesh& mesh, const glm::vec3& centre, const glm::vec3& n, const glm::vec3& t,
                int cells) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
@@ -113,14 +114,14 @@ glm::mat3 turnedTo(const glm::vec3& up) {
     return {x, up, glm::cross(x, up)};
 }
 
-/// Returns the ball: a sphere that a plane cuts flat, with a chamfer round the cut, and a round
-/// channel that runs parallel to the cut. Everything is a surface of revolution about the cut's
-/// normal.
+/// Returns the outline of the ball: a sphere that a plane cuts flat, with a chamfer round the cut,
+/// and a round channel parallel to the cut. The axis is the cut's normal.
 Profile ballProfile() {
     const double radius = 0.82;
     const double groove = 0.05;
-    const double grooveAngle = 1.30;                                // from the cut's normal
-    const double halfGroove = 2.0 * std::asin(0.5 * groove / radius); // angle the channel takes
+    const double grooveAngle = 1.30; // radians from the cut's normal
+    const double halfGroove =
+        2.0 * std::asin(0.5 * groove / radius); // radians, half of the channel
     const double cutAngle = 0.46;
     const double chamfer = 0.035;
     const auto onSphere = [&](double angle) {
@@ -141,8 +142,8 @@ Profile ballProfile() {
             segment(onSphere(cutAngle + 0.045), cutRim, 2), segment(cutRim, {0.0, cutRim.y}, 2)};
 }
 
-/// Returns the pedestal: a disc with a crisp rim that a hollow curve draws in to a neck under the
-/// ball.
+/// Returns the outline of the pedestal: a disc with a sharp rim, from which a hollow curve narrows
+/// to a neck under the ball.
 Profile pedestalProfile() {
     const glm::dvec2 underside(0.0, -1.0);
     const glm::dvec2 foot(0.66, -1.0);

@@ -10,8 +10,8 @@
 
 namespace patina {
 
-/// Names of the meshes made by code: "sphere", "torus", "cube", "plane", "cylinder", "cone",
-/// "shaderball".
+/// Returns the names of the meshes made by code: "shaderball", "sphere", "torus", "cube", "plane",
+/// "cylinder", "cone".
 std::vector<std::string> primitiveNames();
 
 /// Returns the mesh of one of those names, about one metre in radius, centred at the origin, with

@@ -15,7 +15,7 @@ glm::dmat4 rotated(const glm::dmat4& matrix, double degrees, const glm::dvec3& a
     return glm::rotate(matrix, glm::radians(degrees), axis);
 }
 
-/// Leads from camera space -> world space without the pivot.
+/// Returns the rotation from camera space to world space.
 glm::dmat4 orbit(const Camera& camera) {
     return rotated(rotated(glm::dmat4(1.0), camera.yaw, up), -camera.pitch, right);
 }

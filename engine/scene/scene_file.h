@@ -9,33 +9,33 @@
 
 namespace patina {
 
+/// Holds what reading a scene gave; its notes are about things that lost nothing.
 struct SceneReading {
     Scene scene;
     Errors notes;
-    OutsideFiles outside; ///< what it, or a preset of it, names and is not read
-    bool readOnly = false;
+    OutsideFiles outside;  ///< holds what it, or a preset of it, names and is not read
+    bool readOnly = false; ///< says that a newer version wrote it
 };
 
-/// Reads a scene. Mesh paths are kept relative to the file's folder in the file and made absolute
-/// in the value; presets may be inline objects or relative paths of preset files. Meshes and the
-/// environment's picture are read by others, who leave out what is `outside`; a preset that is
-/// outside is not read here.
+/// Reads a scene. Paths of meshes and pictures start at the file's folder and are absolute in the
+/// value; presets may be inline objects or relative paths of preset files. Meshes and the
+/// environment's picture are not read here: who reads them must leave out what is `outside`. A
+/// preset that is outside is not read.
 Checked<SceneReading> readScene(const std::filesystem::path& path, const Catalog& catalog,
                                 const ReadingRights& rights = {});
 
-/// Reads a scene from a document that is in no file, as one that was copied; its paths begin where
-/// the document says that it stands, and where it does not they stay as they are.
+/// Reads a scene from a document that is in no file, as one from the clipboard. Its paths start at
+/// the folder of LocatedJson::file; where that is empty they are unchanged.
 Checked<SceneReading> sceneFromJson(const LocatedJson& document, const Catalog& catalog,
                                     const ReadingRights& rights = {});
 
-/// Tells whether a JSON file says by its "format" that it is a scene, whatever it is called.
+/// Tells whether a JSON file says by its "format" that it is a scene, whatever its name.
 bool saysItIsAScene(const std::filesystem::path& path);
 
-/// Returns the scene's JSON; mesh paths relative to `folder`.
+/// Returns the scene's JSON, whose paths are relative to `folder`.
 nlohmann::json toJson(const Scene& scene, const std::filesystem::path& folder);
 
-/// Returns the JSON of a scene that says nothing but which objects or lights it has; paths stay as
-/// they are.
+/// Returns the JSON of a scene that has nothing but these objects or lights; paths are unchanged.
 nlohmann::json sceneJsonOf(std::span<const Object> objects);
 nlohmann::json sceneJsonOf(std::span<const Light> lights);
 

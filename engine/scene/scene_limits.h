@@ -10,16 +10,17 @@
 
 namespace patina {
 
-/// A scene holds the whole material of each of its objects: some two kilobytes for each.
+/// Limits a scene's file, which holds the complete material of each object: about two kilobytes
+/// each.
 inline constexpr JsonLimits sceneLimits{.bytes = std::size_t(256) << 20};
 
-// What a scene may hold, so that no product of such numbers overflows a float on the way to the
-// screen: metres and degrees, factors, linear light.
+// These limits of a scene's numbers keep products of them from overflowing a float: metres and
+// degrees, factors, linear light.
 inline constexpr double farthest = 1e6;
 inline constexpr double largestScale = 1e6;
 inline constexpr double smallestScale = 1e-6f; // numbers of files are floats
 inline constexpr double brightest = 1e6;
-inline constexpr double maxStops = 32.0; ///< of exposure, either way
+inline constexpr double maxStops = 32.0; ///< EV, limits the exposure in both directions
 
 /// Returns the nearest factors that neither flatten an object nor let its corners overflow.
 inline glm::dvec3 usableScale(const glm::dvec3& scale) {

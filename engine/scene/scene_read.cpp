@@ -23,9 +23,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int maxBookmarks = 9; ///< one for each digit but 0
+constexpr int maxBookmarks = 9; ///< allows one for each digit but 0
 
-/// Returns "khronos-neutral" of "khronosNeutral".
+/// Returns "khronos-neutral" for "khronosNeutral".
 std::string kebabCase(std::string_view word) {
     std::string text;
     for (const char c : word) {
@@ -38,7 +38,7 @@ std::string kebabCase(std::string_view word) {
 
 constexpr const char* relativePath = "a relative path with forward slashes into that folder";
 
-/// Reads one scene file.
+/// Reads one scene file and collects its mistakes.
 class SceneReader {
   public:
     SceneReader(const LocatedJson& document, const Catalog& catalog, const ReadingRights& rights)
@@ -67,7 +67,7 @@ class SceneReader {
         reading_.notes.push_back(document_.error(pointer, std::move(problem), std::move(expected)));
     }
 
-    /// Returns the settings that go by a word; returns what was not known inside.
+    /// Reads the settings that settingsBlock() has for a word; returns the keys that are not known.
     template <class Owner>
     Json readSettingsOf(Owner& owner, std::string_view word, JsonReader& reader) {
         const auto store = [&owner](std::string_view id, const Value& value) {
@@ -155,8 +155,7 @@ class SceneReader {
         return reading ? taken(*reading) : damaged(atPlace(reading.error(), place), path);
     }
 
-    /// What is wrong with a whole file, such as that it is not there, is told where it is
-    /// named.
+    /// Moves errors without a line, as that a file is missing, to the place that names the file.
     Errors atPlace(Errors errors, const std::string& pointer) const {
         for (Error& error : errors) {
             const auto problem =
@@ -172,7 +171,8 @@ class SceneReader {
         return std::move(reading.material);
     }
 
-    /// A preset that cannot be read does not take the scene with it; it is kept as it was.
+    /// Replaces a preset that cannot be read with a default and keeps its JSON, so that the rest of
+    /// the scene opens.
     Material damaged(const Errors& why, const Json& preset) {
         reading_.notes.insert(reading_.notes.end(), why.begin(), why.end());
         Material material = fallback();
@@ -212,15 +212,16 @@ class SceneReader {
         return parts;
     }
 
-    /// Scenes of before there were environments have an object without an id, which is kept.
+    /// Tells whether this is the object without an id that scenes had before there were
+    /// environments, and keeps it.
     bool isFormer(std::string_view kind, const Json& json) {
         const bool is = kind == kinds::environment && json.is_object() && !json.contains("id");
         formerEnvironment_ = is ? json : formerEnvironment_;
         return is;
     }
 
-    /// Scenes of before there were blocks of tone curves have a word, and Khronos' where they have
-    /// none: "khronosNeutral".
+    /// Reads the word that scenes had before tone curves were blocks: "khronosNeutral", which is
+    /// also used where there is no word.
     void readFormerTone() {
         std::string word = "khronosNeutral";
         reader_.read("toneMapping", word);
@@ -252,7 +253,7 @@ class SceneReader {
         return values;
     }
 
-    /// A picture is named from the scene's folder.
+    /// Makes the path of a picture absolute, which starts at the scene's folder.
     void readPictureFile(const JsonReader& reader, std::string_view kind, BlockValues& values) {
         const Block* block = blocks_.catalog.find(kind, values.id);
         const Parameter* parameter = block == nullptr ? nullptr : pictureParameter(*block);
@@ -305,10 +306,10 @@ class SceneReader {
     References references_;
     Errors errors_;
     SceneReading reading_;
-    std::map<std::string, Material> presets_; ///< of files that were read, each once
+    std::map<std::string, Material> presets_; ///< are by path, so that each file is read once
     JsonReader reader_;
     BlockReader blocks_;
-    Json unknownInside_ = Json::object(); ///< of objects whose other keys are known
+    Json unknownInside_ = Json::object(); ///< holds unknown keys inside objects
     Json formerEnvironment_;
 };
 

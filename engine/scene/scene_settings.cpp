@@ -11,7 +11,7 @@
 namespace patina {
 namespace {
 
-/// Holds the words for the values of an enumeration in descriptors and files.
+/// Pairs the values of an enumeration with their words in descriptors and files.
 template <class T, std::size_t N>
 using SettingWords = std::array<std::pair<std::string_view, T>, N>;
 
@@ -31,7 +31,7 @@ std::string settingWord(const SettingWords<T, N>& words, T wanted) {
     return {};
 }
 
-/// Leaves `into` as it is where the value is no word of them.
+/// Stores what a word means; `into` is unchanged where the value is no word of them.
 template <class T, std::size_t N>
 void storeWord(const SettingWords<T, N>& words, const Value& value, T& into) {
     const auto* given = std::get_if<std::string>(&value);
@@ -83,7 +83,7 @@ const MemberTable<Camera>& cameraMembers() {
     return members;
 }
 
-/// Lets no factor flatten an object.
+/// Reaches an object's scale and brings every factor into range, so that none flattens it.
 MemberAccess<Object> scale() {
     const MemberAccess<Object> plain = member(&Object::scale);
     return {plain.read, [plain](Object& object, const Value& value) {

@@ -15,7 +15,7 @@ std::optional<Value> settingOf(const Camera& camera, std::string_view id);
 std::optional<Value> settingOf(const Object& object, std::string_view id);
 std::optional<Value> settingOf(const Light& light, std::string_view id);
 
-/// Does nothing where the id is not known or the value has the wrong type.
+/// Stores such a setting. Does nothing where the id is not known or the value has the wrong type.
 void storeSetting(Scene& scene, std::string_view id, const Value& value);
 void storeSetting(Camera& camera, std::string_view id, const Value& value);
 void storeSetting(Object& object, std::string_view id, const Value& value);

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Beside what the object has already.
+/// Adds the settings that settingsBlock() has for a word to an object.
 template <class Owner>
 void writeSettingsOf(const Owner& owner, std::string_view word, Json& json) {
     writeSettings(json, *settingsBlock(word),
@@ -32,7 +32,8 @@ Json toJson(const Object& object, const std::filesystem::path& folder) {
     return json;
 }
 
-/// The picture's path is the only text in it that can be one.
+/// Returns the JSON of a part. Every text is treated as a path, since only a picture's can be
+/// absolute.
 Json toJson(const BlockValues& part, const std::filesystem::path& folder) {
     BlockValues moved = part;
     for (auto& [id, value] : moved.parameters) {

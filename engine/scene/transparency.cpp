@@ -6,7 +6,7 @@
 namespace patina {
 namespace {
 
-/// What a block of a user's own may ask for at most.
+/// Limits what a user's own block may ask for.
 constexpr int maxLayers = 64;
 
 int wholeNumber(const Value& value) {

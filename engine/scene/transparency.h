@@ -7,10 +7,10 @@
 namespace patina {
 
 /// Returns the parameter of a kind of transparency that says how many surfaces of each pixel it
-/// puts in order, one after the other. Null for one that mixes them all at once.
+/// puts in order, one after the other; null for one that mixes them all at once.
 const Parameter* layersParameter(const Block& transparency);
 
-/// Returns how many surfaces are put in order, at least 1; 0 where all are mixed at once.
+/// Returns how many surfaces are put in order, 1 .. 64; 0 where all are mixed at once.
 int layersOf(const BlockValues& transparency, const Block& block);
 
 } // namespace patina

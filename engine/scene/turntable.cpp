@@ -29,7 +29,8 @@ void turnObjects(Scene& scene, double degrees) {
     }
 }
 
-/// Tells whether the light has anything to turn: what goes with the camera has not.
+/// Turns the light's points and directions of world space, points about `pivot`. Returns false
+/// where it has none, as a light that moves with the camera.
 bool turnLight(Light& light, const Block& block, const glm::dvec3& pivot, double degrees) {
     bool isTurned = false;
     for (const Parameter& parameter : block.parameters) {
