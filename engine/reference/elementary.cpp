@@ -26,7 +26,7 @@ double powSC(double s2, double c2, double e) {
     return c2 > 0.0 ? std::exp(-0.5 * e * std::log1p(std::min(s2 / c2, largest))) : 0.0;
 }
 
-// Whichever of d and c is small is the one whose digits count.
+// Of d and c the small one has the exact digits.
 double pow1m(double d, double c, double e) {
     if (!(c > 0.0)) {
         return 0.0;
@@ -78,8 +78,8 @@ double angleOf(double s, double c) {
     return std::atan2(s, c);
 }
 
-// Four panels of a rule that is exact to rounding for each; as far as at 9 deviations, where the
-// lobe has fallen by e^(-40).
+// Four panels of a rule that is exact to rounding for each. The integral ends at 9 standard
+// deviations, where the lobe has fallen by e^(-40).
 double ridgeLobe(const glm::dvec2& arc, const glm::dvec3& h, double e, const glm::dvec2& view,
                  const glm::dvec2& light) {
     const double largest = std::max(arc.x, std::min(h.x, arc.y));
@@ -129,7 +129,7 @@ double meanOfExp(double u) {
     return u > 0.0 ? -std::expm1(-u) / u : 1.0;
 }
 
-// The same start as in the shader, then until nothing changes.
+// Newton's iteration starts as in the shader, and after 8 steps nothing changes.
 double lambertW(double x) {
     const double L = std::log(std::max(x, 2.72));
     double w = x < 2.72 ? x / (1.0 + x) : L - std::log(L);
@@ -139,7 +139,7 @@ double lambertW(double x) {
     return w;
 }
 
-// From the gamma function while its digits last, then the series.
+// The gamma function is exact enough below 16, where the series begins to be.
 double stirlingError(double m) {
     if (m < 16.0) {
         constexpr double halfLog2Pi = 0.91893853320467274178;

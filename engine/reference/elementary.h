@@ -4,8 +4,9 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-/// Are the exact twins of shaders/lib/elementary.glsl over the C++ library: same names, same
-/// arguments, same meaning outside the domain, good to a few units in the last place.
+// These functions have the names and arguments of shaders/lib/elementary.glsl and return the same
+// values also outside the domain, but use the C++ library: they are exact to a few units in the
+// last place.
 namespace patina::reference {
 
 double atanhOverZ(double w);

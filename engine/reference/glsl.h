@@ -12,8 +12,9 @@
 
 #include "reference/reference.h"
 
-/// Is what GLSL gives a shader, for shader code that is compiled as C++ with `float` read as
-/// `double`. Names are listed one by one: a using-directive would let the C library's abs(int) in.
+// This file declares the types and functions of GLSL for shader code that is compiled as C++ with
+// `float` replaced by `double`. It lists names one by one, since a using-directive would also find
+// the C library's abs(int).
 namespace patina::reference {
 
 using vec2 = glm::dvec2;
@@ -62,7 +63,8 @@ using glm::step;
 using glm::tan;
 using glm::transpose;
 
-/// Holds what fills a model's slot of one kind, and where it is lit and seen from.
+/// Holds what fills a model's slot of one kind, null where it is empty, and the geometry of the
+/// model's call.
 struct FilledSlot {
     const Filler* filler = nullptr;
     const Geometry* geometry = nullptr;
@@ -81,7 +83,7 @@ inline FilledSlot filledSlot(Fillers fillers, std::string_view kind, const Geome
 } // namespace patina::reference
 
 #define OUT(T) T&
-/// Four numbers of a value that is a function, from `base` on.
+/// Reads four numbers, from `base` on, of a value that is a function.
 #define PARAMETER_DATA(i)                                                                          \
     vec4(base[4 * (i)], base[4 * (i) + 1], base[4 * (i) + 2], base[4 * (i) + 3])
 #define precise // doubles are not reordered

@@ -10,7 +10,7 @@
 namespace patina::reference {
 namespace {
 
-/// Makes "ggxD" of "ggx_d"; a name without underscores stays.
+/// Returns "ggxD" for "ggx_d"; a name without underscores is unchanged.
 std::string camelCase(std::string_view name) {
     std::string result;
     bool capital = false;
@@ -31,7 +31,7 @@ bool sameLetters(std::string_view a, std::string_view b) {
     });
 }
 
-/// Is not std::max: that would turn a NaN into a zero and hide it.
+/// Returns 0 for a number below 0. std::max would turn a NaN into 0 and hide it.
 double cut(double x) {
     return x < 0.0 ? 0.0 : x;
 }
@@ -135,7 +135,7 @@ glm::dvec3 shade(const Block& model, const Geometry& geometry, Parameters parame
     return {cut(value.x), cut(value.y), cut(value.z)};
 }
 
-// Where capitals do not follow the words ("pow_sc" is powSC) the letters alone decide.
+// Some capitals do not begin words ("pow_sc" is powSC): then the letters alone decide.
 const Function* findFunction(std::string_view name) {
     const auto all = functions();
     const std::string wanted = camelCase(name);

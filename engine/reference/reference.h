@@ -9,36 +9,37 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-/// Is the shading code of shaders/ compiled for the CPU in double precision: what the GPU's answers
-/// are held against. Nothing else in the program compiles a block.
+// This file gives access to the shading code of shaders/, compiled for the CPU in double precision.
+// The GPU's answers are compared with it.
 namespace patina::reference {
 
 /// Holds the values of a block, packed by the catalogue's ParameterLayout.
 using Parameters = std::span<const double>;
 
-/// Says where a surface is lit and seen from. All unit, away from the surface; n, t, b orthogonal.
+/// Says where a surface is lit and seen from. All vectors are unit and point away from the surface;
+/// n, t and b are orthogonal.
 struct Geometry {
     glm::dvec3 n{0.0, 0.0, 1.0};
     glm::dvec3 t{1.0, 0.0, 0.0};
     glm::dvec3 b{0.0, 1.0, 0.0};
     glm::dvec3 l{0.0, 0.0, 1.0};
     glm::dvec3 v{0.0, 0.0, 1.0};
-    glm::dvec2 pixel{0.0}; ///< place on the picture; where models that draw put their marks
+    glm::dvec2 pixel{0.0}; ///< is the place on the picture, for models that draw marks
 };
 
-/// Directions of any length made into a Geometry by the shaders' own functions: n, l and v are
-/// normalised and t is made orthogonal to n. A zero n is +z, a zero l or v is n, and a zero t or
-/// one along n becomes any tangent.
+/// Makes a Geometry of directions of any length by the shaders' own functions: n, l and v are
+/// normalised and t is made orthogonal to n. A zero n becomes +z, a zero l or v becomes n, and a
+/// zero t or one along n becomes any tangent.
 Geometry geometry(const glm::dvec3& n, const glm::dvec3& t, const glm::dvec3& l,
                   const glm::dvec3& v);
 
 /// Holds what a light sends to a point.
 struct Illumination {
     glm::dvec3 l{0.0, 0.0, 1.0}; ///< unit, towards the light
-    glm::dvec3 radiance{0.0};    ///< E / pi
+    glm::dvec3 radiance{0.0};    ///< is the irradiance over pi
 };
 
-/// Holds the way from the eye to a surface.
+/// Holds the straight path from the eye to a surface.
 struct FogRay {
     glm::dvec3 eye{0.0};
     glm::dvec3 direction{0.0, 0.0, -1.0}; ///< unit
@@ -50,20 +51,20 @@ struct Crossing {
     glm::dvec3 l{0.0, 0.0, 1.0}; ///< unit, from the surface to where the ray comes from
     glm::dvec3 n{0.0, 0.0, 1.0}; ///< unit normal on the side of l
     int channel = 1;             ///< 0, 1, 2: red, green, blue light
-    bool leaves = false;         ///< from the body into what surrounds it
+    bool leaves = false;         ///< says that it goes on out of the body
 };
 
-/// Represents an edge of a mesh as it is seen (shaders/lib/edge.glsl).
+/// Describes an edge of a mesh as it is seen (shaders/lib/edge.glsl).
 struct Edge {
     bool turns = false;
     bool ends = false;
     double bend = 0.0; ///< radians
 };
 
-/// Represents one packed field, as it was when the block was compiled.
+/// Describes one packed field as it was when the block was compiled.
 struct Field {
     std::string_view name;
-    std::size_t offset = 0; ///< in numbers
+    std::size_t offset = 0; ///< counts numbers from the first
     int components = 1;
 
     friend bool operator==(const Field&, const Field&) = default;
@@ -71,20 +72,20 @@ struct Field {
 
 struct Block;
 
-/// Represents a compiled block with its values: what fills a slot.
+/// Holds a compiled block with its values, which fills a slot.
 struct Filler {
     const Block* block = nullptr;
     Parameters parameters; ///< block->size numbers, which must outlive it
 };
 
-/// Says what fills a model's slots, in any order: at most one of each kind. A slot without one is
+/// Lists what fills a model's slots, in any order and at most one of each kind. An empty slot is
 /// black.
 using Fillers = std::span<const Filler>;
 
-/// Represents a function of a block, called with plain numbers: a vec3 is three of them, a struct
-/// its fields in order.
+/// Calls a function of a block with plain numbers: a vec3 is three of them, a struct its fields in
+/// order.
 struct BlockCall {
-    std::string_view suffix; ///< of its name, after the block's
+    std::string_view suffix; ///< follows the block's name in the function's
     std::size_t arguments = 0;
     std::size_t results = 0;
     void (*call)(const double* arguments, double* results, Parameters) = nullptr;
@@ -95,37 +96,39 @@ struct Block {
     std::string_view kind;
     std::string_view id;
     std::span<const Field> fields;
-    std::size_t size = 0; ///< numbers its parameters take
+    std::size_t size = 0; ///< is how many numbers its parameters take
     bool lightGate = true;
     bool viewGate = true;
 
-    /// Is the function of Directions, where the kind has one.
+    /// Is the function of Directions; null where the kind has none.
     glm::dvec3 (*model)(const Geometry&, Parameters, Fillers) = nullptr;
-    /// Are the other functions of the kind, in its order.
+    /// Holds the other functions of the kind, in the kind's order.
     std::span<const BlockCall> calls;
 
-    // The functions of each kind with their types. Only those of the block's own may be called.
+    // These are the functions of each kind with their types. Only those of the block's own kind may
+    // be called.
     glm::dvec3 fresnel(double c, double versine, Parameters) const;
     glm::dvec3 tint(Parameters) const;
     Illumination light(const glm::dvec3& x, Parameters) const;
     double fog(const FogRay& ray, Parameters) const;
     glm::dvec3 fogColor(Parameters) const;
-    /// Returns what comes from the unit direction d, E / pi, and the picture's colour there.
+    /// Returns the irradiance over pi from the unit direction d, where the picture has this colour.
     glm::dvec3 environment(const glm::dvec3& d, const glm::dvec3& picture, Parameters) const;
     /// Returns what a tone curve makes of linear light from 0.
     glm::dvec3 toned(const glm::dvec3& light, Parameters) const;
-    /// Returns how much a surface at the depth 0 .. 1 counts.
+    /// Returns the weight of a surface at the depth 0 .. 1.
     double transparency(double depth, double opacity, Parameters) const;
-    /// Returns what refraction gives: the way on, the share mirrored, and what is left after so
-    /// many metres.
+    /// Returns the direction in which the ray goes on.
     glm::dvec3 refract(const Crossing&, Parameters) const;
+    /// Returns the share of light that is reflected.
     double mirrored(const Crossing&, Parameters) const;
+    /// Returns the share of light that is left after so many metres inside the body.
     glm::dvec3 left(double way, Parameters) const;
-    /// Returns how wide an edge's lines are, in pixels: outside of the shape, and on it.
+    /// Returns the widths of an edge's lines outside of the shape and on it, in pixels.
     glm::dvec2 outline(const Edge& edge, Parameters) const;
     glm::dvec3 lineColor(Parameters) const;
 
-    /// Returns the function with a suffix, called with these numbers; `Count` of them come back.
+    /// Calls the function with a suffix and returns its `Count` results. The block must have it.
     template <std::size_t Count>
     std::array<double, Count> call(std::string_view suffix, std::span<const double> arguments,
                                    Parameters parameters) const {
@@ -147,28 +150,31 @@ const Block* findBlock(std::string_view kind, std::string_view id);
 glm::dvec3 modelValue(const Block& model, const Geometry& geometry, Parameters parameters,
                       Fillers fillers = {});
 
-/// modelValue cut at 0 from below, as lights are summed. A NaN stays one.
+/// Returns modelValue() with what is below 0 raised to 0, as lights are summed. A NaN stays one.
 glm::dvec3 shade(const Block& model, const Geometry& geometry, Parameters parameters,
                  Fillers fillers = {});
 
-/// Represents a function of shaders/lib/ called with plain numbers: a vec3 argument is three of
-/// them, a struct its fields in order; out parameters are results after the returned value.
+/// Calls a function of shaders/lib/ with plain numbers: a vec3 argument is three of them, a struct
+/// its fields in order; out parameters are results after the returned value.
 struct Function {
     std::string_view name;
-    std::string_view signature; ///< as it is declared
+    std::string_view signature; ///< is its declaration
     std::size_t arguments = 0;
     std::size_t results = 0;
     void (*call)(const double* arguments, double* results) = nullptr;
-    std::string_view glslCall; ///< the same in GLSL: reads ARGUMENT(i), writes RESULT(i, x)
+    std::string_view glslCall; ///< calls it in GLSL: reads ARGUMENT(i), writes RESULT(i, x)
 };
 
-/// Returns every function of shaders/lib/, sorted by name. The elementary ones are the exact twins.
+/// Returns every function of shaders/lib/, sorted by name. Those of elementary.glsl are the exact
+/// ones of elementary.h.
 std::span<const Function> functions();
 
-/// lib/elementary.glsl as it stands, its polynomials in double precision.
+/// Returns the functions of lib/elementary.glsl themselves, whose polynomials are evaluated in
+/// double precision.
 std::span<const Function> elementaryPolynomials();
 
-/// By its name or the same in snake case ("ggx_d"); null where there is none.
+/// Returns the function of shaders/lib/ by its name or the same in snake case ("ggx_d"); null where
+/// there is none.
 const Function* findFunction(std::string_view name);
 
 } // namespace patina::reference

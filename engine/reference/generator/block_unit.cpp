@@ -18,7 +18,8 @@ namespace {
 
 constexpr std::string_view directions = "Directions";
 
-/// The functions of Directions have a signature of their own, since only they have slots.
+/// Tells whether a function takes Directions. Such functions have a signature of their own, since
+/// only they have slots.
 bool isOfDirections(const BlockFunction& function) {
     return function.argument == directions;
 }
@@ -71,7 +72,7 @@ std::string unpackedField(const ParameterField& field) {
     return fmt::format("    p.{} = {}({});\n", field.name, type, value);
 }
 
-/// Returns the struct, its constants and the function that fills it from packed values.
+/// Returns the block's struct, its constants and the function that fills it from packed values.
 std::string structCode(const Block& block, const ParameterLayout& layout) {
     std::string constantLines;
     std::string fields;
@@ -103,7 +104,7 @@ std::string structCode(const Block& block, const ParameterLayout& layout) {
                        constantLines, structName(block), fields, unpacked, functions);
 }
 
-/// Returns how what fills a slot is called; where it is a function of Directions, with the slot's
+/// Returns the statements that call what fills a slot; a function of Directions gets the slot's
 /// geometry.
 std::string slotCall(const BlockFunction& function, const Declarations& declarations) {
     if (isOfDirections(function)) {
@@ -121,8 +122,8 @@ std::string slotCall(const BlockFunction& function, const Declarations& declarat
                        declarations.numbers(result), cppType(result), in.read(result, "value"));
 }
 
-/// Returns what a model calls to use its slots; stands after the library because it needs its
-/// structs.
+/// Returns the functions by which a model uses its slots. They must follow the library, since they
+/// need its structs.
 std::string slotCode(const Block& block, const Declarations& declarations) {
     std::string code;
     for (const Slot& slot : block.slots) {
@@ -141,7 +142,7 @@ std::string slotCode(const Block& block, const Declarations& declarations) {
     return code;
 }
 
-/// Returns the name of the function that the table of a block points at.
+/// Returns the name of the function to which a block's table points.
 std::string callName(const BlockFunction& function) {
     return "call" + std::string(function.suffix);
 }
@@ -160,7 +161,8 @@ std::string directionsCall(const Block& block, const BlockFunction& function) {
                        function.suffix);
 }
 
-/// Reads the argument from numbers, calls the function and writes its result as numbers.
+/// Returns a function that reads the argument from numbers, calls the block's function and writes
+/// its result as numbers.
 std::string numbersCall(const Block& block, const BlockFunction& function,
                         const Declarations& declarations) {
     NumberMover in(declarations, Language::Cpp);
@@ -179,7 +181,7 @@ std::string numbersCall(const Block& block, const BlockFunction& function,
                        out.write(result, "result"));
 }
 
-/// Returns the functions that the table points at.
+/// Returns the functions to which the block's table points.
 std::string entryFunctions(const Block& block, const Declarations& declarations) {
     std::string code;
     for (const BlockFunction& function : functionsOf(block)) {

@@ -9,15 +9,17 @@
 
 namespace patina {
 
-/// Name of the generated file, "models-cook-torrance.cpp", and of what is declared in it.
+/// Returns the name of the generated file: "models-cook-torrance.cpp".
 std::string unitFile(const Block& block);
+/// Returns the namespace of what the generated file declares.
 std::string unitScope(const Block& block);
 
 /// Returns the C++ file of one block: its struct, constants, shader code and entry for the table.
 /// `lines` are the block's file and what it includes.
 std::string blockSource(const Block& block, const GlslLines& lines);
 
-/// Returns the C++ file of a block whose kind is not compiled in double precision.
+/// Returns the C++ file of a block whose kind is not compiled in double precision, which has no
+/// code: the build expects a file for every block.
 std::string emptyUnit(const Block& block);
 
 /// Returns the C++ file with the table of all blocks.

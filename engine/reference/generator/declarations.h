@@ -10,7 +10,7 @@ namespace patina {
 struct Variable {
     std::string type;
     std::string name;
-    bool out = false; ///< declared OUT(type)
+    bool out = false; ///< says that it is declared OUT(type)
 };
 
 struct StructDeclaration {
@@ -19,7 +19,7 @@ struct StructDeclaration {
 };
 
 struct FunctionDeclaration {
-    std::string result; ///< type; "void" for none
+    std::string result; ///< is its type; "void" for none
     std::string name;
     std::vector<Variable> arguments;
 
@@ -34,7 +34,8 @@ struct Declarations {
 
     const StructDeclaration* findStruct(const std::string& name) const;
 
-    /// Numbers a value of the type is made of; 0 for void and for types that are not numbers.
+    /// Returns how many numbers a value of the type is made of; 0 for void and for types that are
+    /// not numbers.
     std::size_t numbers(const std::string& type) const;
 };
 

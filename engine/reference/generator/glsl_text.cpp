@@ -25,7 +25,8 @@ bool isBlank(const std::string& text) {
     return text.find_first_not_of(" \t\r") == std::string::npos;
 }
 
-/// Writes it in double precision. A constant is one that a translation unit may not need.
+/// Returns the line with `double` for `float`. A constant is marked as maybe unused, since not
+/// every translation unit needs it.
 std::string cppLine(const std::string& text) {
     std::string line = text.starts_with("const ") ? "[[maybe_unused]] " : "";
     const char* done = text.data();

@@ -10,26 +10,26 @@
 
 namespace patina {
 
-/// Represents one line of shader text and where it stands.
+/// Holds one line of shader text and its place.
 struct GlslLine {
-    std::string file; ///< as the C++ compiler shall name it
-    int number = 0;   ///< 1-based
-    std::string text; ///< without comments
+    std::string file; ///< is the path that #line gives the C++ compiler
+    int number = 0;   ///< counts from 1
+    std::string text; ///< has no comments
 };
 
 using GlslLines = std::vector<GlslLine>;
 
-/// Shader text with its includes put in front, each file once.
+/// Reads shader text and replaces each include with the file's text, each file once.
 class GlslReader {
   public:
-    /// `root` is the folder that `#include "lib/..."` counts from. Files in `left` are not read:
-    /// their place is taken by C++.
+    /// Takes the folder `root` in which `#include "lib/..."` is found. Files in `left` are not
+    /// read, since C++ replaces them.
     GlslReader(std::filesystem::path root, std::set<std::string> left);
 
     /// Returns the lines of a file and of what it includes.
     Result<GlslLines> read(const std::filesystem::path& file);
 
-    /// The files that were included or left, as they are named in an #include.
+    /// Returns the files that were included or left out, as an #include names them.
     const std::set<std::string>& taken() const { return taken_; }
 
   private:
@@ -44,7 +44,7 @@ class GlslReader {
 /// line.
 std::string asCpp(const GlslLines& lines);
 
-/// Returns the same of a text that stands in no file.
+/// Returns text from no file as C++, without #line.
 std::string asCpp(const std::string& text);
 
 /// Returns the lines as one text, without their places.

@@ -10,7 +10,7 @@
 namespace patina {
 namespace {
 
-/// Statements that read the arguments, call the function and write its results.
+/// Returns statements that read the arguments, call the function and write its results.
 std::string callOf(const Declarations& declarations, const FunctionDeclaration& function,
                    Language language) {
     const auto type = [language](const std::string& name) {

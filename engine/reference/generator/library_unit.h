@@ -8,17 +8,17 @@
 
 namespace patina {
 
-/// Holds what a generated file of library functions holds.
+/// Holds what librarySource() puts into a generated file of library functions.
 struct LibraryUnit {
-    std::string function;  ///< that gives the table: "functions"
-    std::string scope;     ///< inner namespace of the shader code
-    std::string code;      ///< C++ to compile, may be empty when headers have it
-    std::string more;      ///< C++ after the table, in the outer namespace
-    Declarations callable; ///< the structs and the functions that the table lists
+    std::string function;  ///< is the one that returns the table: "functions"
+    std::string scope;     ///< is the inner namespace of the shader code
+    std::string code;      ///< is C++ to compile; empty where headers have it
+    std::string more;      ///< is C++ after the table, in the outer namespace
+    Declarations callable; ///< has the structs, and the functions that the table lists
 };
 
-/// Returns the C++ file: the code, a wrapper that turns numbers into arguments for each function,
-/// and the table of them, sorted by name.
+/// Returns the C++ file: the code, a wrapper for each function that makes arguments of numbers, and
+/// the table of them, sorted by name.
 std::string librarySource(const LibraryUnit& unit);
 
 } // namespace patina

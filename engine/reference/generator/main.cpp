@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes the C++ files that compile the shading code of one or more shader folders in double
-// precision: one per block, one for the library, one with the table of blocks.
+// This program writes the C++ files that compile the shading code of one or more shader folders in
+// double precision: one per block, two for the library, one with the table of blocks.
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* elementary = "lib/elementary.glsl";
 
-/// Writes only what changed, so that an edit compiles one unit.
+/// Writes a file unless it has this text already, so that an edit compiles one unit only.
 Result<void> write(const std::filesystem::path& file, const std::string& text) {
     std::ostringstream old;
     if (std::ifstream stream(file, std::ios::binary); stream) {

@@ -10,11 +10,11 @@ namespace patina {
 
 enum class Language { Cpp, Glsl };
 
-/// Returns a type of GLSL as the generated C++ calls it.
+/// Returns the name of a GLSL type in the generated C++.
 std::string cppType(const std::string& type);
 
-/// Writes statements that move values between variables and a row of numbers, one place after the
-/// other. In C++ the rows are called `in` and `out`, in GLSL ARGUMENT and RESULT.
+/// Writes statements that move values between variables and an array of numbers, in order. In C++
+/// the arrays are `in` and `out`, in GLSL ARGUMENT and RESULT.
 class NumberMover {
   public:
     NumberMover(const Declarations& declarations, Language language)
