@@ -13,16 +13,16 @@
 
 namespace patina {
 
-/// Draws and measures the cells of contact sheets, one after the other. Made, used and destroyed
-/// with one context current.
+/// Draws and measures the cells of contact sheets, one after the other. It must be made, used and
+/// destroyed with the same context current.
 class CellMaker {
   public:
     using Panorama = std::shared_ptr<const EnvironmentImage>;
     using Cancelled = std::function<bool()>;
 
-    /// Says where cells come from. What the functions use outlives the maker.
+    /// Holds what cells are made with. What the functions refer to must outlive the maker.
     struct Supplies {
-        TimedFrames::Supplies frames; ///< of what is measured
+        TimedFrames::Supplies frames; ///< are for measured frames
         std::filesystem::path programCache;
         /// Returns the picture of a scene's environment; null where it needs none.
         std::function<Result<Panorama>(const Scene&)> panorama;
@@ -32,19 +32,20 @@ class CellMaker {
 
     explicit CellMaker(Supplies supplies) : supplies_(std::move(supplies)) {}
 
-    /// Gets the picture of the scene's environment, unless it is that of the scene before.
+    /// Gets the picture of the scene's environment, unless the scene before had the same.
     Result<void> surround(const Scene& scene);
 
-    /// Returns the scene in the environment that surrounds it.
+    /// Returns the picture of the scene with its environment.
     Checked<Image> draw(const Scene& scene);
 
-    /// Returns what is asked for of the scene's object; `cellPixels`: of a side of the pictures
-    /// whose error is measured.
+    /// Measures the numbers that are asked for; what cannot be measured is empty. `cellPixels` is
+    /// the side of the square picture whose error is measured.
     CellNumbers measure(const Scene& scene, std::size_t object,
                         const std::vector<CellNumber>& numbers, int cellPixels,
                         const Cancelled& isCancelled = {});
 
-    /// Why times and errors cannot be measured at all, where that was tried.
+    /// Returns why times and errors cannot be measured at all; nothing where they can, or where it
+    /// was not tried yet.
     const std::optional<Error>& meterProblem() const { return meterProblem_; }
 
   private:
@@ -54,7 +55,7 @@ class CellMaker {
     std::unique_ptr<CellMeter> meter_;
     std::optional<Error> meterProblem_;
     bool hasPanorama_ = false;
-    std::optional<BlockValues> environment_; ///< whose picture it is
+    std::optional<BlockValues> environment_; ///< is the one that panorama_ belongs to
     Panorama panorama_;
 };
 

@@ -59,7 +59,7 @@ Checked<bool> SheetMaker::run(const GoesOn& goesOn) {
                  : tl::unexpected(oneError(failure(rows_.front().problem).value()));
 }
 
-/// Returns the cell, with what is measured of it.
+/// Makes one cell. A cell without a picture is no error, but an environment that cannot be read is.
 Result<void> SheetMaker::make(int column, int row, const CellMaker::Cancelled& isCancelled) {
     CellRow made{column, row};
     const Result<Scene> scene = plan_.scene(column, row);
@@ -87,7 +87,7 @@ Result<void> SheetMaker::make(int column, int row, const CellMaker::Cancelled& i
     return {};
 }
 
-/// All cells of the control row are one.
+/// Copies the cell before it, since all cells of the control row show the same.
 void SheetMaker::repeatStart(int column, int row) {
     CellRow again = rows_.back();
     again.column = column;

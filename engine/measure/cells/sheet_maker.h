@@ -13,22 +13,23 @@
 
 namespace patina {
 
-/// Tells what a sheet is written as: a picture as it is shown, one in linear light, or a table.
+/// Tells what a sheet is written as: a picture in display values, one in linear light, or a table.
 enum class SheetForm { Display, Linear, Table };
 
-/// By the ending of a file's name, in capitals or not: ".csv" is a table, ".exr" and ".hdr" are
-/// linear, all else is as it is shown.
+/// Returns the form by the ending of a file's name, in capitals or not: ".csv" is a table, ".exr"
+/// and ".hdr" are linear, and every other one is a picture in display values.
 SheetForm sheetFormOf(const std::filesystem::path& file);
 
-/// Makes all cells of a sheet and what is written of them: a picture or a table.
+/// Makes all cells of a sheet and puts them into a picture or a table.
 class SheetMaker {
   public:
-    /// The plan and the cells' maker outlive it. A table of a sheet without numbers has them all.
+    /// Keeps references to the plan and the cells' maker, which must outlive it. A table of a sheet
+    /// without numbers gets all of them.
     SheetMaker(const SheetPlan& plan, Sheet sheet, SheetForm form, CellMaker& cells);
 
-    /// Draws all cells; those that cannot be drawn say why. `goesOn` is asked before each of
-    /// them, and while one is measured; false where it said no. An error where there is no cell at
-    /// all, and where an environment's picture cannot be had.
+    /// Makes all cells; those that cannot be drawn say why. Calls `goesOn` before each of them and
+    /// while one is measured, and returns false where that does. It is an error where no cell could
+    /// be made, or where an environment's picture cannot be read.
     using GoesOn = std::function<bool(int done, int cells)>;
     Checked<bool> run(const GoesOn& goesOn);
 
@@ -48,7 +49,7 @@ class SheetMaker {
     SheetForm form_;
     CellMaker& cells_;
     SheetPicture picture_;
-    Image last_; ///< the last cell that was drawn
+    Image last_; ///< is the last cell that was drawn
     std::vector<CellRow> rows_;
 };
 

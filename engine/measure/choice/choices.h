@@ -13,7 +13,7 @@
 
 namespace patina {
 
-/// One way to compute something.
+/// Describes one level of a choice: one method to compute the same thing.
 struct ChoiceLevel {
     std::string id;
     std::string label;
@@ -22,37 +22,36 @@ struct ChoiceLevel {
     friend bool operator==(const ChoiceLevel&, const ChoiceLevel&) = default;
 };
 
-/// Something that can be computed more cheaply.
+/// Describes something that can be computed more cheaply, and its levels.
 struct Choice {
-    /// Tells what a choice belongs to, which says where it is kept and what its errors are measured
-    /// by.
+    /// Tells where a choice is kept and with what its errors are compared.
     enum class Scope {
-        Material, ///< shading: in Material::accuracy, against double precision
-        Picture,  ///< how often and how finely: in View or the scene, against the finest picture
+        Material, ///< is kept in Material::accuracy and compared with double precision
+        Picture,  ///< is kept in View or the scene and compared with the finest picture
     };
 
     Scope scope = Scope::Material;
-    std::string id;  ///< as for --set: "<choice>" of the model, "<kind>.<choice>" of a part
-    std::string key; ///< in Material::accuracy; a picture's is its id
+    std::string id;  ///< is "<choice>" of the model, "<kind>.<choice>" of a part, as for --set
+    std::string key; ///< is the key in Material::accuracy; a picture's is its id
     std::string label;
     std::string doc;
-    std::string block;               ///< label of the block that has it
-    std::vector<ChoiceLevel> levels; ///< the exact one first
+    std::string block;               ///< is the label of the block that has it
+    std::vector<ChoiceLevel> levels; ///< begin with the exact one
 
     const ChoiceLevel* level(std::string_view levelId) const;
 
     friend bool operator==(const Choice&, const Choice&) = default;
 };
 
-/// Which level of each choice is taken, by Choice::id; what is missing is exact.
+/// Maps Choice::id to the id of the level that is used; a missing choice is exact.
 using ChosenLevels = std::map<std::string, std::string, std::less<>>;
 
-/// Returns what levelsText() writes, read again; nothing where a word is no "<choice>=<level>".
+/// Reads what levelsText() writes; nothing is returned where a word is no "<choice>=<level>".
 std::optional<ChosenLevels> levelsFromText(const std::string& text);
 
 /// Returns what shading the object's material in its scene could do more cheaply: the accuracy
-/// choices of every block that is in its effect set. Where the model and a part have a choice of
-/// the same name they share it, and it is listed once. None where there is no such object.
+/// choices of every block in its effect set. Where the model and a part have a choice of the same
+/// name they share it, and it is listed once. Empty where there is no such object.
 std::vector<Choice> materialChoices(const Scene& scene, std::size_t object, const Catalog& catalog);
 
 /// Returns what the picture of the scene could do more cheaply, whatever is in it.
@@ -61,28 +60,28 @@ std::vector<Choice> choicesOfPicture(const Scene& scene, const Catalog& catalog)
 /// Returns the levels that the material has now, without those that are exact.
 ChosenLevels levelsOf(const Material& material, const std::vector<Choice>& choices);
 
-/// Returns the same of the picture of the scene. A level that is none of the choice's is named as
-/// it is.
+/// Returns the levels that the picture of the scene has now, without those that are exact. A number
+/// that is none of the choice's levels is returned as it is.
 ChosenLevels levelsOfPicture(const Scene& scene, const std::vector<Choice>& choices,
                              const Catalog& catalog);
 
-/// Represents a frame: a scene and how it is looked at.
+/// Holds what a frame shows: a scene and the view of it.
 struct ChosenFrame {
     Scene scene;
     View view;
-    int samplesAtOnce = 0; ///< the most directions of an environment that are captured in one go;
-                           ///< 0: as many as the renderer likes
+    int samplesAtOnce = 0; ///< limits the directions of an environment that are captured at once;
+                           ///< 0: the renderer decides
 };
 
-/// Gives each of these choices the level that `levels` names, or the exact one: those of the scope
-/// Material in every object whose material is that of `object`.
+/// Gives each of these choices the level that `levels` names, or the exact one. Choices of the
+/// scope Material are set in every object whose material equals that of `object`.
 void choose(ChosenFrame& frame, std::size_t object, const std::vector<Choice>& choices,
             const ChosenLevels& levels, const Catalog& catalog);
 
 /// Returns "fresnel.reflectance=high-index power=table", or "exact".
 std::string levelsText(const ChosenLevels& levels);
 
-/// Returns the objects with the material of `object`.
+/// Tells for each object of the scene whether its material equals that of `object`.
 std::vector<bool> sharingMaterial(const Scene& scene, std::size_t object);
 
 } // namespace patina

@@ -14,15 +14,16 @@
 namespace patina {
 namespace {
 
-/// Represents a choice that is no level of Scene::accuracy: one row of the table below, and no edit
-/// elsewhere.
+/// Describes a choice that is not in Scene::accuracy. Another one is a row of the table below and
+/// needs no edit elsewhere.
 struct PictureRow {
     const char* id;
     const char* label;
     const char* doc;
     std::vector<ChoiceLevel> (*levels)(const Scene& scene, const Catalog& catalog);
     void (*apply)(ChosenFrame& frame, const std::string& level, const Catalog& catalog);
-    /// Is what the scene has, which may be none of the levels.
+    /// Returns the level that the scene has, which may be none of `levels`; empty where the choice
+    /// has no effect on the scene.
     std::string (*current)(const Scene& scene, const Catalog& catalog);
 };
 
@@ -30,7 +31,7 @@ int numberOf(const std::string& level) {
     return std::atoi(level.c_str());
 }
 
-/// Returns "8" with a label such as "8 layers".
+/// Returns the level "8" with a label such as "8 layers".
 ChoiceLevel counted(int count, std::string_view what) {
     const std::string number = std::to_string(count);
     return {number, fmt::format("{} {}", number, what), {}};
@@ -77,7 +78,8 @@ std::string currentEnvironment(const Scene& scene, const Catalog& catalog) {
                             : std::to_string(directionsOf(*scene.part(kinds::environment), *block));
 }
 
-/// Returns a kind of transparency that sorts: the scene's own, else the first; null: there is none.
+/// Returns a transparency block that sorts: the scene's own, else the catalogue's first; null where
+/// there is none.
 const Block* sortingBlock(const Scene& scene, const Catalog& catalog) {
     const Block* own = transparencyBlock(scene, catalog);
     if (own != nullptr && layersParameter(*own) != nullptr) {
@@ -89,7 +91,8 @@ const Block* sortingBlock(const Scene& scene, const Catalog& catalog) {
     return found == all.end() ? nullptr : *found;
 }
 
-/// From the most that the sorting kind can down, halving; then the kinds that mix all at once.
+/// Returns the most layers that the sorting block can do, halved down to 1, and then the blocks
+/// that mix all at once. Empty where nothing in the scene is transparent.
 std::vector<ChoiceLevel> layerLevels(const Scene& scene, const Catalog& catalog) {
     std::vector<ChoiceLevel> levels;
     if (transparencyBlock(scene, catalog) == nullptr) {
@@ -108,7 +111,8 @@ std::vector<ChoiceLevel> layerLevels(const Scene& scene, const Catalog& catalog)
     return levels;
 }
 
-/// The scene's kind of transparency becomes this one, with its defaults where it was another.
+/// Makes this block the scene's transparency, with its defaults where it was another one, and
+/// returns its values.
 BlockValues& useTransparency(Scene& scene, const Block& block) {
     const BlockValues* held = scene.part(kinds::transparency);
     if (held == nullptr || held->id != block.id) {
@@ -138,13 +142,15 @@ std::string currentLayers(const Scene& scene, const Catalog& catalog) {
     return std::to_string(layersOf(*scene.part(kinds::transparency), *block));
 }
 
-/// Returns what says how many places a kind of shadow looks at; null where nothing does.
+/// Returns the parameter that says how many taps the light's shadow takes of its depth map; null
+/// where it has none.
 const Parameter* tapsOf(const Light& light, const Catalog& catalog) {
     const Block* block = blockOf(light.parts, kinds::shadows, catalog);
     return block == nullptr ? nullptr : block->withRole(roles::samples);
 }
 
-/// Returns the first light that has such shadows; null where none does.
+/// Returns the first enabled light that has such a parameter; null where there is none or the scene
+/// has no shadows.
 const Light* tappedLight(const Scene& scene, const Catalog& catalog) {
     const auto found = std::ranges::find_if(scene.lights, [&catalog](const Light& light) {
         return light.enabled && tapsOf(light, catalog) != nullptr;
@@ -152,7 +158,7 @@ const Light* tappedLight(const Scene& scene, const Catalog& catalog) {
     return found != scene.lights.end() && hasShadows(scene, catalog) ? &*found : nullptr;
 }
 
-/// Their finest level is listed last.
+/// Returns the levels of those taps in reverse, since the parameter lists the finest one last.
 std::vector<ChoiceLevel> tapLevels(const Scene& scene, const Catalog& catalog) {
     std::vector<ChoiceLevel> levels;
     if (const Light* light = tappedLight(scene, catalog)) {
@@ -205,10 +211,10 @@ constexpr std::array rows{
 
 constexpr std::string_view prefix = "picture.";
 
-/// Tells whether anything of the scene depends on it.
+/// Tells whether the choice has an effect on the scene and is not in the table above.
 bool counts(PictureChoice choice, const Scene& scene, const Catalog& catalog) {
     if (choice == PictureChoice::Environment) {
-        return false; // a level of the row of its directions
+        return false; // its row in the table has "fitted" as a level
     }
     return choice != PictureChoice::Fog || sceneEffects(scene, catalog).fog.has_value();
 }
@@ -222,7 +228,8 @@ Choice choiceOf(const PictureChoiceText& text) {
     return choice;
 }
 
-/// Is null for the choices of the table above.
+/// Returns the texts of a choice of Scene::accuracy; null for the choices of the table above,
+/// except that of the environment.
 const PictureChoiceText* textOf(const Choice& choice) {
     const std::string_view id = choice.id;
     return id.starts_with(prefix) ? pictureChoiceText(id.substr(prefix.size())) : nullptr;

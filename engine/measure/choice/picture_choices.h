@@ -7,14 +7,14 @@
 
 namespace patina {
 
-/// Gives a choice of the scope Picture one of its levels.
+/// Sets a choice of the scope Picture to one of its levels in the frame.
 void choosePicture(ChosenFrame& frame, const Choice& choice, const std::string& level,
                    const Catalog& catalog);
 
-/// Tells whether its levels are numbers of samples per pixel.
+/// Tells whether a choice's levels are numbers of samples per pixel.
 bool isOfSamples(const Choice& choice);
 
-/// Tells whether its levels are numbers of directions of an environment.
+/// Tells whether a choice's levels are numbers of directions of an environment.
 bool isOfDirections(const Choice& choice);
 
 } // namespace patina

@@ -10,7 +10,7 @@
 namespace patina {
 namespace {
 
-/// Tells whether the compiled code reads its values where the catalogue of today puts them.
+/// Tells whether the compiled code reads its values where the catalogue now puts them.
 bool matches(const reference::Block& code, const Block& block) {
     const ParameterLayout layout = layoutOf(block);
     return layout.floats == code.size &&

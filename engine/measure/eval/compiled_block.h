@@ -7,7 +7,7 @@
 
 namespace patina {
 
-/// Returns the double-precision code of a block. An error when the block was added since the
+/// Returns the double-precision code of a block. It is an error where the block was added since the
 /// program was built, or has other parameters now.
 Result<const reference::Block*> compiledBlock(const Block& block);
 

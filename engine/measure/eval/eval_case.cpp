@@ -29,7 +29,7 @@ Json nested(const EvalBlock& block) {
     return json;
 }
 
-/// Returns what names a block of its kind in a line.
+/// Returns the key of a block in a line, which is the word for its kind.
 std::string keyOf(const EvalBlock& block) {
     return std::string(findKind(block.block->kind)->singular);
 }

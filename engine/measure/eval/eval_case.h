@@ -14,72 +14,74 @@
 
 namespace patina {
 
-/// Holds the numbers of all fields of a struct, one after the other.
+/// Holds the numbers of all fields of a struct, in order.
 using FieldNumbers = std::array<double, 8>;
 
-/// Represents a block with values, as a case names it.
+/// Holds a block with values, as a case names it.
 struct EvalBlock {
     const Block* block = nullptr;
-    Values values; ///< those that were given, within their ranges and not rounded
+    Values values; ///< are those that were given, within their ranges and not rounded
     AccuracyLevels accuracy;
 
     std::vector<double> packedValues() const { return packed(*block, values, accuracy); }
 };
 
-/// Says where a block is evaluated. Each kind of block reads what it is a function of.
+/// Holds the arguments at which a block is evaluated. Each kind of block reads those of its
+/// function.
 struct EvalPlace {
-    /// Is as given, of any length. A light's point is in `l`; fog's eye is there, and in `v` the
-    /// unit direction from it.
+    /// Is the normal; it, t, l and v are as given, of any length. A light's point is in `l`; fog
+    /// has the eye in `l`, and in `v` the unit direction from it.
     glm::dvec3 n{0.0, 0.0, 1.0};
     glm::dvec3 t{1.0, 0.0, 0.0};
     glm::dvec3 l{0.0};
     glm::dvec3 v{0.0};
-    glm::dvec2 pixel{0.0}; ///< for models that draw marks on the picture
-    double number = 0.0;   ///< the cosine of a Fresnel block, the distance of fog
-    FieldNumbers fields{}; ///< of what else a block is a function of (fieldsOf())
+    glm::dvec2 pixel{0.0}; ///< is for models that draw marks on the picture
+    double number = 0.0;   ///< is the cosine of a Fresnel block, the distance of fog
+    FieldNumbers fields{}; ///< are other arguments (fieldsOf())
 };
 
-/// Represents one function of a block at one place, to be evaluated on the CPU or on the graphics
-/// device; or one function of the shader library.
+/// Describes one function of a block or of the shader library with its arguments, to be evaluated
+/// on the CPU or on the graphics device.
 struct EvalCase : EvalPlace {
-    /// Tells what a case calls. Model: a block's function of directions; Fields: of the fields of
-    /// another struct, of a number, or of the block's values alone.
+    /// Tells which arguments the function takes. Model is a block's function of directions; Fields
+    /// is one of the fields of another struct, of a number, or of the block's values alone;
+    /// Function is one of the library.
     enum class Subject { Model, Fresnel, Light, Fog, Fields, Function };
 
-    nlohmann::json id; ///< whatever tells the case from others; goes back with its answer
+    nlohmann::json id; ///< identifies the case; it is returned with the answer
     Subject subject = Subject::Model;
     bool gpu = false;
 
     EvalBlock block;
     /// Is the function of the block's kind; null: its first one.
     const BlockFunction* called = nullptr;
-    EvalBlock slot; ///< what fills the model's slot; null block when it has none
+    EvalBlock slot; ///< fills the model's slot; its block is null where there is none
 
-    std::string function; ///< of the shader library
+    std::string function; ///< is the name of a function of the shader library
     std::vector<double> arguments;
 };
 
 /// Returns the function of a block that a case calls.
 const BlockFunction& calledFunction(const EvalCase& request);
 
-/// Returns how many numbers the answer of a block is, by what the function returns.
+/// Returns how many numbers the block's function returns.
 std::size_t resultsOf(const EvalCase& request);
 
-/// Returns how many of them, from the first on, say a direction: their sign says nothing.
+/// Returns how many of them, from the first on, may have any sign, as those of a direction.
 std::size_t signedResultsOf(const EvalCase& request);
 
-/// Returns the fields that the block's function takes; none of another subject.
+/// Returns the fields that the block's function takes; empty unless the subject is Fields.
 std::span<const ArgumentField> fieldsOf(const EvalCase& request);
 
-/// Returns what a function of a block is evaluated as, by what it takes; nothing where that cannot
-/// be said in a line.
+/// Returns the subject of a block's function, by its argument; nothing where a case cannot hold the
+/// argument.
 std::optional<EvalCase::Subject> subjectOf(const BlockFunction& function);
 
-/// Returns the functions of a kind that are evaluated.
+/// Returns the functions of a kind that have a subject.
 std::vector<const BlockFunction*> evaluatedFunctions(const BlockKind& kind);
 std::vector<const BlockFunction*> evaluatedFunctions(const Block& block);
 
-/// Returns the case as a line that `patina eval` reads, all its values included.
+/// Returns the case as a line that `patina eval` reads, with all its values.
 nlohmann::json evalJson(const EvalCase& request);
 
 } // namespace patina

@@ -10,7 +10,8 @@
 namespace patina {
 namespace {
 
-/// A model's value is cut at 0 from below, as lights are summed; a NaN stays one.
+/// Returns a number of the answer. A model's value below 0 becomes 0, as lights are summed; a NaN
+/// stays one.
 double answerOf(const EvalCase& request, float x) {
     return request.subject == EvalCase::Subject::Model && x < 0.0F ? 0.0 : static_cast<double>(x);
 }
@@ -35,7 +36,7 @@ class EvalGpu::Device {
   public:
     explicit Device(std::unique_ptr<gl::HeadlessContext> context) : context_(std::move(context)) {}
 
-    /// The answers to cases of one key, or why there are none.
+    /// Returns the results of cases with the same key, or why there are none.
     Result<std::vector<std::vector<double>>> draw(std::span<const EvalCase* const> cases,
                                                   const std::filesystem::path& shaders) {
         const Result<const EvalProgram*> program = programFor(*cases.front(), shaders);

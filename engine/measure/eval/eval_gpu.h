@@ -8,14 +8,16 @@
 
 namespace patina {
 
-/// Answers cases by the real shader code in a headless OpenGL context, which is made for the first
-/// case and kept. Cases that need the same program are drawn together, one pixel or a few each.
+/// Evaluates cases by the real shader code in a headless OpenGL context, which is made for the
+/// first case and kept. Cases that need the same program are drawn together, in one pixel or a few
+/// each.
 class EvalGpu {
   public:
     EvalGpu();
     ~EvalGpu();
 
-    /// Returns the numbers that answer each case, in the order of evaluatedInDouble.
+    /// Returns the results of each case, in the order of evaluatedInDouble(), or why there are
+    /// none.
     std::vector<Result<std::vector<double>>> evaluate(std::span<const EvalCase> cases,
                                                       const Catalog& catalog);
 

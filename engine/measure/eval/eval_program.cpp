@@ -57,7 +57,7 @@ Result<gl::Program> linkedProgram(const EvalCase& request, const EvalShape& shap
     return std::move(*program);
 }
 
-/// Returns the numbers that count of each case's pixels.
+/// Returns the results of each case, without the unused numbers of its pixels.
 std::vector<float> wanted(const std::vector<float>& pixels, std::size_t count,
                           const EvalShape& shape) {
     const auto pixelsPerCase = static_cast<std::size_t>(shape.resultPixels);
@@ -90,7 +90,7 @@ Result<EvalProgram> EvalProgram::link(const EvalCase& request,
     return EvalProgram(std::move(*program), *shape);
 }
 
-// The last row is filled up: every pixel of the target reads a case.
+// The data also fill the target's last row, since every pixel of the target reads a case.
 Result<std::vector<float>> EvalProgram::draw(std::vector<float> texels, std::size_t count) const {
     const auto pixelsPerCase = static_cast<std::size_t>(shape_.resultPixels);
     const glm::ivec2 size(evalWidth, rowsFor(count * pixelsPerCase));

@@ -9,20 +9,22 @@
 
 namespace patina {
 
-/// A program that answers many cases with the same key in one draw. Its context must be current
+/// Evaluates many cases with the same key in one draw of a program. Its context must be current
 /// whenever it is made, used or destroyed.
 class EvalProgram {
   public:
-    /// Cases of one draw; what one drawing takes in memory stays in the tens of megabytes.
+    /// Limits the cases of one draw, so that it needs only tens of megabytes of memory.
     static constexpr std::size_t largestDraw = 1u << 16;
 
-    /// `shaders` is the folder that holds lib/ and passes/.
+    /// Compiles and links the program of a case. `shaders` is the folder with lib/ and passes/. The
+    /// error is the compiler's first one.
     static Result<EvalProgram> link(const EvalCase& request, const std::filesystem::path& shaders);
 
     const EvalShape& shape() const { return shape_; }
 
-    /// The results of `count` <= largestDraw cases, shape().results each, as the shader gave them:
-    /// a model's value may be negative. `texels` holds 4 * shape().caseTexels numbers of each case.
+    /// Returns the results of `count` <= largestDraw cases, shape().results each, as the shader
+    /// gave them: a model's value may be negative. `texels` holds 4 * shape().caseTexels numbers of
+    /// each case.
     Result<std::vector<float>> draw(std::vector<float> texels, std::size_t count) const;
 
   private:

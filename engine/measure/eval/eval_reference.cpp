@@ -8,7 +8,8 @@ namespace {
 
 using Subject = EvalCase::Subject;
 
-/// A model's value is cut at 0 from below, as lights are summed; a NaN stays one.
+/// Returns a number of the answer. A model's value below 0 becomes 0, as lights are summed; a NaN
+/// stays one.
 double rightAnswerOf(const EvalCase& request, double x) {
     return request.subject == Subject::Model && x < 0.0 ? 0.0 : x;
 }

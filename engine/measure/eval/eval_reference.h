@@ -7,17 +7,16 @@
 
 namespace patina {
 
-/// Returns the library function that a case names; an error when there is none of that name or it
-/// takes another number of arguments.
+/// Returns the library function that a case names. It is an error where there is none of that name
+/// or it takes another number of arguments.
 Result<const reference::Function*> findEvalFunction(const EvalCase& request);
 
-/// Returns the numbers that answer a case, in double precision: what the function of the block
-/// returns, of a light its direction and then its radiance; of the library's functions also their
-/// out parameters behind it. Blocks that were not there when the program was built, or have changed
-/// since, are an error.
+/// Evaluates a case in double precision and returns its results: those of the block's function, for
+/// a light its direction and then its radiance; a library function's out parameters follow what it
+/// returns. It is an error where a block was added or changed since the program was built.
 Result<std::vector<double>> evaluatedInDouble(const EvalCase& request);
 
-/// The same for a block whose code is at hand.
+/// Evaluates a case of a block whose code has been found.
 std::vector<double> evaluatedInDouble(const EvalCase& request, const ReferenceCode& code);
 
 } // namespace patina

@@ -44,7 +44,8 @@ std::string programKey(const EvalBlock& block) {
     return key;
 }
 
-/// Returns texels before the parameters: n, t, l and v, or the one argument.
+/// Returns how many texels of arguments precede the values: those of n, t, l and v, or of the one
+/// argument.
 int argumentTexels(const EvalCase& request) {
     if (request.subject == Subject::Fields) {
         return texelsOf(numbersOf(fieldsOf(request)));
@@ -67,7 +68,7 @@ void addParameters(SourceBuilder& builder, const EvalBlock& block, const std::st
     builder.add(unpackSource(*block.block, {function, compiled, slots}));
 }
 
-/// Adds what fills the model's slots, under the names by which the model knows it.
+/// Adds the code of what fills the model's slots, under the names that the model uses.
 void addSlots(SourceBuilder& builder, const EvalCase& request) {
     for (const Slot& slot : request.block.block->slots) {
         const EvalBlock& filler = request.slot;
@@ -83,7 +84,7 @@ void addSlots(SourceBuilder& builder, const EvalCase& request) {
     }
 }
 
-/// Returns "fog_ray" of "FogRay": how files of shaders/passes call a type.
+/// Returns "fog_ray" for "FogRay", as files of shaders/passes are named.
 std::string typeWord(std::string_view type) {
     std::string word;
     for (const char c : type) {
@@ -94,12 +95,12 @@ std::string typeWord(std::string_view type) {
     return word;
 }
 
-/// Returns the number `index` of a case's first texels.
+/// Returns the expression for the number `index` of a case's first texels.
 std::string numberText(std::size_t index) {
     return fmt::format("caseData({})[{}]", index / 4, index % 4);
 }
 
-/// Returns a field, of the numbers from the first on.
+/// Returns the expression for a field whose numbers begin at `first`.
 std::string fieldText(const ArgumentField& field, std::size_t first) {
     const std::string number = numberText(first);
     if (field.isTriple()) {
@@ -115,7 +116,7 @@ bool isStruct(std::string_view type) {
     return !type.empty() && std::isupper(static_cast<unsigned char>(type.front())) != 0;
 }
 
-/// Returns what calls a function of fields, or of the block's values alone.
+/// Returns the code that calls a function of fields, or of the block's values alone.
 std::string fieldsCall(const EvalCase& request) {
     const BlockFunction& function = calledFunction(request);
     std::string argument;
@@ -133,7 +134,8 @@ std::string fieldsCall(const EvalCase& request) {
                        argument, takesNone ? "" : "argument, ", argumentTexels(request));
 }
 
-/// What reads what the block's function takes, calls it, and gives what it returns.
+/// Adds the code that reads the arguments of the block's function, calls it, and writes its
+/// results.
 void addCall(SourceBuilder& builder, const EvalCase& request) {
     const BlockFunction& function = calledFunction(request);
     const Block& block = *request.block.block;
@@ -171,7 +173,7 @@ void addBlockProgram(SourceBuilder& builder, const EvalCase& request) {
 void addFunctionProgram(SourceBuilder& builder, const EvalCase& request,
                         const std::filesystem::path& shaders) {
     std::vector<std::filesystem::path> files;
-    std::error_code ignored; // an unreadable folder leaves the function undeclared, and says so
+    std::error_code ignored; // without the folder the compiler reports an undeclared function
     for (const auto& item : std::filesystem::directory_iterator(shaders / "lib", ignored)) {
         files.push_back(item.path());
     }
@@ -203,7 +205,7 @@ void appendValues(std::vector<float>& texels, const EvalBlock& block) {
 std::vector<CompiledValue> compiledValues(const EvalBlock& block) {
     std::vector<CompiledValue> values;
     for (const Parameter& parameter : block.block->parameters) {
-        const bool isLooked = parameter.compiled == Compiled::WhenEqual; // at, by the program
+        const bool isLooked = parameter.compiled == Compiled::WhenEqual; // the program compares it
         if (parameter.compiled != Compiled::No && !isLooked) {
             values.push_back({parameter.id, compiledText(parameter, valueOf(block, parameter))});
         }

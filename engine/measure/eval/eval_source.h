@@ -10,31 +10,31 @@
 
 namespace patina {
 
-/// Says how a program's cases and results lie in textures.
+/// Says how a program's cases and results are laid out in textures.
 struct EvalShape {
     int caseTexels = 1;
     int resultPixels = 1;
-    std::size_t results = 3; ///< numbers wanted, of the 4 per pixel (a light: 3 of each)
+    std::size_t results = 3; ///< is how many numbers are used, of 4 per pixel (of a light's 3)
 };
 
-/// Rows of the textures, in texels.
+/// Is the width of the textures in texels.
 constexpr int evalWidth = 1024;
 
-/// Returns what a program holds instead of its data, as in the renderer's programs.
+/// Returns the values that are compiled into the program, as in the renderer's programs.
 std::vector<CompiledValue> compiledValues(const EvalBlock& block);
 
-/// Two cases with the same key are answered by the same program.
+/// Returns a key that two cases share where the same program evaluates them.
 std::string evalKey(const EvalCase& request);
 
-/// Returns what the program of a case needs; an error when there is no such function or it is
-/// called with the wrong number of arguments.
+/// Returns the layout for the program of a case. It is an error where there is no such function or
+/// it takes another number of arguments.
 Result<EvalShape> evalShape(const EvalCase& request);
 
-/// Returns the fragment stage that answers the case and those with the same key.
+/// Returns the fragment stage that evaluates the case and those with the same key.
 Checked<ShaderSource> evalSource(const EvalCase& request, const EvalShape& shape,
                                  const std::filesystem::path& shaders);
 
-/// Returns the first numbers of a case's texels: where it is evaluated, or a function's arguments.
+/// Returns the first numbers of a case's texels: the arguments of its function.
 std::vector<float> placeTexels(const EvalCase& request);
 
 /// Returns the numbers after them: the values of the block and of what fills its slot.

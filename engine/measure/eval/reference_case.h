@@ -8,25 +8,24 @@
 
 namespace patina {
 
-/// Holds the double-precision code of a case: of its block and of what fills its slot.
+/// Points to the double-precision code of a case: that of its block and of what fills its slot.
 struct ReferenceCode {
     EvalCase::Subject subject = EvalCase::Subject::Model;
     const reference::Block* block = nullptr;
-    const reference::Block* slot = nullptr;     ///< null when the block has none
-    const reference::BlockCall* call = nullptr; ///< null of a function of Directions
+    const reference::Block* slot = nullptr;     ///< is null where the slot is empty
+    const reference::BlockCall* call = nullptr; ///< is null for a function of Directions
 
-    /// The error says which block was added or changed since the program was built.
+    /// Finds the code; an error says which block was added or changed since the program was built.
     static Result<ReferenceCode> find(const EvalCase& request);
 };
 
-/// Returns where a model is evaluated at a place, its vectors normalised.
+/// Returns the geometry of a place for a model, with normalised vectors.
 reference::Geometry geometryOf(const EvalPlace& place);
 
-/// Holds the numbers that answer a case; what is not used is 0.
+/// Holds the results of a case; what is not used is 0.
 using ReferenceNumbers = std::array<double, 6>;
 
-/// Represents a block and what fills its slot with packed values, ready to be evaluated at many
-/// places.
+/// Evaluates a block, and what fills its slot, with the same packed values at many places.
 class ReferenceCase {
   public:
     ReferenceCase(const ReferenceCode& code, std::vector<double> values,
@@ -34,10 +33,10 @@ class ReferenceCase {
     ReferenceCase(const ReferenceCase&) = delete;
     ReferenceCase& operator=(const ReferenceCase&) = delete;
 
-    /// Returns what the function returns; a model's value with its gates and not cut at 0.
+    /// Returns what the function returns; a model's value has its gates and may be negative.
     ReferenceNumbers evaluate(const EvalPlace& place) const;
 
-    /// Returns the same for a model about a geometry that is taken as it is, unit vectors or not.
+    /// Evaluates a model at a geometry that is used as it is, with unit vectors or not.
     ReferenceNumbers evaluate(const reference::Geometry& geometry) const;
 
     const std::vector<double>& values() const { return values_; }

@@ -6,14 +6,14 @@
 namespace patina {
 namespace {
 
-/// Returns the least time that can be told from nothing; the clock has an end, too.
+/// Returns the least time that can be told from nothing, in milliseconds: the interval of empty
+/// frames, but no less than the clock's resolution.
 double noiseOf(const MedianInterval& empty) {
     constexpr double clock = 1e-4;
     return std::max(empty.upper - empty.lower, clock);
 }
 
-/// Returns what shading takes of a frame, or the most that it may take where that is below the
-/// noise.
+/// Returns the time of shading in a frame, or the most that it may be where it is below the noise.
 double shadingTime(double frame, const MedianInterval& empty) {
     return std::max(frame - empty.median, noiseOf(empty));
 }

@@ -8,52 +8,52 @@
 
 namespace patina {
 
-/// Frames without anything to shade, of which the median counts, and its interval as the noise: so
-/// many that three at each end do not.
+/// Is the number of frames without anything to shade that are timed. Their median is subtracted,
+/// and its interval is the noise: of so many, three at each end are left out.
 constexpr int emptyFrames = 15;
 
-/// Holds what a way to compute a frame takes beside the exact one.
+/// Holds the time of a frame with some levels, compared with that of the exact frame.
 struct ChoiceCost {
-    MedianInterval ratio{1.0, 1.0, 1.0}; ///< to the exact time, both without the empty frame's
-    MedianInterval milliseconds;         ///< of the whole frame: by the ratio, from the exact one's
-    double nanosecondsPerPixel = 0.0;    ///< per shaded pixel, without the empty frame's time
-    int runs = 0;                        ///< pairs of frames
-    bool settled = false;                ///< the ratio's interval is as narrow as was wanted
-    /// There are pairs enough for an interval of 95 %, or the time is given, not measured.
+    MedianInterval ratio{1.0, 1.0, 1.0}; ///< is to the exact time, both without the empty frame's
+    MedianInterval milliseconds;         ///< is the whole frame's: the ratio times the exact one's
+    double nanosecondsPerPixel = 0.0;    ///< is per shaded pixel, without the empty frame's time
+    int runs = 0;         ///< counts pairs of frames; 0: times are given, not measured
+    bool settled = false; ///< says that the ratio's interval is as narrow as wanted
+    /// Tells whether there are pairs enough for an interval of 95 %, or the time is given.
     bool isSure() const { return haveInterval(runs); }
-    /// Most frames take no longer than one without anything to shade, as far as can be told: the
-    /// time is at most what the ratio says.
+    /// Says that most frames cannot be told from one without anything to shade: the time is at most
+    /// what the ratio says.
     bool belowNoise = false;
 
     friend bool operator==(const ChoiceCost&, const ChoiceCost&) = default;
 };
 
-/// Tells what a ratio of two times says where one of them, or both, cannot be told from none.
+/// Tells whether a ratio of two times is only a bound, since one or both are below the noise.
 enum class RatioBound { None, AtMost, AtLeast, Unknown };
 
 /// Says whether the ratio of `cost` to `from`, or to the bound of that, is a bound itself.
 RatioBound boundOf(const ChoiceCost& cost, const ChoiceCost& from);
 
-/// Pairs of frames that follow each other, one exact and one not, so that whatever else the machine
-/// does meets both alike. Taken until the 95 % interval of the ratio of their times is narrow.
+/// Collects the times of pairs of consecutive frames, one exact and one not, so that other load of
+/// the machine affects both alike. It is finished when the 95 % interval of their ratio is narrow.
 class CostPairs {
   public:
     struct Options {
-        double width = 0.03; ///< of the interval, relative to the ratio
-        int min = 7;         ///< an interval of 95 % needs 6 samples
-        int max = 60;        ///< pairs, settled or not
+        double width = 0.03; ///< is that of the interval, relative to the ratio
+        int min = 7;         ///< pairs at least; an interval of 95 % needs 6
+        int max = 60;        ///< pairs at most, settled or not
     };
 
-    /// `empty`: milliseconds of the frame without what is shaded.
+    /// Takes the milliseconds of a frame without anything to shade as `empty`.
     CostPairs(const Options& options, const MedianInterval& empty)
         : options_(options), empty_(empty) {}
 
-    /// Takes in the milliseconds of a pair.
+    /// Adds the milliseconds of a pair.
     void add(double exact, double other);
     bool finished() const;
     int runs() const { return static_cast<int>(ratios_.size()); } ///< pairs
 
-    /// Returns the cost without times: see withTimes().
+    /// Returns the cost without times, which withTimes() adds.
     ChoiceCost cost() const;
 
   private:
@@ -62,19 +62,19 @@ class CostPairs {
     Options options_;
     MedianInterval empty_;
     std::vector<double> ratios_;
-    int belowNoise_ = 0;      ///< of the ratios
-    int exactBelowNoise_ = 0; ///< of the ratios, those to a bound
+    int belowNoise_ = 0;      ///< counts ratios whose other frame is below the noise
+    int exactBelowNoise_ = 0; ///< counts ratios whose exact frame is below the noise
 };
 
-/// Holds the frame that ratios count from.
+/// Describes the exact frame, to which ratios refer.
 struct ExactFrame {
-    double milliseconds = 0.0; ///< of the exact frame
-    MedianInterval empty;      ///< milliseconds of one of which nothing is shaded
-    std::size_t pixels = 0;    ///< that are shaded
+    double milliseconds = 0.0;
+    MedianInterval empty;   ///< milliseconds of a frame without anything to shade
+    std::size_t pixels = 0; ///< counts the shaded ones
 };
 
-/// Returns the cost with the times that its ratio means, so that the times of a chart go together
-/// although the machine was faster at one time than at another.
+/// Returns the cost with times computed from its ratio, so that the times of a chart are consistent
+/// although the machine's speed varied.
 ChoiceCost withTimes(ChoiceCost cost, const ExactFrame& exact);
 
 } // namespace patina

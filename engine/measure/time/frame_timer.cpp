@@ -30,7 +30,8 @@ Times timed(const TimerWork& work, int rounds) {
     return {double(query.nanoseconds()) * 1e-6, since(start)};
 }
 
-/// The wall clock also sees the submission, so the device may be a little faster, never slower.
+/// Tells whether both times agree. The wall clock includes the submission, so the device's time may
+/// be a little shorter, but not longer.
 bool agree(const Times& times) {
     return times.device > 0.6 * times.wall && times.device < 1.1 * times.wall;
 }

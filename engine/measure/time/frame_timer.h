@@ -9,14 +9,14 @@
 
 namespace patina {
 
-/// Times frames in the current context. At the start it times known work both ways and keeps the
-/// device's own timer only where that agrees with the clock on the wall: software renderers and
-/// some drivers report times that mean nothing.
+/// Times frames in the current context. At the start it times known work by both methods and keeps
+/// the device's own timer only where that agrees with the wall clock: software renderers and some
+/// drivers report times that mean nothing.
 class FrameTimer {
   public:
     enum class Method {
-        DeviceTimer, ///< timestamps of the device, read when they are ready: costs nothing
-        WallClock,   ///< a clock around glFinish: waits for the device
+        DeviceTimer, ///< reads timestamps of the device when they are ready: costs nothing
+        WallClock,   ///< reads a clock around glFinish: waits for the device
     };
 
     /// Finds out which method works, which takes some milliseconds.
@@ -28,15 +28,15 @@ class FrameTimer {
     void begin();
     void end();
 
-    /// Takes in the times that have become known since, without waiting.
+    /// Reads the times that have become known, without waiting.
     void collect();
 
-    /// Returns the time of the newest frame whose time is known; 0 before the first.
+    /// Returns the milliseconds of the newest frame whose time is known; 0 before the first.
     double milliseconds() const { return milliseconds_; }
 
     Method method() const { return method_; }
 
-    /// Returns the method for people: "GPU timer" or "clock around glFinish".
+    /// Returns the method as users read it: "GPU timer" or "clock around glFinish".
     std::string_view methodText() const;
 
   private:

@@ -8,8 +8,8 @@ namespace patina {
 namespace {
 
 constexpr std::size_t minSamples = 3;
-constexpr double constantBelow = 1.1; ///< of spread
-constexpr double linearFrom = 0.99;   ///< of fit
+constexpr double constantBelow = 1.1; ///< is a GrowthLaw::spread
+constexpr double linearFrom = 0.99;   ///< is a GrowthLaw::fit
 
 struct Weighted {
     double x = 0.0;
@@ -23,7 +23,8 @@ struct Line {
     double fit = 1.0;
 };
 
-/// Weighted least squares about the means, which keeps the digits of small slopes.
+/// Returns the line of weighted least squares, computed about the means to keep the digits of small
+/// slopes.
 Line lineThrough(const std::vector<Weighted>& points) {
     double all = 0.0;
     double meanX = 0.0;

@@ -8,11 +8,11 @@
 
 namespace patina {
 
-/// Holds what so many of something take.
+/// Holds the time that a number of things takes.
 struct GrowthSample {
-    double count = 0.0; ///< pixels, lights, objects: more than 0
+    double count = 0.0; ///< counts pixels, lights or objects; more than 0
     MedianInterval milliseconds;
-    int runs = 0; ///< that were timed; 0: the times are given, not measured
+    int runs = 0; ///< counts timed frames; 0: the times are given, not measured
 
     bool isSure() const { return haveInterval(runs); }
 
@@ -24,24 +24,25 @@ struct GrowthSample {
 struct GrowthLaw {
     double base = 0.0; ///< milliseconds
     double each = 0.0; ///< milliseconds for one
-    double fit = 0.0;  ///< R^2 of the straight line, by the same weights; at most 1
+    double fit = 0.0;  ///< is R^2 of the straight line, by the same weights; at most 1
     double exponent = 0.0;
     double scale = 0.0;  ///< milliseconds of one, by the exponent
-    double spread = 1.0; ///< the longest time over the shortest
+    double spread = 1.0; ///< is the longest time over the shortest
 
     enum class Shape { Constant, Linear, Power };
-    /// Constant where the times differ by less than a tenth; linear where the line accounts for
-    /// 99 % of how they differ.
+    /// Returns Constant where the times differ by less than a tenth, Linear where the line explains
+    /// 99 % of their variance, and Power otherwise.
     Shape shape() const;
 
-    /// Milliseconds of so many, by the straight line, or by the exponent where that fits badly.
+    /// Returns the milliseconds of a count, by the straight line, or by the exponent where that
+    /// fits badly.
     double at(double count) const;
 
     friend bool operator==(const GrowthLaw&, const GrowthLaw&) = default;
 };
 
-/// The law of samples with different counts; nothing for fewer than three, or for times that are
-/// not above 0.
+/// Returns the law of samples with different counts; nothing for fewer than three, or for times or
+/// counts that are not above 0.
 std::optional<GrowthLaw> growthLaw(const std::vector<GrowthSample>& samples);
 
 } // namespace patina

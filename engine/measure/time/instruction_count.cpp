@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t headerWords = 5;
 
-/// glslang's own memory, for the time that the program runs.
+/// Initialises glslang for as long as the program runs.
 struct GlslangProcess {
     GlslangProcess() { glslang::InitializeProcess(); }
     ~GlslangProcess() { glslang::FinalizeProcess(); }
@@ -88,11 +88,10 @@ Kind kindOf(spv::Op op) {
     const bool isImage = op >= spv::OpImageSampleImplicitLod && op <= spv::OpImageQuerySamples;
     const bool isConversion = op >= spv::OpConvertFToU && op <= spv::OpBitcast;
     const bool isSum = op >= spv::OpSNegate && op <= spv::OpFwidthCoarse;
-    return isImage ? Kind::Texture
-                   : isConversion || isSum ? Kind::Arithmetic : Kind::None;
+    return isImage ? Kind::Texture : isConversion || isSum ? Kind::Arithmetic : Kind::None;
 }
 
-/// Goes through a module and knows how many numbers each value has.
+/// Goes through a module and keeps how many numbers each value has.
 class Counter {
   public:
     explicit Counter(std::span<const std::uint32_t> module) : module_(module) {}
@@ -130,7 +129,7 @@ class Counter {
         return kind == Kind::Arithmetic || kind == Kind::Transcendental;
     }
 
-    /// Counts the numbers that a dot product multiplies, and those that anything else gives.
+    /// Returns how many numbers a dot product multiplies, and how many anything else results in.
     int numbers(spv::Op op, Words words) const {
         return op == spv::OpDot ? sizeOf(typeOf_.at(words[3])) : sizeOf(words[1]);
     }
@@ -164,8 +163,8 @@ class Counter {
 
     Words module_;
     InstructionCount count_;
-    std::unordered_map<std::uint32_t, int> sizes_;            ///< numbers, by vector type
-    std::unordered_map<std::uint32_t, std::uint32_t> typeOf_; ///< by value
+    std::unordered_map<std::uint32_t, int> sizes_; ///< are counts of components by vector type
+    std::unordered_map<std::uint32_t, std::uint32_t> typeOf_; ///< maps a value to its type
 };
 
 } // namespace

@@ -10,9 +10,9 @@ namespace {
 
 constexpr double confidence = 0.95;
 
-/// Returns how many samples may be cut off at each end: the most k for which the chance that at
-/// most k of n fair coins show heads stays below half of what may be missed. By logarithms: of very
-/// many coins the chance that none does is no number of its own.
+/// Returns how many samples may be cut off at each end: the binomial chance that at most so many of
+/// `count` samples lie on one side of the median must stay below half of 1 - `confidence`. It uses
+/// logarithms, since the chance that none does underflows for very many samples.
 std::size_t cutOff(std::size_t count) {
     double logChance = -static_cast<double>(count) * std::numbers::ln2;
     double below = std::exp(logChance);

@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// Represents a median and where the true one lies.
+/// Holds a median of samples and the interval that contains the true one.
 struct MedianInterval {
     double median = 0.0;
     double lower = 0.0;
@@ -16,18 +16,19 @@ struct MedianInterval {
     friend bool operator==(const MedianInterval&, const MedianInterval&) = default;
 };
 
-/// So few samples have no interval of 95 %.
+/// Is the least number of samples that has an interval of 95 %.
 constexpr int minForInterval = 6;
 
-/// Tells whether so many samples have one; 0: the numbers are given, not measured.
+/// Tells whether so many samples have an interval. It is true for 0, which means that numbers are
+/// given, not measured.
 constexpr bool haveInterval(int samples) {
     return samples == 0 || samples >= minForInterval;
 }
 
-/// Returns the median of samples with an interval that holds the true one with a probability of at
-/// least 95 %, whatever the samples' distribution: by order statistics, David and Nagaraja 2003,
-/// 7.1. With fewer than six samples, where there is no such interval, from the least to the
-/// greatest. All 0 for no samples.
+/// Returns the median of samples with an interval that contains the true one with a probability of
+/// at least 95 %, whatever the samples' distribution: by order statistics, David and Nagaraja 2003,
+/// 7.1. Fewer than six samples have no such interval: it then reaches from the least to the
+/// greatest. All is 0 for no samples.
 MedianInterval medianInterval(std::vector<double> samples);
 
 } // namespace patina

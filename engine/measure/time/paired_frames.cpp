@@ -6,10 +6,10 @@
 namespace patina {
 namespace {
 
-/// Beside a frame of so long it is nothing what programs take to be made.
+/// Is the time of a frame beside which that of making its programs is negligible.
 constexpr double slowMilliseconds = 5000.0;
 
-/// More than those after which frames look for the model's lobe.
+/// Is above the number of directions from which on frames use other programs for the model's lobe.
 constexpr int warmingDirections = 16;
 
 } // namespace
@@ -32,8 +32,8 @@ double PairedFrames::timeOf(const ChosenFrame& frame) {
     return frames_.timeOf(frame.scene, frame.view);
 }
 
-/// Milliseconds of the frame, or 0 where it had fewer directions of an environment: it needs no
-/// more than make its programs and targets.
+/// Draws the frame once, so that its programs and targets are made. Returns its milliseconds, or 0
+/// where it was drawn with fewer directions of an environment to save time.
 double PairedFrames::warmUp(const ChosenFrame& frame) {
     if (frame.view.environmentSamples <= warmingDirections) {
         return timeOf(frame);
@@ -55,7 +55,7 @@ bool PairedFrames::isEnough() const {
                                  (hasMin && spent() > limits_.seconds));
 }
 
-/// The first pair makes programs and targets.
+/// Warms up both frames, whose times count only where they are slow, and then times pairs.
 Steps PairedFrames::run() {
     const double warmExact = warmUp(exact_);
     co_yield Steps::Pause();

@@ -11,33 +11,33 @@
 
 namespace patina {
 
-/// Times a frame beside the exact one, a frame per step. Both stay as they are meanwhile.
+/// Times a frame and the exact one in turn, one frame per step. Both must not change meanwhile.
 class PairedFrames {
   public:
     struct Limits {
         CostPairs::Options pairs{};
-        double seconds = 1.0; ///< after so long the fewest pairs are enough,
-        double longest = 3.0; ///< and after so long those that there are
+        double seconds = 1.0; ///< after which the fewest pairs are enough
+        double longest = 3.0; ///< after which any pairs are enough
     };
 
-    /// `empty`: milliseconds of the frame without what is shaded.
+    /// Takes the milliseconds of a frame without anything to shade as `empty`.
     PairedFrames(TimedFrames& frames, const ChosenFrame& exact, const ChosenFrame& other,
                  const Limits& limits, const MedianInterval& empty);
 
     PairedFrames(const PairedFrames&) = delete;
     PairedFrames& operator=(const PairedFrames&) = delete;
 
-    /// True when no more frames are wanted.
+    /// Times one frame, and returns true when no more frames are needed.
     bool step() {
         run_.step();
         return run_.isDone();
     }
 
-    double progress() const; ///< 0 .. 1; may end before, where times settle
+    double progress() const; ///< 0 .. 1; may stop below 1, where times settle
 
     ChoiceCost cost() const { return pairs_.cost(); }
 
-    /// Returns milliseconds of the exact frame, pair by pair.
+    /// Returns the milliseconds of the exact frame in each pair.
     const std::vector<double>& exactTimes() const { return exactTimes_; }
 
   private:

@@ -8,8 +8,8 @@
 
 namespace patina {
 
-/// Returns the instructions of the program that draws an object of the scene; nothing where its
-/// text cannot be put together or counted.
+/// Counts the instructions of the program that draws an object of the scene; nothing is returned
+/// where its text cannot be built or counted, or a block in it is not let in.
 std::optional<InstructionCount> surfaceInstructions(const Scene& scene, std::size_t object,
                                                     const Camera& camera,
                                                     const TimedFrames::Supplies& supplies);

@@ -10,22 +10,22 @@
 
 namespace patina {
 
-/// Draws whole frames, to the display's values, and times them. Made, used and destroyed with one
-/// context current.
+/// Draws whole frames up to display values and times them. It must be made, used and destroyed with
+/// the same context current.
 class TimedFrames {
   public:
-    /// Holds what frames are drawn with. The catalogue and the meshes must stay.
+    /// Holds what frames are drawn with. Meshes and textures must stay valid.
     struct Supplies {
         std::shared_ptr<const Catalog> catalog;
         MeshSource meshes;
-        TextureSource textures{}; ///< of the materials' images; empty: none are shown
+        TextureSource textures{}; ///< gives the materials' images; empty: none are shown
     };
 
     static Result<std::unique_ptr<TimedFrames>> create(Supplies supplies, glm::ivec2 size,
                                                        std::filesystem::path programCache);
 
-    /// Milliseconds of a frame of the size, whatever the view says about that. Shadow maps are
-    /// drawn when something has changed: a frame that had to draw some is drawn again.
+    /// Returns the milliseconds of a frame of size(), whatever size the view has. A frame that had
+    /// to draw shadow maps, which happens after a change, is drawn again and only then timed.
     double timeOf(const Scene& scene, const View& view);
 
     glm::ivec2 size() const { return color_.size(); }
@@ -34,7 +34,7 @@ class TimedFrames {
     Renderer& renderer() { return *renderer_; }
     const MeshSource& meshes() const { return supplies_.meshes; }
 
-    /// Returns what could not be drawn in the last frame that lacked something.
+    /// Returns what could not be drawn in the last frame that was not complete.
     const Errors& problems() const { return problems_; }
 
   private:

@@ -5,13 +5,13 @@
 
 namespace patina {
 
-/// Work whose amount is known: copying an image back and forth, scaled so that no driver can skip
-/// it.
+/// Does work of a known amount: it copies an image back and forth, scaled so that no driver can
+/// skip it.
 class TimerWork {
   public:
     TimerWork();
 
-    /// Leaves framebuffer 0 bound.
+    /// Copies so many times; framebuffer 0 is bound afterwards.
     void run(int rounds) const;
 
   private:
