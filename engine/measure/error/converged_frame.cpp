@@ -44,7 +44,7 @@ Steps ConvergedFrame::run() {
     }
 }
 
-/// Draws half of the directions.
+/// Draws half of the directions: those of this series.
 Steps ConvergedFrame::draw(int series, LinearFrame& half) {
     constexpr double eachHalf = 0.45; // of the progress
     ChosenFrame frame = wish_.finest;

@@ -13,7 +13,7 @@
 namespace patina {
 namespace {
 
-/// Beyond this a half float's whole range is black or white.
+/// Limits the exposure, EV: beyond it the whole range of a half float is black or white.
 constexpr double maxStops = 40.0;
 
 } // namespace

@@ -11,21 +11,21 @@
 
 namespace patina {
 
-/// Says how linear light becomes what a display shows: exposure, tone curve and the sRGB curve, in
-/// double precision, as passes/display.frag does it on the device.
+/// Converts linear light to display values by exposure, tone curve and the sRGB curve, in double
+/// precision, as passes/display.frag does on the device.
 struct DisplayCurve {
-    double exposure = 0.0;                  ///< powers of two
-    const reference::Block* tone = nullptr; ///< null: none
-    std::vector<double> values{};           ///< of the tone curve
+    double exposure = 0.0;                  ///< EV, powers of two
+    const reference::Block* tone = nullptr; ///< is null where there is none
+    std::vector<double> values{};           ///< are the tone curve's, packed
 
-    /// A curve without code in double precision, which was added since the program was
-    /// built, counts as none.
+    /// Returns the curve of a scene. A tone curve without code in double precision, which was added
+    /// since the program was built, counts as none.
     static DisplayCurve of(const Scene& scene, const Catalog& catalog);
 
-    /// Returns what the scene's light is multiplied by.
+    /// Returns the factor of an exposure in EV, which is limited to -40 .. 40.
     static double factor(double exposure);
 
-    /// Returns 0 .. 1 per channel, not rounded to steps.
+    /// Returns display values 0 .. 1, not rounded to 8 bits.
     glm::dvec3 shown(const glm::dvec3& light) const;
 };
 

@@ -11,14 +11,14 @@
 namespace patina {
 namespace {
 
-/// Holds a colour for every factor of ten; each is lighter than the one before.
+/// Holds a colour for every power of ten; each is lighter than the one before.
 constexpr std::array<glm::vec3, 7> colorStops{{{0.00f, 0.00f, 0.00f},
-                                          {0.16f, 0.08f, 0.35f},
-                                          {0.42f, 0.10f, 0.46f},
-                                          {0.71f, 0.18f, 0.40f},
-                                          {0.92f, 0.38f, 0.22f},
-                                          {0.99f, 0.67f, 0.24f},
-                                          {1.00f, 0.97f, 0.72f}}};
+                                               {0.16f, 0.08f, 0.35f},
+                                               {0.42f, 0.10f, 0.46f},
+                                               {0.71f, 0.18f, 0.40f},
+                                               {0.92f, 0.38f, 0.22f},
+                                               {0.99f, 0.67f, 0.24f},
+                                               {1.00f, 0.97f, 0.72f}}};
 
 } // namespace
 

@@ -10,12 +10,13 @@
 
 namespace patina {
 
-/// Are the errors that colours tell apart: what errs less is black, what errs more is as bright.
+/// Bound the errors that have different colours: smaller ones are black, larger ones have the last
+/// colour.
 inline constexpr double minErrorShown = 1e-6;
 inline constexpr double greatestErrorShown = 1.0;
 
 /// Returns the colour of a relative error, sRGB: from black by violet, red and orange to pale
-/// yellow, with equal steps for equal factors; what is not a number is as bright as the worst.
+/// yellow, with equal steps for equal factors. NaN has the last colour.
 glm::vec3 errorColor(double relative);
 
 /// Returns a map of relative errors, rows from the top, as a picture of these colours, sRGB.

@@ -8,34 +8,34 @@
 
 namespace patina {
 
-/// Makes what the errors of a sweep are measured against: the ground truth and, where points differ
-/// in their directions of an environment, a converged one. Made, used and destroyed with one
-/// context current.
+/// Makes the frames with which a sweep's points are compared: the ground truth and, where points
+/// differ in their directions of an environment, a converged frame. It must be made, used and
+/// destroyed with the same context current.
 class ErrorStandard {
   public:
-    /// `directions`: Choice::id of the points' choice of directions; empty where there is none.
+    /// Takes as `directions` the Choice::id of the choice of directions; empty where there is none.
     ErrorStandard(GroundTruthFrame::Wish wish, std::string directions);
 
-    /// Works for about so long; true when all is done.
+    /// Works for about so long, and returns true when all is done.
     Result<bool> step(std::chrono::milliseconds patience);
     bool isDone() const;
-    std::size_t steps() const { return directions_.empty() ? 1 : 2; } ///< frames
-    double progressOfStep() const; ///< 0 .. 1, of the frame that is made
+    std::size_t steps() const { return directions_.empty() ? 1 : 2; } ///< counts frames
+    double progressOfStep() const; ///< 0 .. 1, of the current frame
 
     const GroundTruthFrame& groundTruth() const { return groundTruth_; }
 
-    /// Describes the converged frame when it is done; nothing where points have the same
-    /// directions.
+    /// Describes the converged frame once it is done; nothing is returned where all points have the
+    /// same directions.
     std::optional<ConvergedRender> converged() const;
 
-    /// Returns what a point of these levels is compared by, when all is done.
+    /// Returns the meter for a point of these levels, once all is done.
     const ErrorMeter& meterOf(const ChosenLevels& levels) const;
 
   private:
     GroundTruthFrame::Wish wish_;
     std::string directions_;
     GroundTruthFrame groundTruth_;
-    std::optional<ConvergedFrame> converged_; ///< from when the ground truth is done
+    std::optional<ConvergedFrame> converged_; ///< exists once the ground truth is done
 };
 
 } // namespace patina

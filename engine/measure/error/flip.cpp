@@ -22,14 +22,14 @@ using Planes = std::array<std::vector<double>, 3>;
 constexpr double colorPower = 0.7;
 constexpr double featurePower = 0.5;
 
-/// Distances up to this share of the greatest one spread over this share of the scale.
+/// Map distances up to nearShare of the greatest one to 0 .. nearScale, as the paper's p_c and p_t.
 constexpr double nearShare = 0.4;
 constexpr double nearScale = 0.95;
 
 /// Is the width of the eye's detector of edges, in degrees.
 constexpr double detectorWidth = 0.082;
 
-/// Leads from linear Rec. 709 to CIE XYZ relative to the white of D65.
+/// Returns the matrix from linear Rec. 709 to CIE XYZ relative to the white of D65.
 const glm::dmat3& toRelativeXyz() {
     static const glm::dmat3 matrix = [] {
         const glm::dmat3 xyz = glm::transpose(
@@ -46,8 +46,8 @@ const glm::dmat3& toRelativeXyz() {
     return matrix;
 }
 
-/// Returns lightness, red against green and yellow against blue: linear in light (YCxCz), or with
-/// the cube root in between (L*a*b*).
+/// Returns lightness, red against green and yellow against blue: YCxCz of linear XYZ, or L*a*b* of
+/// XYZ to the cube root.
 glm::dvec3 opponent(const glm::dvec3& xyz) {
     return {116.0 * xyz.y - 16.0, 500.0 * (xyz.x - xyz.y), 200.0 * (xyz.y - xyz.z)};
 }
@@ -63,22 +63,21 @@ double cubeRooted(double x) {
     return x > delta * delta * delta ? std::cbrt(x) : x / (3.0 * delta * delta) + 4.0 / 29.0;
 }
 
-/// L*a*b*, with colours that count for less where it is dark (Hunt's effect).
+/// Returns L*a*b* with less colour where it is dark (Hunt's effect).
 glm::dvec3 perceived(const glm::dvec3& light) {
     const glm::dvec3 xyz = toRelativeXyz() * light;
-    const glm::dvec3 lab =
-        opponent({cubeRooted(xyz.x), cubeRooted(xyz.y), cubeRooted(xyz.z)});
+    const glm::dvec3 lab = opponent({cubeRooted(xyz.x), cubeRooted(xyz.y), cubeRooted(xyz.z)});
     return {lab.x, 0.01 * lab.x * lab.y, 0.01 * lab.x * lab.z};
 }
 
-/// Returns the HyAB distance: city blocks between lightness and colour.
+/// Returns the HyAB distance: that of lightness plus the Euclidean one of colour.
 double distance(const glm::dvec3& a, const glm::dvec3& b) {
     const glm::dvec3 d = a - b;
     return std::abs(d.x) + std::hypot(d.y, d.z);
 }
 
-/// Represents one of the Gaussians that the eye's sensitivity to contrast is a sum of: its weight
-/// and how wide it is, in squared degrees.
+/// Is one of the Gaussians whose sum is the eye's sensitivity to contrast; `width` is in squared
+/// degrees.
 struct Blur {
     double weight;
     double width;
@@ -88,8 +87,8 @@ Kernel bell(const Blur& blur, int radius, double pixelsPerDegree) {
     Kernel kernel;
     for (int x = -radius; x <= radius; ++x) {
         const double degrees = x / pixelsPerDegree;
-        kernel.push_back(std::exp(-std::numbers::pi * std::numbers::pi * degrees * degrees /
-                                  blur.width));
+        kernel.push_back(
+            std::exp(-std::numbers::pi * std::numbers::pi * degrees * degrees / blur.width));
     }
     return kernel;
 }
@@ -102,13 +101,13 @@ double sumOf(const Kernel& kernel) {
     return sum;
 }
 
-/// A plane as the eye resolves it, before it is divided by the weights' sum.
+/// Holds a filtered plane before it is divided by the sum of the weights.
 struct Blurred {
     std::vector<double> sum;
-    double whole = 0.0;
+    double whole = 0.0; ///< is the sum of the weights
 };
 
-/// Says what is kept while a picture is seen.
+/// Holds the planes that filtering a picture needs.
 struct Memory {
     explicit Memory(std::size_t pixels) : lightness(pixels), rows(pixels) {
         for (std::vector<double>& plane : planes) {
@@ -122,7 +121,7 @@ struct Memory {
     Planes planes;
     std::array<Blurred, 3> blurred;
     std::vector<double> lightness;
-    std::vector<double> rows; ///< of the plane that is filtered
+    std::vector<double> rows; ///< are filtered along x, not yet along y
 };
 
 using MemoryPointer = std::shared_ptr<Memory>;
@@ -150,7 +149,7 @@ void addBlur(ParallelJob& work, const MemoryPointer& memory, std::size_t plane, 
     }
 }
 
-/// Weights above 0 sum up to 1, those below to -1.
+/// Scales weights so that those above 0 sum up to 1, and those below to -1.
 void balance(Kernel& kernel) {
     double above = 0.0;
     double below = 0.0;
@@ -185,7 +184,7 @@ Detector detector(bool ofPoints, double pixelsPerDegree) {
     return made;
 }
 
-/// Adds how strong what the detector looks for is, in any direction.
+/// Adds work that computes how strong the detected feature is in each pixel, in any direction.
 void addStrength(ParallelJob& work, const MemoryPointer& memory, glm::ivec2 size,
                  const Detector& detector, std::vector<double>& strength) {
     const auto addRows = [&](const Kernel& kernel) {
@@ -204,8 +203,8 @@ void addStrength(ParallelJob& work, const MemoryPointer& memory, glm::ivec2 size
     addRows(detector.across);
     work.add(strength.size(), [=, &strength](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            strength[i] = std::hypot(strength[i],
-                                     filteredDown(memory->rows, size, detector.along, i));
+            strength[i] =
+                std::hypot(strength[i], filteredDown(memory->rows, size, detector.along, i));
         }
     });
 }
@@ -240,8 +239,8 @@ void addColors(ParallelJob& work, const MemoryPointer& memory, std::vector<glm::
 
 Flip::Flip(glm::ivec2 size, double pixelsPerDegree)
     : size_(size), pixelsPerDegree_(pixelsPerDegree),
-      farthest_(std::pow(distance(perceived({0.0, 1.0, 0.0}), perceived({0.0, 0.0, 1.0})),
-                         colorPower)) {}
+      farthest_(
+          std::pow(distance(perceived({0.0, 1.0, 0.0}), perceived({0.0, 0.0, 1.0})), colorPower)) {}
 
 Flip::Flip(glm::ivec2 size, const std::vector<glm::dvec3>& right, ParallelJob& work,
            double pixelsPerDegree)
@@ -295,9 +294,9 @@ double Flip::difference(const Seen& other, std::size_t pixel) const {
     const double apart =
         std::pow(distance(reference_.colors[pixel], other.colors[pixel]), colorPower);
     const double limit = nearShare * farthest_;
-    const double color = apart < limit ? nearScale * apart / limit
-                                       : nearScale + (1.0 - nearScale) * (apart - limit) /
-                                                         (farthest_ - limit);
+    const double color =
+        apart < limit ? nearScale * apart / limit
+                      : nearScale + (1.0 - nearScale) * (apart - limit) / (farthest_ - limit);
     const double feature = std::max(std::abs(reference_.edges[pixel] - other.edges[pixel]),
                                     std::abs(reference_.points[pixel] - other.points[pixel]));
     const double share = std::pow(std::numbers::sqrt2 / 2.0 * feature, featurePower);

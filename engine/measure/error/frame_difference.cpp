@@ -15,14 +15,14 @@ namespace {
 
 constexpr float greatestFloat = std::numeric_limits<float>::max();
 
-/// Values of a table of the sRGB curve; the step next to black is a quarter of an 8-bit one.
+/// Is the number of steps in a table of the sRGB curve; the first is a quarter of an 8-bit one.
 constexpr std::size_t curveSteps = 1u << 14;
 
 unsigned char eightBits(double share) {
     return static_cast<unsigned char>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
 }
 
-/// Returns the sRGB code of linear light (IEC 61966-2-1).
+/// Returns linear light encoded by the sRGB curve, IEC 61966-2-1.
 double encoded(double light) {
     return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1.0 / 2.4) - 0.055;
 }

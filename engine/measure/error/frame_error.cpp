@@ -21,7 +21,7 @@ double quantile(std::vector<double>& values, double share) {
     return *place;
 }
 
-/// Relative errors of the pixels that count.
+/// Adds the statistics of the relative errors of the pixels that count.
 void addRelative(FrameError& error, std::vector<double> shares) {
     double sum = 0.0;
     double squares = 0.0;
@@ -39,7 +39,7 @@ void addRelative(FrameError& error, std::vector<double> shares) {
     }
 }
 
-/// Greatest differences on the display, of the pixels that count.
+/// Adds the statistics of the greatest differences of display values, of the pixels that count.
 void addShown(FrameError& error, const std::vector<double>& differences) {
     std::size_t steps = 0;
     for (const double difference : differences) {
@@ -57,7 +57,7 @@ double meanOf(const std::vector<double>& values) {
     return values.empty() ? 0.0 : sum / double(values.size());
 }
 
-/// Says what is kept while a frame is compared.
+/// Holds the results per pixel while a frame is compared.
 struct Comparison {
     std::vector<double> map;
     std::vector<glm::dvec3> shown;

@@ -12,18 +12,18 @@
 
 namespace patina {
 
-/// Says how far a frame is from the ground truth, over the pixels that count. Relative errors are
-/// those of a pixel's channel that is off by most, in linear light, relative to the pixel's
-/// brightest channel; where that is too dark for half of an 8-bit step, relative to that.
+/// Holds the error of a frame against the ground truth, over the pixels that count. A pixel's
+/// relative error is the largest error of its channels in linear light over the brightest channel
+/// of the ground truth, or over the light of half an 8-bit step where that is brighter.
 struct FrameError {
     double max = 0.0;
     double mean = 0.0;
     double rms = 0.0;
-    double p99 = 0.0;       ///< 99 of 100 pixels are off by no more
-    double stepShare = 0.0; ///< of the pixels: shown at least one 8-bit step too bright or dark
-    double shown = 0.0;     ///< the greatest difference on the display, 0 .. 1
-    double flip = 0.0;      ///< mean perceptual difference, 0 .. 1; see flip.h
-    std::size_t pixels = 0; ///< that count
+    double p99 = 0.0;       ///< is the relative error that 99 of 100 pixels keep
+    double stepShare = 0.0; ///< is the share of pixels that are off by an 8-bit step or more
+    double shown = 0.0;     ///< is the greatest difference of display values, 0 .. 1
+    double flip = 0.0;      ///< is the mean FLIP difference, 0 .. 1; see flip.h
+    std::size_t pixels = 0; ///< is the number of pixels that count
 
     friend bool operator==(const FrameError&, const FrameError&) = default;
 };
@@ -33,18 +33,18 @@ class ErrorMeter {
   public:
     ErrorMeter(LinearFrame groundTruth, const DisplayCurve& curve);
 
-    /// Makes the same, ready when `work` is done. Until then it must stay where it is.
+    /// Prepares the meter in `work`. Until that is done, this object must not move.
     ErrorMeter(LinearFrame groundTruth, const DisplayCurve& curve, ParallelJob& work);
 
-    /// `frame` is of the same size; its own counts say nothing, and its pixels that do not count
-    /// are taken for right.
+    /// Compares a frame of the same size. The ground truth says which pixels count; others are
+    /// taken for equal.
     FrameError errorOf(const LinearFrame& frame) const;
 
-    /// Writes the same into `error`, by `work`. Until it is done all of them must stay where they
-    /// are.
+    /// Writes the error into `error` in `work`. Until that is done, the arguments and this object
+    /// must not move.
     void addErrorOf(ParallelJob& work, const LinearFrame& frame, FrameError& error) const;
 
-    /// Returns the relative error of each pixel, rows from the top; 0 where nothing counts.
+    /// Returns the relative error of each pixel, rows from the top; 0 where a pixel does not count.
     std::vector<double> mapOf(const LinearFrame& frame) const;
 
     const LinearFrame& groundTruth() const { return groundTruth_; }
@@ -54,8 +54,8 @@ class ErrorMeter {
 
     LinearFrame groundTruth_;
     DisplayCurve curve_;
-    std::vector<glm::dvec3> shown_; ///< the ground truth on the display
-    double floor_ = 0.0;            ///< light that is taken for no darker
+    std::vector<glm::dvec3> shown_; ///< has the ground truth's display values
+    double floor_ = 0.0;            ///< is the least light that errors are relative to
     std::optional<Flip> flip_;
 };
 

@@ -13,8 +13,8 @@ namespace patina {
 
 namespace {
 
-/// Shares of the progress: what is computed in double precision, and what is made ready for
-/// comparing in the end.
+/// Are shares of the progress: that of computing in double precision, and that of preparing the
+/// meter in the end.
 constexpr double computedShare = 0.7;
 constexpr double preparedShare = 0.1;
 
@@ -36,8 +36,8 @@ Steps GroundTruthFrame::run() {
     co_await draw(computed);
 }
 
-/// Computes the frame in double precision where that can be: round after round of an environment's
-/// directions, which are those that the device draws.
+/// Computes the frame in double precision where that is possible, round after round of an
+/// environment's directions, which are those that the device draws. Else `computed` stays empty.
 Steps GroundTruthFrame::compute(std::optional<LinearFrame>& computed) {
     std::optional<SurfaceBuffer> buffer = surfaces(0);
     if (buffer) {
@@ -94,8 +94,8 @@ void GroundTruthFrame::countPixels(const SurfaceBuffer& buffer) {
     }
 }
 
-/// What cannot be computed on the CPU is compared with what the device draws with every
-/// choice exact; null then.
+/// Returns the frame to compute on the CPU; null where that is not possible or not wanted, so that
+/// the device's exact frame is the ground truth. Stores in `method_` which it is.
 std::unique_ptr<ReferenceFrame> GroundTruthFrame::reference(SurfaceBuffer buffer) {
     method_ = "the finest frame that the device draws";
     if (!wish_.inDoubles) {
@@ -108,8 +108,8 @@ std::unique_ptr<ReferenceFrame> GroundTruthFrame::reference(SurfaceBuffer buffer
     return made ? std::move(*made) : nullptr;
 }
 
-/// Draws the frame on the device, takes what counts from the computed one, where there is one, and
-/// makes the meter.
+/// Draws the frame on the device, takes the pixels that count from the computed one where there is
+/// one, and makes the meter.
 Steps GroundTruthFrame::draw(const std::optional<LinearFrame>& computed) {
     const double before = progress_;
     IncrementalCapture capture(wish_.renderer, wish_.meshes, wish_.drawn);

@@ -29,7 +29,8 @@ int IncrementalCapture::samples() const {
     return renderer_.job().environmentSamples();
 }
 
-/// One frame has no more of an environment's samples than it may.
+/// Tells whether another frame must add samples of an environment, since one frame has only so
+/// many.
 bool IncrementalCapture::needsSamples() const {
     return samples() > 0 && samples() < frame_.view.environmentSamples;
 }

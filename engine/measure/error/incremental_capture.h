@@ -11,20 +11,20 @@
 
 namespace patina {
 
-/// Represents a linear frame that is drawn in slices, bit for bit the one that Renderer::capture()
-/// gives: who wants it no more stops asking. The renderer and the meshes must stay, and nothing
-/// else be drawn meanwhile.
+/// Draws a linear frame in slices, bit for bit the one that Renderer::capture() gives, so that the
+/// caller can stop at any time. The renderer and the meshes must stay valid, and nothing else may
+/// be drawn meanwhile.
 class IncrementalCapture {
   public:
     IncrementalCapture(Renderer& renderer, const MeshSource& meshes, ChosenFrame frame);
 
-    /// Draws for about so long; true when all is there.
+    /// Draws for about so long, and returns true when the frame is done.
     Result<bool> step(std::chrono::milliseconds patience);
 
-    /// Returns 0 .. 1, by the samples of an environment, which are what takes long.
+    /// Returns 0 .. 1, by the samples of an environment, which take most of the time.
     double progress() const;
 
-    /// Returns the frame before exposure; no pixel of it counts yet.
+    /// Returns the frame before exposure, once it is done; its `counts` are empty.
     Result<LinearFrame> frame() const;
 
   private:
@@ -37,14 +37,15 @@ class IncrementalCapture {
     ChosenFrame frame_;
     bool begun_ = false;
     bool isDone_ = false;
-    bool continued_ = false; ///< an environment's light is added to what is there
+    bool continued_ = false; ///< says that more samples are added to the frame
 };
 
-/// Goes on with steps that set a problem when they fail; true when they are done.
+/// Does one of the steps, which set `problem` when they fail; returns that, or true when all are
+/// done.
 Result<bool> proceed(Steps& run, const std::optional<Error>& problem);
 
-/// Draws the frame in steps, each of about the patience that there is then, and tells after each of
-/// them how much is done (0 .. 1).
+/// Draws the frame in steps, each of about the current `patience`, and calls `tell` after each with
+/// the share that is done (0 .. 1). `drawn` gets the frame or the error.
 Steps draw(IncrementalCapture capture, const std::chrono::milliseconds& patience,
            std::function<void(double)> tell, Result<LinearFrame>& drawn);
 

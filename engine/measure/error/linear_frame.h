@@ -13,7 +13,7 @@ namespace patina {
 struct LinearFrame {
     glm::ivec2 size{0};
     std::vector<glm::dvec3> colors;
-    std::vector<std::uint8_t> counts; ///< 1: the pixel shows what the frame is about
+    std::vector<std::uint8_t> counts; ///< is 1 for a pixel that counts in comparisons, else 0
 
     friend bool operator==(const LinearFrame&, const LinearFrame&) = default;
 };

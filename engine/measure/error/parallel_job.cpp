@@ -9,7 +9,8 @@
 namespace patina {
 namespace {
 
-/// Takes some milliseconds of what is done to pixels; threads cost much less than that.
+/// Is how many elements are done at once: some milliseconds of work on pixels, beside which
+/// starting threads costs little.
 constexpr std::size_t placesAtOnce = 16384;
 
 } // namespace

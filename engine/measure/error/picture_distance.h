@@ -9,20 +9,20 @@
 
 namespace patina {
 
-/// Says in a few numbers how far a picture is from the right one.
+/// Holds the difference of a picture from the right one in a few numbers.
 struct PictureDistance {
-    double largest = 0.0;      ///< relative error in linear light
-    double percentile99 = 0.0; ///< the same, which 99 % of the pixels do not exceed
-    double mean = 0.0;         ///< the same
-    double flip = 0.0;         ///< Flip, mean
-    double similarity = 1.0;   ///< structuralSimilarity() of the lightness
+    double largest = 0.0;      ///< is a relative error in linear light
+    double percentile99 = 0.0; ///< is the relative error that 99 % of the pixels keep
+    double mean = 0.0;         ///< is a relative error
+    double flip = 0.0;         ///< is the mean FLIP difference, 0 .. 1
+    double similarity = 1.0;   ///< is the structuralSimilarity() of the luma
 
     friend bool operator==(const PictureDistance&, const PictureDistance&) = default;
 };
 
-/// `relative`: the error of each pixel in linear light, as FrameDifference has it. `a` and `b`: the
-/// right picture and the other one as displays show them, values 0 .. 1. Nothing where it was given
-/// up: `isNeedless` is asked every some milliseconds.
+/// Compares the display values 0 .. 1 of the right picture `a` and of `b`. `relative` is the error
+/// of each pixel in linear light, as in FrameDifference. Calls `isNeedless` every 20 milliseconds
+/// or so, and returns nothing once that is true.
 std::optional<PictureDistance> pictureDistance(std::vector<float> relative, const Image& a,
                                                const Image& b,
                                                const std::function<bool()>& isNeedless);

@@ -6,7 +6,8 @@
 namespace patina {
 namespace {
 
-/// The sum around place `i` of `count` that are `stride` apart, from `first` on.
+/// Returns the weighted sum around element `i` of the `count` elements that lie `stride` apart from
+/// `first` on.
 double sumAround(const std::vector<double>& plane, std::size_t first, std::size_t stride, int i,
                  int count, const Kernel& kernel) {
     const int radius = static_cast<int>(kernel.size() / 2);

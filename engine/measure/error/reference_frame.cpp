@@ -8,7 +8,8 @@
 namespace patina {
 namespace {
 
-/// Takes some milliseconds of a costly model; threads cost much less than that.
+/// Is how many pixels are computed at once: some milliseconds of a costly model, beside which
+/// starting threads costs little.
 constexpr std::size_t pixelsAtOnce = 8192;
 
 } // namespace

@@ -10,24 +10,24 @@
 
 namespace patina {
 
-/// Represents a frame computed on the CPU in double precision, from what its programs know of each
-/// pixel. Works in steps, on all cores; who wants it no more stops asking. Needs no OpenGL.
+/// Computes a frame on the CPU in double precision, from the inputs of each pixel that a
+/// SurfaceBuffer holds. It works in steps, on all cores, and needs no OpenGL.
 class ReferenceFrame {
   public:
-    /// `wanted`, by object of the scene: whose pixels count. The error says why one of them cannot
-    /// be computed so.
+    /// Prepares the frame; `wanted` says for each object of the scene whether its pixels count. An
+    /// error says why one of these objects cannot be computed.
     static Result<std::unique_ptr<ReferenceFrame>> create(SurfaceBuffer buffer,
                                                           const std::vector<bool>& wanted);
 
-    /// Works for about so long; true when all is done.
+    /// Works for about so long, and returns true when the buffer is done.
     bool step(std::chrono::milliseconds patience);
-    double progress() const; ///< 0 .. 1, of what was given so far
+    double progress() const; ///< 0 .. 1, of the current buffer
 
-    /// The frame that is done becomes the mean of it and of one with the other directions of the
-    /// environment that `next` has, which is the same buffer otherwise.
+    /// Goes on with `next`, which is the same buffer with other directions of the environment. The
+    /// frame becomes the mean over the directions of all buffers.
     void goOn(SurfaceBuffer next);
 
-    /// Tells whether directions of an environment make any difference.
+    /// Tells whether the frame depends on the directions of an environment that a buffer has.
     bool isSampled() const;
 
     /// Returns what was computed so far; black where it is not yet, and where nothing counts.
@@ -39,12 +39,13 @@ class ReferenceFrame {
     void compute(std::size_t first, std::size_t last);
 
     SurfaceBuffer buffer_;
-    std::vector<std::unique_ptr<SurfaceCode>> codes_; ///< by object; null: it does not count
+    std::vector<std::unique_ptr<SurfaceCode>>
+        codes_; ///< are by object; null where it does not count
     LinearFrame frame_;
-    std::vector<glm::dvec3> still_;   ///< the part of each pixel that is not sampled
-    std::vector<glm::dvec3> sampled_; ///< the sum of the others over the buffers
-    int buffers_ = 0;                 ///< that are done
-    std::size_t done_ = 0;            ///< pixels of the next one
+    std::vector<glm::dvec3> still_;   ///< is the part of each pixel that is not sampled
+    std::vector<glm::dvec3> sampled_; ///< is the sum of the sampled part over the buffers
+    int buffers_ = 0;                 ///< counts those that are done
+    std::size_t done_ = 0;            ///< counts pixels of the current one
 };
 
 } // namespace patina

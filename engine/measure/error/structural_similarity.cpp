@@ -9,7 +9,7 @@
 namespace patina {
 namespace {
 
-constexpr int radius = 5; ///< of a window of 11 x 11 pixels
+constexpr int radius = 5; ///< pixels, of a window of 11 x 11
 constexpr double deviation = 1.5;
 constexpr double c1 = 0.01 * 0.01;
 constexpr double c2 = 0.03 * 0.03;
@@ -29,7 +29,7 @@ Kernel window() {
 
 using Plane = std::vector<double>;
 
-/// The means of a plane's windows.
+/// Returns the weighted mean of the window around each pixel.
 Plane means(const Plane& plane, glm::ivec2 size, const Kernel& kernel) {
     Plane rows(plane.size());
     Plane result(plane.size());

@@ -7,11 +7,11 @@
 
 namespace patina {
 
-/// Measures how alike the structures of two pictures are: the mean SSIM of Z. Wang, A. C. Bovik,
+/// Returns the mean SSIM of two pictures, from -1 to 1 for equal ones: Z. Wang, A. C. Bovik,
 /// H. R. Sheikh, E. P. Simoncelli, Image Quality Assessment: From Error Visibility to Structural
-/// Similarity, IEEE Trans. Image Process. 13(4), 2004, with their window and constants. 1 for equal
-/// ones, down to -1. Planes of grey values 0 .. 1 of a display, rows from the top; beyond the edges
-/// they go on as they end.
+/// Similarity, IEEE Trans. Image Process. 13(4), 2004, with their window and constants. The planes
+/// hold a display's grey values 0 .. 1, rows from the top; beyond their edges they continue with
+/// their border values.
 double structuralSimilarity(glm::ivec2 size, const std::vector<double>& a,
                             const std::vector<double>& b);
 

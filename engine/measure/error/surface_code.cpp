@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t sharesPerValue = 4;
 
-/// Programs end where a half float does.
+/// Is the largest half float, at which programs clamp light.
 constexpr double maxLight = 65504.0;
 
 std::vector<double> widened(std::span<const glm::vec4> data, std::size_t first,
@@ -43,7 +43,7 @@ const ParameterField* fieldOf(const BlockPlace& place, std::string_view name) {
     return found == place.layout.fields.end() ? nullptr : &*found;
 }
 
-/// Takes the levels that the program has, which may be others than the material's.
+/// Sets accuracy choices to the levels that the program has, which may differ from the material's.
 void takeLevels(std::vector<double>& values, const BlockPlace& place, const BlockUse& use) {
     for (const ParameterField& field : place.layout.fields) {
         const bool hasLevel = field.choice != nullptr && !field.choice->values.empty();
@@ -138,8 +138,8 @@ class Collector {
         }
     }
 
-    /// Finds them as packScene() laid them out: a header, then light after light; of a drawing's
-    /// the key one.
+    /// Reads the lights as packScene() laid them out: a header, then light after light. A drawing
+    /// takes the key light alone.
     void addLights() {
         const bool takesOne = takesKeyAlone(effects_);
         std::size_t share = 0;
@@ -237,7 +237,7 @@ glm::dvec3 SurfaceShader::finished(glm::dvec3 sum) const {
     return glm::clamp(sum, 0.0, maxLight);
 }
 
-/// Returns one of the values that the buffer has of the pixel.
+/// Returns one of the values that the buffer holds for the pixel.
 glm::dvec4 SurfaceShader::noted(std::size_t value) const {
     return glm::dvec4(buffer_->values[value][pixel_]);
 }
@@ -251,7 +251,8 @@ void SurfaceShader::takeImages() {
     }
 }
 
-/// As passes/environment_light.glsl, of the directions of passes/environment_samples.glsl.
+/// Computes as passes/environment_light.glsl, with the directions of
+/// passes/environment_samples.glsl.
 glm::dvec3 SurfaceShader::sampled() const {
     glm::dvec3 sum(0.0);
     for (int i = 0; code_.firstSample && i < SurfaceBufferLayout::samples; ++i) {
@@ -265,7 +266,7 @@ glm::dvec3 SurfaceShader::sampled() const {
     return sum / double(SurfaceBufferLayout::samples);
 }
 
-/// Returns what the model returns, cut at 0.
+/// Returns the model's value, with what is below 0 raised to 0.
 glm::dvec3 SurfaceShader::value(const glm::dvec3& l, const glm::dvec3& v) const {
     reference::Geometry geometry = reference::geometry(point_.n, point_.t, l, v);
     geometry.pixel = point_.place;
@@ -288,7 +289,7 @@ glm::dvec3 SurfaceShader::lit() const {
     return sum;
 }
 
-/// As passes/ambient.glsl, passes/hemisphere.glsl and passes/openness.glsl.
+/// Computes as passes/ambient.glsl, passes/hemisphere.glsl and passes/openness.glsl.
 glm::dvec3 SurfaceShader::ambient() const {
     if (!code_.ambient && !code_.hemisphere) {
         return glm::dvec3(0.0);

@@ -10,8 +10,8 @@
 
 namespace patina {
 
-/// Represents all that shades an object, in double precision: the blocks of its program with the
-/// very numbers that the program was fed with.
+/// Holds all that shades an object in double precision: the blocks of its program with the same
+/// numbers that the program got.
 struct SurfaceCode {
     struct BlockCode {
         const reference::Block* code = nullptr;
@@ -19,14 +19,15 @@ struct SurfaceCode {
     };
     struct LightCode {
         BlockCode block;
-        std::optional<std::size_t> share; ///< the number of its share among a pixel's
+        std::optional<std::size_t>
+            share; ///< is the index of its shadow among a pixel's; empty: it has none
     };
-    /// Holds what images change, or what is emitted.
+    /// Says where the field is that an image changes, or that is emitted.
     struct FieldPlace {
-        std::size_t block = 0; ///< in blocks
+        std::size_t block = 0; ///< is the index in blocks
         std::size_t offset = 0;
         int components = 1;
-        std::size_t value = 0; ///< of a pixel's values
+        std::size_t value = 0; ///< is the index among a pixel's values
     };
     struct Hemisphere {
         glm::dvec3 sky{0.0};
@@ -34,7 +35,7 @@ struct SurfaceCode {
         glm::dvec3 up{0.0, 1.0, 0.0};
     };
 
-    std::vector<BlockCode> blocks; ///< the model, what fills its slots, what blends the sum
+    std::vector<BlockCode> blocks; ///< are the model, what fills its slots, what blends the sum
     std::size_t slots = 0;
     bool blends = false;
     std::vector<FieldPlace> textured;
@@ -43,36 +44,38 @@ struct SurfaceCode {
     std::optional<glm::dvec3> ambient;
     std::optional<Hemisphere> hemisphere;
     std::optional<BlockCode> fog;
-    std::optional<std::size_t> firstSample; ///< of an environment's light, among a pixel's values
-    bool isSampled = false;                 ///< its directions are others in each round
-    std::optional<std::size_t> openness;    ///< of the pixel, among its values
+    std::optional<std::size_t>
+        firstSample;                     ///< is where a pixel's values have an environment's light
+    bool isSampled = false;              ///< says that its directions differ from round to round
+    std::optional<std::size_t> openness; ///< is where a pixel's values have it
     std::size_t firstShare = 0;
     glm::dvec3 eye{0.0};
 
-    /// The error says what of the object cannot be computed so: blocks without code in double
-    /// precision, and what is transparent.
+    /// Collects the code of an object. An error says what of it cannot be computed: a block without
+    /// code in double precision, refraction or transparency.
     static Result<SurfaceCode> of(const BufferedObject& object, const SurfaceBuffer& buffer);
 };
 
-/// Shades pixels, one thread's after the other.
+/// Shades pixels one after the other; each thread needs its own.
 class SurfaceShader {
   public:
-    /// `code` outlives it.
+    /// Keeps a reference to `code`, which must outlive it.
     explicit SurfaceShader(const SurfaceCode& code);
     SurfaceShader(const SurfaceShader&) = delete;
     SurfaceShader& operator=(const SurfaceShader&) = delete;
 
-    /// Looks at a pixel of the buffer that shows the code's object.
+    /// Goes to a pixel of the buffer, which must show the code's object.
     void lookAt(const SurfaceBuffer& buffer, std::size_t pixel);
 
-    /// Returns what its model makes of lamps and ambient light.
+    /// Returns the light of lamps and ambient light that the model reflects.
     glm::dvec3 still() const;
 
-    /// The mean of what the buffer's samples of an environment make of it.
+    /// Returns the light of an environment that the model reflects, averaged over the buffer's
+    /// samples.
     glm::dvec3 sampled() const;
 
-    /// Returns the picture's linear light, given the sum of both: blended, with the surface's own
-    /// glow, in fog.
+    /// Returns the picture's linear light, given the sum of both: blended, with what the surface
+    /// emits, and in fog.
     glm::dvec3 finished(glm::dvec3 sum) const;
 
   private:
@@ -97,7 +100,7 @@ class SurfaceShader {
     const SurfaceBuffer* buffer_ = nullptr;
     std::size_t pixel_ = 0;
     Point point_{};
-    std::vector<std::vector<double>> values_; ///< of the blocks, with what images made of them
+    std::vector<std::vector<double>> values_; ///< are the blocks', as images changed them
     std::vector<reference::Filler> fillers_;
     const reference::Function* incidence_;
 };
