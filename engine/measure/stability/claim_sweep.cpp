@@ -9,10 +9,10 @@
 namespace patina {
 namespace {
 
-/// Sets of values beside the variant's own.
+/// Is the number of sets of values beside the variant's own.
 constexpr std::size_t furtherRows = 4;
 
-/// A step draws trials until it has so many places.
+/// Is how many places a step draws at least.
 constexpr std::size_t enoughPlaces = 4096;
 
 std::vector<EvalCase> rowsOf(const EvalCase& variant) {
@@ -66,7 +66,7 @@ Steps ClaimSweep::run(const EvalProgram& program, SweepReport& report, Result<vo
     }
 }
 
-/// Draws the trials' places and judges them.
+/// Draws the trials' places in one go and judges them.
 Result<void> ClaimSweep::tryOut(const std::vector<const ClaimTrial*>& trials,
                                 const EvalProgram& program, SweepReport& report) const {
     const auto numbers = static_cast<std::size_t>(program.shape().caseTexels) * 4;
@@ -100,7 +100,7 @@ Result<void> ClaimSweep::tryOut(const std::vector<const ClaimTrial*>& trials,
     return {};
 }
 
-/// What is not finite has been found without its claims.
+/// Judges a trial, unless one of its values is not finite: that is found without claims.
 void ClaimSweep::judge(const ClaimTrial& trial, std::span<const double> values,
                        SweepReport& report) const {
     if (!std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); })) {

@@ -8,16 +8,16 @@
 namespace patina {
 
 /// Tries a block's claims in one of its programs on the graphics device, with the variant's own
-/// values and with a few that sliders reach. For blocks whose claims no test of this program has
-/// tried before.
+/// values and with a few that sliders reach. It is for blocks of users, whose claims no test has
+/// tried.
 class ClaimSweep {
   public:
     explicit ClaimSweep(const EvalCase& variant);
 
     double progress() const;
 
-    /// Tries some of the claims in each step, whose context must be current. Where the program
-    /// cannot be drawn with, `done` says why, and nothing more is tried.
+    /// Tries some of the claims in each step; the program's context must be current. Where drawing
+    /// fails, `done` says why, and nothing more is tried.
     Steps run(const EvalProgram& program, SweepReport& report, Result<void>& done);
 
   private:
@@ -28,7 +28,7 @@ class ClaimSweep {
     void judge(const ClaimTrial& trial, std::span<const double> values, SweepReport& report) const;
 
     std::vector<ClaimTrial> trials_;
-    std::vector<EvalCase> rows_; ///< empty where nothing is to be tried
+    std::vector<EvalCase> rows_; ///< are sets of values; empty where nothing is to be tried
     std::size_t row_ = 0;
     std::size_t trial_ = 0;
 };

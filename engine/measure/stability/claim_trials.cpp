@@ -18,17 +18,18 @@ using Broken = ClaimTrial::Broken;
 using Verdict = std::optional<Broken>;
 using Trials = std::vector<ClaimTrial>;
 
-/// Two values of the shader are each within 1e-4 of theirs.
+/// Is the tolerance between two values of the shader, each of which is right to 1e-4.
 constexpr double deviceRounding = 2e-4;
 
-/// What the rule and the shader's rounding may add to an albedo of 1.
+/// Is what the rule's error and the shader's rounding may add to an albedo of 1.
 constexpr double albedoSlack = 5e-3;
 constexpr HemisphereRuleSize albedoRule{2, 0.5};
 
 constexpr double lightDegrees[] = {0.0, 30.0, 50.0, 70.0, 80.0, 87.0};
 constexpr std::size_t pairs = 256;
 
-/// Light this low may be a thousandth as bright as light higher up.
+/// Is the cosine of light that may be reflected with at most horizonShare of the largest value of
+/// light higher up.
 constexpr double grazing = 1e-7;
 constexpr double horizonShare = 1e-3;
 
@@ -49,13 +50,15 @@ EvalPlace placed(const glm::dvec3& l, const glm::dvec3& v) {
     return place;
 }
 
-/// `value` may not differ from `wanted`, both on the scale of 1.
+/// Refutes a claim where `value` differs from `wanted` by more than the tolerance, which is
+/// relative to 1 + |wanted|.
 Verdict unequal(double value, double wanted) {
     const double excess = std::abs(value - wanted) / (deviceRounding * (1.0 + std::abs(wanted)));
     return excess <= 1.0 ? Verdict() : Broken{0, value, wanted, excess};
 }
 
-/// Adds a place, and the same after `change`; the values are divided by n.l where `perLight`.
+/// Adds trials of a place and of the same after `change`; where `perLight` is set, the values are
+/// divided by n.l.
 template <class Change>
 void addPairs(Trials& trials, Defect defect, bool perLight, Change change) {
     double turn = 0.7;
@@ -142,7 +145,7 @@ Trials modelTrials(const EvalCase& variant) {
     return trials;
 }
 
-/// By steps of a hundredth of the cosine.
+/// Returns trials of a Fresnel block in steps of 0.01 of the cosine.
 Trials fresnelTrials(const Block& block) {
     constexpr double step = 1e-6;
     std::vector<EvalPlace> places(101);

@@ -16,14 +16,14 @@ namespace {
 using Subject = EvalCase::Subject;
 using Places = std::vector<EvalPlace>;
 
-/// Is the smallest float that devices do not take as 0.
+/// Is the smallest float that devices do not flush to 0.
 constexpr double smallestFloat = std::numeric_limits<float>::min();
 
 constexpr double cosines[] = {0.0,  smallestFloat, 1e-30,      6e-17,      1e-12,      1e-8,
                               1e-6, 1e-4,          1e-2,       0.1,        0.3,        0.5,
                               0.7,  0.9,           1.0 - 1e-4, 1.0 - 1e-6, 1.0 - 1e-8, 1.0};
 
-/// Are the azimuths between light and viewer, in radians; pi is the mirror's side.
+/// Are angles between light and viewer, in radians; pi is the mirror's side.
 constexpr double azimuths[] = {0.0,
                                1e-7,
                                1e-4,
@@ -34,7 +34,8 @@ constexpr double azimuths[] = {0.0,
                                std::numbers::pi - 1e-7,
                                std::numbers::pi};
 
-/// Azimuths of the light from the tangent, radians: along it, along the bitangent and between.
+/// Are azimuths of the light from the tangent, in radians: along it, along the bitangent and
+/// between.
 constexpr double tangentAngles[] = {0.0, std::numbers::pi / 2, 0.7, 1e-6};
 
 glm::dvec3 inFloat(const glm::dvec3& v) {
@@ -45,8 +46,8 @@ double inFloat(double x) {
     return static_cast<double>(static_cast<float>(x));
 }
 
-/// The sine comes from 1 - c as it was meant: a cosine of 1 - 1e-8 is 1 in float, its sine is not
-/// 0.
+/// Returns the direction at a cosine, exact in float. The sine is computed from the double: a
+/// cosine of 1 - 1e-8 is 1 in float, but its sine is not 0.
 glm::dvec3 direction(double c, double azimuth) {
     const double s = std::sqrt(std::max(0.0, (1.0 - std::abs(c)) * (1.0 + std::abs(c))));
     return inFloat(glm::dvec3(s * std::cos(azimuth), s * std::sin(azimuth), c));
@@ -59,8 +60,8 @@ EvalPlace upright(const glm::dvec3& l, const glm::dvec3& v) {
     return place;
 }
 
-/// Returns every pair of cosines and azimuths; one pair in five once more with the light or the
-/// viewer, or both, below the horizon.
+/// Returns every pair of cosines with every azimuth; one in five is repeated with the light, the
+/// viewer and both below the horizon.
 Places uprightPlaces() {
     Places places;
     std::size_t count = 0;
@@ -83,7 +84,7 @@ Places uprightPlaces() {
     return places;
 }
 
-/// Adds l = v, l = -v and the exact mirror direction, and a little off each.
+/// Adds l = v, l = -v and the exact mirror direction, and places slightly off each.
 void addRelated(Places& places) {
     constexpr double offsets[] = {0.0, 1e-8, 1e-6, 1e-4, 1e-2};
     for (const double c : cosines) {
@@ -99,7 +100,8 @@ void addRelated(Places& places) {
     }
 }
 
-/// The place turned with its normal, which no longer is an axis: cosines then carry roundings.
+/// Returns the place turned so that its normal is `normal`, which is no axis: cosines then have
+/// roundings.
 EvalPlace slanted(const EvalPlace& place, const glm::dvec3& normal) {
     const glm::dvec3 n = glm::normalize(normal);
     const glm::dvec3 t = glm::normalize(glm::cross(glm::dvec3(0.0, 1.0, 0.3), n));
@@ -113,8 +115,8 @@ EvalPlace slanted(const EvalPlace& place, const glm::dvec3& normal) {
     return result;
 }
 
-/// Adds every ninth place about slanting normals and every seventh with a tangent along the normal,
-/// next to it, or of an odd length.
+/// Adds every ninth place about slanting normals, and every seventh with a tangent along the
+/// normal, next to it, or of an extreme length.
 void addFrames(Places& places) {
     const std::size_t count = places.size();
     for (std::size_t i = 0; i < count; i += 9) {
@@ -165,7 +167,7 @@ Places edgeCasePoints() {
     return places;
 }
 
-/// Returns distances, each from some eyes and in some directions, among them along an axis and next
+/// Returns distances, each from several eyes and in several directions, some along an axis or next
 /// to it.
 Places edgeCaseRays() {
     constexpr glm::dvec3 eyes[] = {{0.0, 0.0, 0.0},  {0.5, -1.0, 2.0},  {2.0, 0.5, 2.0},
@@ -188,7 +190,7 @@ Places edgeCaseRays() {
     return places;
 }
 
-/// Holds numbers of one fixed sequence.
+/// Gives the numbers of one fixed random sequence.
 class Random {
   public:
     double uniform(double low, double high) {
@@ -203,7 +205,8 @@ class Random {
         return inFloat(glm::dvec3(s * std::cos(phi), s * std::sin(phi), c));
     }
 
-    /// Returns where l is mirrored to, up to 0.1 off in each component, no lower than 0.05.
+    /// Returns the mirror direction of l, up to 0.1 off in x and y, with a cosine of about 0.05 at
+    /// least.
     glm::dvec3 nearMirror(const glm::dvec3& l) {
         const glm::dvec3 off{uniform(-0.1, 0.1), uniform(-0.1, 0.1), 0.0};
         glm::dvec3 v = glm::normalize(glm::dvec3(-l.x, -l.y, l.z) + off);

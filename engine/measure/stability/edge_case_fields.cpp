@@ -17,7 +17,7 @@ namespace {
 using Type = ArgumentField::Type;
 using Triples = std::vector<glm::dvec3>;
 
-/// Shares of the way from 0 to 1: the ends and what is next to them.
+/// Are numbers from 0 to 1: the ends, those next to them, and some between.
 constexpr double shares[] = {0.0,        std::numeric_limits<float>::min(),
                              1e-30,      1e-12,
                              1e-8,       1e-4,
@@ -27,7 +27,7 @@ constexpr double shares[] = {0.0,        std::numeric_limits<float>::min(),
                              1.0 - 1e-4, 1.0 - 1e-6,
                              1.0};
 
-/// Amounts without an end, from none to nearly the largest float.
+/// Are amounts without an upper limit, from 0 to nearly the largest float.
 constexpr double amounts[] = {0.0,   std::numeric_limits<float>::min(),
                               1e-30, 1e-12,
                               1e-6,  1e-3,
@@ -36,14 +36,14 @@ constexpr double amounts[] = {0.0,   std::numeric_limits<float>::min(),
                               1e6,   1e20,
                               3e38};
 
-/// Up to here an amount is one of every scene.
+/// Is the largest amount that counts as ordinary.
 constexpr double ordinaryAmount = 5.0;
 
 glm::dvec3 rounded(const glm::dvec3& v) {
     return glm::dvec3(glm::vec3(v));
 }
 
-/// A direction at a cosine to the z axis, turned so that it is one to another axis.
+/// Returns a direction with this cosine to an axis, in float.
 glm::dvec3 directionTo(int axis, double c, double azimuth) {
     const double s = std::sqrt(std::max(0.0, (1.0 - std::abs(c)) * (1.0 + std::abs(c))));
     glm::dvec3 v;
@@ -109,7 +109,7 @@ Triples edgeCasesOf(const ArgumentField& field) {
     return all;
 }
 
-/// Puts a field's numbers behind those of the fields before it.
+/// Fills the fields of a place in order.
 class Filling {
   public:
     void add(const ArgumentField& field, glm::dvec3 value) {

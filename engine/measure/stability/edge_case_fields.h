@@ -7,12 +7,13 @@
 
 namespace patina {
 
-/// Returns the places where functions of a struct's fields break, all exact in float: every two
-/// edge cases of two fields meet. Directions lie along the axes, next to them and at the cosines of
-/// edgeCaseDirections() to each, the second of a struct along few of them.
+/// Returns the places where functions of a struct's fields break, all exact in float, such that
+/// every two edge cases of two fields meet. Directions lie along the y and z axes, next to them and
+/// at many cosines to each. A normal has only few directions, on the side of the direction before
+/// it.
 std::vector<EvalPlace> edgeCaseFields(std::span<const ArgumentField> fields);
 
-/// `count` places with any values, the same for every call.
+/// Returns `count` places with ordinary values, the same for every call.
 std::vector<EvalPlace> ordinaryFields(std::span<const ArgumentField> fields, std::size_t count);
 
 } // namespace patina

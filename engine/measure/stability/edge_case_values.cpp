@@ -8,7 +8,7 @@
 namespace patina {
 namespace {
 
-/// Returns the next float; above 0 the smallest normal one, because devices take what is smaller as
+/// Returns the next float; above 0 the smallest normal one, because devices flush smaller ones to
 /// 0.
 double nextFloat(double x) {
     using Limits = std::numeric_limits<float>;
@@ -17,7 +17,7 @@ double nextFloat(double x) {
                : static_cast<double>(std::nextafter(static_cast<float>(x), Limits::infinity()));
 }
 
-/// Returns them sorted by importance; what lies outside the range is left out.
+/// Returns the edge cases of a number in order of importance, without those outside the range.
 std::vector<double> edgeCaseNumbers(const Parameter& parameter) {
     std::vector<double> numbers{parameter.min,
                                 parameter.max,

@@ -15,13 +15,13 @@ namespace {
 
 using Subject = EvalCase::Subject;
 
-constexpr double rounding = 0x1p-24; ///< half a unit in the last place of a float near 1
+constexpr double rounding = 0x1p-24; ///< is half a unit in the last place of a float near 1
 constexpr double noiseShare = 16.0;
 constexpr double roundings = 32.0;
-constexpr double flushed = 1e-30; ///< below this a device may flush intermediate results to 0
+constexpr double flushed = 1e-30; ///< is allowed, since devices may flush results to 0
 
-/// The larger change of each number, of a move to one side and to the other; a move that leaves
-/// the numbers does not count.
+/// Adds the larger change of each number, of a move up and a move down. A change that is not finite
+/// does not count.
 void addChange(ReferenceNumbers& noise, const ReferenceNumbers& exact, const ReferenceNumbers& up,
                const ReferenceNumbers& down) {
     for (std::size_t i = 0; i < noise.size(); ++i) {
@@ -36,8 +36,8 @@ bool moves(const ParameterField& field) {
     return field.parameter != nullptr && infoOf(field.parameter->type).isContinuous;
 }
 
-/// Returns a value moved by its rounding, within the parameter's range. What is written of a
-/// function is not its values alone.
+/// Returns a value moved by its rounding, within the parameter's range. The numbers of a function
+/// are not limited, since not all of them are its values.
 double moved(const Parameter& parameter, double x, double sign) {
     const double next = x + sign * rounding * std::abs(x);
     if (infoOf(parameter.type).function != nullptr) {
@@ -56,8 +56,8 @@ ReferenceNumbers larger(const ReferenceNumbers& a, const ReferenceNumbers& b) {
     return result;
 }
 
-/// Signs of moves of everything at once: bit i of pattern p. From a fixed generator, so that every
-/// two numbers meet with like and with unlike signs.
+/// Returns the sign by which number i moves in a pattern of moves of all numbers. The patterns are
+/// such that every two numbers meet with equal and with opposite signs.
 double signOf(std::size_t pattern, std::size_t i) {
     constexpr std::uint32_t patterns[] = {0x0000, 0x3fff, 0x15a3, 0x2939,
                                           0x06c6, 0x33f0, 0x2c0f, 0x1a95};
@@ -67,14 +67,15 @@ constexpr std::size_t signPatterns = 8;
 
 using Enough = ErrorBound::Enough;
 
-/// Holds the numbers of a place, reachable one by one, and what moves them.
+/// Points to the numbers of a place, and holds how far each moves.
 struct Movable {
     std::vector<double*> numbers;
     std::vector<double> steps;
     std::function<ReferenceNumbers()> evaluate;
 };
 
-/// As all move at once, which one evaluation says most of.
+/// Returns the change as all numbers move at once. It comes first, since one evaluation of it tells
+/// most about the noise.
 ReferenceNumbers noiseTogether(const Movable& movable, const ReferenceNumbers& exact,
                                const Enough& enough) {
     ReferenceNumbers noise{};
@@ -116,9 +117,9 @@ ReferenceNumbers noiseOf(const Movable& movable, const ReferenceNumbers& exact,
     return larger(sum, together);
 }
 
-/// What moves the light and the viewer, each by at most its rounding, as far as it can towards
-/// mirror directions: there a lobe has its peak, which may be narrower than a rounding and then lie
-/// between the places that other moves reach.
+/// Moves the light and the viewer towards mirror directions, each by at most its rounding. A lobe
+/// has its peak there, which may be narrower than a rounding and then lie between the places that
+/// other moves reach.
 void moveTowardsMirror(reference::Geometry& geometry) {
     const glm::dvec3 half = geometry.l + geometry.v;
     const glm::dvec3 across = half - glm::dot(half, geometry.n) * geometry.n;
@@ -127,9 +128,9 @@ void moveTowardsMirror(reference::Geometry& geometry) {
     geometry.v -= step;
 }
 
-/// Tells whether the normal is exact in floats and picks a component of vectors, so that cosines
-/// with it are as exact as that component, however small. A grain mixes the other two with their
-/// roundings.
+/// Tells whether cosines with the normal are exact, however small: the normal is (0, 0, 1), and the
+/// value does not depend on the tangent, whose frame would mix in the roundings of the other
+/// components.
 bool hasExactCosines(const ReferenceCase& bound, const reference::Geometry& geometry,
                      const ReferenceNumbers& exact) {
     if (geometry.n != glm::dvec3(0.0, 0.0, 1.0)) {
@@ -177,7 +178,7 @@ ReferenceNumbers modelNoise(const ReferenceCase& bound, const EvalPlace& place,
     return larger(noise, change);
 }
 
-/// A unit vector's numbers move as all of it does, others by what they are.
+/// Adds the fields' numbers. Those of a unit vector move by the rounding of 1, others by their own.
 void addFields(Movable& movable, std::span<const ArgumentField> fields, EvalPlace& place) {
     double* number = place.fields.data();
     for (const ArgumentField& field : fields) {
@@ -286,8 +287,8 @@ ReferenceNumbers ErrorBound::noise(const ReferenceCase& bound, const EvalPlace& 
     return noise;
 }
 
-/// What is a function of a direction or a colour among fields may turn its numbers as a whole,
-/// about an axis or by a matrix of colours: each has the roundings of the largest.
+/// Returns the bound of each number. A function of a field that is a direction or a colour may mix
+/// its numbers by a matrix, so that each has the roundings of the largest.
 ReferenceNumbers ErrorBound::limits(const ReferenceNumbers& noise,
                                     const ReferenceNumbers& exact) const {
     const bool isTurned = std::ranges::any_of(fieldsOf(request_), &ArgumentField::isTriple);

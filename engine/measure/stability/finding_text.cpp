@@ -32,7 +32,7 @@ std::string elevationText(const char* name, double degreesUp) {
                        degreesUp < 0.0 ? "below" : "above");
 }
 
-/// Returns the angle between the projections of light and viewer onto the surface; 180 is the
+/// Returns the degrees between the projections of light and viewer onto the surface; 180 is the
 /// mirror's side.
 double azimuth(const EvalCase& request) {
     const glm::dvec3 n = glm::normalize(request.n);
@@ -61,7 +61,7 @@ std::string fieldsText(const EvalCase& request) {
     return text;
 }
 
-/// Equal numbers are shown as one.
+/// Returns the numbers as a list; equal ones are written as one.
 std::string listText(const ReferenceNumbers& numbers, std::size_t count) {
     std::string text;
     bool equal = true;

@@ -9,21 +9,22 @@
 
 namespace patina {
 
-/// Returns where a case is, in words: "light 0.57 degrees above the horizon, viewer along the
-/// normal, ..."; of another function than the kind's first one with its name before: "Left: way 3".
+/// Returns a case's arguments in words: "light 0.57 degrees above the horizon, viewer along the
+/// normal, ...". The suffix of another function than the kind's first one precedes them: "Left: way
+/// 3".
 std::string placeText(const EvalCase& request);
 
-/// By how much a value is wrong: "gives (nan, 0, 0)", "gives 0.153, exactly 0.05, 3.2 times ...".
+/// Says how wrong a value is: "gives (nan, 0, 0)", "gives 0.153, exactly 0.05: 3.2 times ...".
 std::string amountText(const SweepFinding& finding);
 
 /// Returns "on the graphics device" or "on the CPU in double precision".
 const char* precisionText(bool gpu);
 
-/// Returns what a verdict has to add where not everything was evaluated twice: " on the graphics
-/// device only", " in double precision only", or nothing.
+/// Returns what to add to a verdict where not everything was evaluated by both: " on the graphics
+/// device only", " in double precision only", or an empty text.
 const char* limitText(const SweepReport& report);
 
-/// Everything of a report; what is not finite is the text "nan", "inf" or "-inf".
+/// Returns the whole report; a number that is not finite is the text "nan", "inf" or "-inf".
 nlohmann::json toJson(const SweepReport& report);
 
 } // namespace patina

@@ -12,13 +12,13 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Represents a node of a rule along one angle.
+/// Is a node of a rule along one angle.
 struct Node {
     double x = 0.0;
     double weight = 0.0;
 };
 
-/// Returns a zero of the Legendre polynomial of degree n from near `x` by Newton's method, and its
+/// Returns the zero of the Legendre polynomial of degree n near `x`, by Newton's method, and its
 /// weight (Abramowitz and Stegun 25.4.29).
 Node legendreNode(int n, double x) {
     double slope = 1.0;
@@ -36,7 +36,7 @@ Node legendreNode(int n, double x) {
     return {x, 2.0 / ((1.0 - x * x) * slope * slope)};
 }
 
-/// Is for the interval -1 .. 1.
+/// Returns the Gauss-Legendre rule of n nodes on -1 .. 1.
 std::vector<Node> gaussLegendre(int n) {
     std::vector<Node> nodes;
     for (int i = 0; i < n; ++i) {
@@ -49,10 +49,11 @@ constexpr double mirrorSteps[] = {5e-4, 1.2e-3, 3e-3, 7.5e-3, 0.019, 0.047, 0.12
 constexpr double horizonSteps[] = {1e-4, 1e-3, 1e-2, 0.05, 0.2};
 constexpr double lightSteps[] = {0.03, 0.12, 0.5};
 
-/// Panels narrower than this are joined with the next.
+/// Is the width below which a panel is joined with the next, in radians.
 constexpr double narrowest = 1e-6;
 
-/// The ends of panels between the first and the last break, none wider than `widest`.
+/// Returns the ends of panels from `low` to `high` that end at the breaks and are no wider than
+/// `widest`.
 std::vector<double> panels(std::vector<double> breaks, double low, double high, double widest) {
     std::erase_if(breaks, [&](double x) { return x < low + narrowest || x > high - narrowest; });
     breaks.push_back(low);
@@ -72,7 +73,8 @@ std::vector<double> panels(std::vector<double> breaks, double low, double high, 
     return ends;
 }
 
-/// Returns angles from the normal, 0 .. pi/2; light and mirror direction are at the same angle.
+/// Returns panels of the angle from the normal, 0 .. pi/2, of which light and mirror direction have
+/// the same.
 std::vector<double> polarPanels(double theta, double widest) {
     std::vector<double> breaks{theta};
     for (const double step : mirrorSteps) {
@@ -85,7 +87,7 @@ std::vector<double> polarPanels(double theta, double widest) {
     return panels(std::move(breaks), 0.0, pi / 2, widest);
 }
 
-/// Returns the angle about the normal from the light, 0 .. 2 pi; the mirror direction is at pi.
+/// Returns panels of the azimuth from the light, 0 .. 2 pi; the mirror direction is at pi.
 std::vector<double> azimuthPanels(double widest) {
     std::vector<double> breaks{pi};
     for (const double step : mirrorSteps) {

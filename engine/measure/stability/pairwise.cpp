@@ -8,7 +8,7 @@ namespace {
 
 using Row = std::vector<std::size_t>;
 
-/// Which pairs of choices have not met yet.
+/// Knows which pairs of choices have not met yet.
 class OpenPairs {
   public:
     explicit OpenPairs(std::span<const std::size_t> counts) {
@@ -36,7 +36,7 @@ class OpenPairs {
         open_[at] = false;
     }
 
-    /// The first pair that has not met, put into the row.
+    /// Puts the first pair that has not met into the row.
     void placeFirst(Row& row, std::vector<bool>& chosen, std::span<const std::size_t> counts) {
         while (!open_[first_]) {
             ++first_;
@@ -79,7 +79,7 @@ class OpenPairs {
 };
 
 /// Returns the choice of factor i that meets the most new partners among the factors already
-/// chosen. Ties go to different choices in different rows.
+/// chosen. `turn` makes ties go to different choices in different rows.
 std::size_t bestChoice(const OpenPairs& open, const Row& row, const std::vector<bool>& chosen,
                        std::size_t i, std::size_t count, std::size_t turn) {
     std::size_t best = turn % count;
@@ -108,8 +108,8 @@ void closeRow(OpenPairs& open, const Row& row) {
 
 } // namespace
 
-// A greedy choice per factor after a seed pair, as in Cohen, Dalal, Fredman and Patton, The AETG
-// System, IEEE TSE 23(7), 1997, with one candidate per row.
+// Each row begins with a pair that has not met and chooses the other factors greedily, as in Cohen,
+// Dalal, Fredman and Patton, The AETG System, IEEE TSE 23(7), 1997, with one candidate per row.
 std::vector<Row> pairwiseRows(std::span<const std::size_t> counts) {
     std::vector<Row> rows{Row(counts.size(), 0)};
     OpenPairs open(counts);

@@ -31,8 +31,8 @@ std::vector<double> packedInFloat(const EvalBlock& block) {
     return block.block == nullptr ? std::vector<double>() : inFloat(block.packedValues());
 }
 
-/// Devices take results below 1.2e-38 as 0; products of values below this may get there on the way
-/// to a result that is large again, so nothing is said about their digits.
+/// Is the least value whose digits are compared. Devices flush results below 1.2e-38 to 0, and
+/// products of smaller values may get there on the way to a result that is large again.
 constexpr double minExact = 1e-30;
 
 bool hasLostDigits(const std::vector<double>& values) {
@@ -40,8 +40,8 @@ bool hasLostDigits(const std::vector<double>& values) {
                        [](double x) { return x != 0.0 && std::abs(x) < minExact; });
 }
 
-/// For directions nearer to the horizon the sweep asks that values are finite and not negative, not
-/// that they have all digits: geometry is full of squares of cosines, which a float does not hold.
+/// Is the least cosine for which digits are compared. Nearer to the horizon values need only be
+/// finite and not negative, since squares of such cosines underflow in a float.
 constexpr double minExactCosine = 1e-9;
 
 bool hasLostDigits(const EvalPlace& place) {
@@ -58,11 +58,11 @@ std::vector<EvalPlace> edgeCasesOf(const EvalCase& variant) {
                                                         : edgeCaseDirections(variant.subject);
 }
 
-/// Places between the edge cases, where a formula of its own may break as well; a band of cosines
-/// that is 1/200 wide meets several.
+/// Is the number of places between the edge cases, where a formula may break as well; an interval
+/// of cosines that is 1/200 wide has several.
 constexpr std::size_t ordinaryCount = 2048;
 
-/// One place is all there are of a function of the block's values alone.
+/// Returns ordinary places; a function of the block's values alone has only one.
 std::vector<EvalPlace> ordinaryPlacesOf(const EvalCase& variant) {
     if (variant.subject != EvalCase::Subject::Fields) {
         return ordinaryPlaces(variant.subject, ordinaryCount);
@@ -71,11 +71,10 @@ std::vector<EvalPlace> ordinaryPlacesOf(const EvalCase& variant) {
     return ordinaryFields(fields, fields.empty() ? 1 : ordinaryCount);
 }
 
-/// One in so many of the places with a further set of values is an ordinary one.
+/// Says that one in so many of the places with a further set of values is an ordinary one.
 constexpr std::size_t ordinaryEvery = 4;
 
-/// Returns a step through the places that meets every one: it has no divisor in common with their
-/// number.
+/// Returns a step that reaches every place, since it is coprime to their number.
 std::size_t strideFor(std::size_t places) {
     std::size_t stride = places / 3 + 1;
     while (std::gcd(stride, places) != 1) {
@@ -84,7 +83,7 @@ std::size_t strideFor(std::size_t places) {
     return stride;
 }
 
-/// Returns evenly spread ones, so many of all; `phase` from 0 to 1 says where between two the first
+/// Returns so many evenly spread items; `phase` from 0 to 1 says where in the first step the first
 /// one lies.
 template <class Item>
 std::vector<Item> thinned(std::vector<Item> all, std::size_t count, double phase) {
@@ -100,7 +99,7 @@ std::vector<Item> thinned(std::vector<Item> all, std::size_t count, double phase
     return few;
 }
 
-/// So many places with each set of values, where the sweep is whole.
+/// Is the number of places with each set of values where the sweep is whole.
 constexpr std::size_t wholePlacesPerRow = 16;
 
 } // namespace
@@ -108,11 +107,11 @@ constexpr std::size_t wholePlacesPerRow = 16;
 /// Says what a program's share of a sweep is.
 struct StabilitySweep::Share {
     std::size_t cases = 0;
-    double phase = 0.0; ///< of what is left out, between 0 and 1
+    double phase = 0.0; ///< is that of thinned(), 0 .. 1
 };
 
-/// Holds one program's cases, numbered: every place with the variant's own values, then a few
-/// places, edge cases and ordinary ones, with every other row of values.
+/// Numbers the cases of one program and evaluates them: every place with the variant's own values,
+/// then a few places, edge cases and ordinary ones, with every other set of values.
 class StabilitySweep::Variant {
   public:
     Variant(const EvalCase& variant, const SweepOptions& options, const Share& share)
@@ -131,7 +130,7 @@ class StabilitySweep::Variant {
         ordinary_.clear();
     }
 
-    /// Makes what evaluates, evaluates all cases, then tries the claims.
+    /// Finds the code and links the program, evaluates all cases, then tries the claims.
     Steps run(std::string& withoutReference, SweepReport& report) {
         ++report.programs;
         Result<void> done = open(withoutReference, report);
@@ -159,7 +158,7 @@ class StabilitySweep::Variant {
     std::size_t leftOut() const { return wholeCount_ > count() ? wholeCount_ - count() : 0; }
 
   private:
-    /// Half of the cases have the variant's own values, and half the other sets.
+    /// Thins the cases out: half of them keep the variant's own values, half have the other sets.
     void thin(const Share& share) {
         const std::size_t ownPlaces = std::max<std::size_t>(1, share.cases / 2);
         const std::size_t furtherCases = share.cases - std::min(share.cases, ownPlaces);
@@ -179,7 +178,8 @@ class StabilitySweep::Variant {
         rows_.insert(rows_.begin(), own);
     }
 
-    /// An error when neither the CPU nor the device can evaluate.
+    /// Finds the code and links the program. It is an error where the program cannot be linked, or
+    /// neither the CPU nor the device can evaluate.
     Result<void> open(std::string& withoutReference, SweepReport& report) {
         if (options_.cpu) {
             const auto code = ReferenceCode::find(variant_);
@@ -265,7 +265,8 @@ class StabilitySweep::Variant {
         return all;
     }
 
-    /// Cases from + begin .. from + end; `drawn` holds the device's numbers from case `from` on.
+    /// Checks the cases from + begin .. from + end; `drawn` holds the device's numbers from case
+    /// `from` on.
     void examine(std::size_t from, std::size_t begin, std::size_t end,
                  const std::vector<float>& drawn, SweepReport& report) const {
         std::unique_ptr<ReferenceCase> bound;
@@ -342,16 +343,16 @@ class StabilitySweep::Variant {
     SweepOptions options_;
     EvalCase variant_;
     std::vector<EvalCase> rows_;
-    std::vector<EvalPlace> places_;   ///< the edge cases, then ordinary ones
-    std::vector<EvalPlace> ordinary_; ///< until they are among them
+    std::vector<EvalPlace> places_;   ///< are the edge cases, then ordinary ones
+    std::vector<EvalPlace> ordinary_; ///< is empty once they are in places_
     std::size_t edgeCaseCount_ = 0;
     std::size_t placesPerRow_ = 0;
-    std::size_t wholeCount_ = 0; ///< of cases, where nothing is left out
+    std::size_t wholeCount_ = 0; ///< counts cases where nothing is left out
     std::size_t stride_ = 1;
     ValueChecks checks_;
     std::optional<ReferenceCode> code_;
     std::optional<EvalProgram> program_;
-    std::optional<ClaimSweep> claims_; ///< of what is not there in double precision
+    std::optional<ClaimSweep> claims_; ///< exist where there is no double-precision code
     std::size_t done_ = 0;
 };
 
@@ -393,7 +394,7 @@ StabilitySweep::Share StabilitySweep::shareOf(std::size_t index) const {
     return {options_.cases / count, static_cast<double>(index) / static_cast<double>(count)};
 }
 
-/// Goes from program to program. A step makes one, or evaluates a slice of its cases.
+/// Goes through the programs. A step makes one, or evaluates a slice of its cases.
 Steps StabilitySweep::run() {
     for (; done_ < variants_.size(); ++done_) {
         if (done_ > 0) {

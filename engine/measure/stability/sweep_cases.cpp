@@ -19,7 +19,7 @@ bool isZero(const Value& value) {
     return value == Value(0.0);
 }
 
-/// Returns what of a value is part of the program.
+/// Returns the number of the program that a value needs: values with the same number share one.
 std::size_t compiledState(const Parameter& parameter, const Value& value) {
     switch (parameter.compiled) {
     case Compiled::Yes:
@@ -45,7 +45,7 @@ Candidates zeroAndNot(const Parameter& parameter) {
     return both;
 }
 
-/// Returns what a parameter's compiled part can be; empty when it has none.
+/// Returns a value for each program that a parameter can need; empty where it is not compiled in.
 Candidates compiledCandidates(const Parameter& parameter) {
     switch (parameter.compiled) {
     case Compiled::Yes:
@@ -78,8 +78,7 @@ EvalBlock defaults(const Block& block) {
     return made;
 }
 
-/// Returns the block with the compiled choices that a row of pairwiseRows(compiledCounts(block))
-/// names.
+/// Returns the block with the compiled choices of a row of pairwiseRows(compiledCounts(block)).
 EvalBlock chosen(const Block& block, const std::vector<std::size_t>& row) {
     EvalBlock made = defaults(block);
     std::size_t next = 0;
@@ -94,7 +93,7 @@ EvalBlock chosen(const Block& block, const std::vector<std::size_t>& row) {
     return made;
 }
 
-/// As few rows as have every choice: the pairs are for the filler's own sweep.
+/// Returns as few rows as contain every choice; pairs of them are left to the filler's own sweep.
 std::vector<std::vector<std::size_t>> everyChoiceOnce(const std::vector<std::size_t>& counts) {
     const std::size_t maxCount =
         counts.empty() ? 1 : *std::max_element(counts.begin(), counts.end());
@@ -123,7 +122,7 @@ std::vector<EvalBlock> fillers(const Catalog& catalog, const Block& block) {
     return all;
 }
 
-/// Returns what a parameter may be without another program: its own value first.
+/// Returns the edge-case values that need no other program, with the parameter's own value first.
 Candidates candidates(const Parameter& parameter, const Value& own) {
     Candidates values{own};
     for (const Value& value : edgeCaseValues(parameter)) {
@@ -135,7 +134,7 @@ Candidates candidates(const Parameter& parameter, const Value& own) {
     return values;
 }
 
-/// Represents one parameter of a case, of its block or of what fills its slot.
+/// Names a parameter of a case's block, or of what fills its slot, and the values it takes.
 struct Factor {
     EvalBlock EvalCase::*part;
     const Parameter* parameter;
@@ -159,7 +158,7 @@ std::vector<Factor> factorsOf(const EvalCase& variant) {
     return factors;
 }
 
-/// Returns a value that a slider reaches.
+/// Returns a random value that a slider reaches.
 double sliderValue(const Parameter& parameter, std::mt19937& random) {
     const double low = parameter.softMin;
     const double high = parameter.softMax;
@@ -197,8 +196,7 @@ void addChoices(std::string& text, const EvalBlock& block) {
     }
 }
 
-/// A material's levels serve its model and its Fresnel block: each takes those that it
-/// knows.
+/// Returns a block with values and with those of the material's levels that it knows.
 EvalBlock valued(const Block& block, const BlockValues& values, const AccuracyLevels& levels) {
     EvalBlock made = defaults(block);
     for (const auto& [id, level] : levels) {

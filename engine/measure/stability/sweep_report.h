@@ -11,7 +11,7 @@
 
 namespace patina {
 
-/// Tells what can be wrong with a value, and then with the values that a claim is about.
+/// Tells what is wrong with a value, or, from NotReciprocal on, which claim several values break.
 enum class Defect {
     NotANumber,
     Infinite,
@@ -28,41 +28,41 @@ enum class Defect {
 /// Returns "not a number", "negative", ...
 const char* wordsFor(Defect defect);
 
-/// Represents one value that is wrong.
+/// Describes one value that is wrong.
 struct SweepFinding {
     Defect defect = Defect::NotANumber;
-    EvalCase request;         ///< with `gpu` set to where it went wrong
-    ReferenceNumbers value{}; ///< what was returned, as many numbers as the block answers
+    EvalCase request;         ///< has `gpu` set where the device's value is wrong
+    ReferenceNumbers value{}; ///< is what was returned; the first `numbers` are used
     std::size_t numbers = 3;
-    ReferenceNumbers exact{}; ///< in double precision, or by the claim; for a claim one number
-    /// Is how bad: |error| over its bound for Inaccurate and claims, else the size of the number.
+    ReferenceNumbers exact{}; ///< is in double precision; for a claim the first is its limit
+    /// Is |error| over its bound for Inaccurate and claims, else the size of the number.
     double excess = 0.0;
 };
 
-/// Everything of one defect in one place.
+/// Counts the findings of one SweepKey and holds the worst.
 struct SweepTally {
     std::size_t count = 0;
     SweepFinding worst;
 };
 
-/// Names what is counted as one: a defect of a function in one precision.
+/// Names what is counted together: a defect of a function in one precision.
 struct SweepKey {
-    bool gpu = false; ///< on the graphics device
+    bool gpu = false; ///< says that it is the graphics device's
     Defect defect = Defect::NotANumber;
-    std::string_view call{}; ///< the suffix of the function
+    std::string_view call{}; ///< is the suffix of the function
 
     friend auto operator<=>(const SweepKey&, const SweepKey&) = default;
 };
 
 /// Holds what a sweep has found so far.
 struct SweepReport {
-    std::size_t cases = 0; ///< evaluated, on the CPU, the graphics device or both
+    std::size_t cases = 0; ///< counts those evaluated, on the CPU, the device or both
     std::size_t programs = 0;
-    double largestError = 0.0; ///< of |error| over its bound, or over as much of it as was enough
+    double largestError = 0.0; ///< is |error| over its bound (ErrorBound::excess())
     std::map<SweepKey, SweepTally> defects;
-    Errors errors;              ///< why a program could not be tried
-    bool withoutDouble = false; ///< some program was tried on the graphics device only
-    bool withoutDevice = false; ///< some program was tried in double precision only
+    Errors errors;              ///< say why a program could not be tried
+    bool withoutDouble = false; ///< says that a program was tried on the device only
+    bool withoutDevice = false; ///< says that a program was tried on the CPU only
 
     bool isClean() const { return defects.empty() && errors.empty(); }
 

@@ -12,11 +12,12 @@
 namespace patina {
 namespace {
 
-/// Fine enough for the lobes that models have by default.
+/// Is fine enough for the lobes that models have by default.
 constexpr HemisphereRuleSize rule{3, 0.35};
 
-/// Light at a share of the hemisphere, by the square of its sine, which is even in projected solid
-/// angle: Gauss and Legendre with four nodes on 0 .. 1 (Abramowitz and Stegun 25.4.30).
+/// Is a node of the rule over directions of the light. The square of the sine is uniform in
+/// projected solid angle; the rule on its range 0 .. 1 is Gauss-Legendre with four nodes
+/// (Abramowitz and Stegun 25.4.30).
 struct LightNode {
     double sin2 = 0.0;
     double weight = 0.0;
