@@ -18,10 +18,11 @@ constexpr glm::ivec2 cellSizeOnDevice{1024, 1024};
 
 constexpr int framesOfCell = 7;
 
-/// Work between two looks at whether nobody wants it any more.
+/// Is the time of work between two calls of isCancelled.
 constexpr std::chrono::milliseconds slice{20};
 
-/// Goes on with what is made in steps until it is done.
+/// Calls step() of `stepped` until it is done. It is an error where a step fails or it is
+/// cancelled.
 template <class Stepped>
 Result<void> finished(Stepped& stepped, const std::function<bool()>& isCancelled) {
     while (true) {

@@ -11,10 +11,11 @@
 namespace patina {
 namespace {
 
-/// Times within this share of each other are taken for equal, as are those whose intervals meet.
+/// Is the relative difference within which times are taken for equal, as are those whose intervals
+/// meet.
 constexpr double timeNoise = 0.03;
 
-/// Below this an error is the rounding of floats, and everything as good as exact.
+/// Is the error below which a point is as good as exact, since it is the rounding of floats.
 constexpr double minError = 1e-6;
 constexpr double errorNoise = 0.02;
 
@@ -22,18 +23,18 @@ double timeOf(const CostPoint& point) {
     return point.cost.ratio.median;
 }
 
-/// Returns the interval of the ratio to the exact frame. The noise of pairs of that and itself is
-/// none of it: others' ratios have their own.
+/// Returns the interval of the ratio to the exact frame. That of the exact frame to itself is a
+/// point, since the other ratios already have its noise.
 MedianInterval intervalOf(const CostPoint& point) {
     const double time = timeOf(point);
     return point.isExact() ? MedianInterval{time, time, time} : point.cost.ratio;
 }
 
-/// Says what is drawn as a level is.
+/// Lists the levels that are drawn as a given one.
 struct SameNames {
-    std::string names; ///< of the other levels
+    std::string names; ///< are those of the other levels
     int count = 0;
-    int samples = 0; ///< SameLevel::samples
+    int samples = 0; ///< is a SameLevel::samples
 };
 
 SameNames namesOfSame(const std::vector<SameLevel>& same, const Choice& choice,
@@ -49,8 +50,8 @@ SameNames namesOfSame(const std::vector<SameLevel>& same, const Choice& choice,
     return found;
 }
 
-/// Names two levels that are one. For samples it says what the device draws, which may be none of
-/// these levels.
+/// Returns a sentence that names levels which are drawn alike. For samples it says how many the
+/// device takes, which may be none of these levels.
 std::string sentenceOf(const SameNames& same, const Choice& choice, const ChoiceLevel& level) {
     if (same.samples > 0) {
         return fmt::format("{}: {}, {} are {} drawn with {} here", choice.label, level.label,
@@ -68,8 +69,7 @@ bool isFaster(const CostPoint& a, const CostPoint& b) {
     return timeOf(a) < timeOf(b) && !tiesInTime(a, b);
 }
 
-/// Orders from the most accurate point on; of equally accurate ones the exact one, then the
-/// fastest.
+/// Tells whether `a` is more accurate, or as accurate and the exact one, or else the faster one.
 bool comesBefore(const CostPoint& a, const CostPoint& b) {
     if (knownError(a) != knownError(b)) {
         return knownError(a) < knownError(b);
@@ -77,7 +77,8 @@ bool comesBefore(const CostPoint& a, const CostPoint& b) {
     return a.isExact() != b.isExact() ? a.isExact() : timeOf(a) < timeOf(b);
 }
 
-/// Tells whether it is faster than all of the front that err no more, if by no more than the noise.
+/// Tells whether a point is faster than all of the front that have no larger error, even if only by
+/// the noise.
 bool isNearlyFaster(const CostPoint& point, const std::vector<CostPoint>& points,
                     const std::vector<std::size_t>& front) {
     return std::ranges::all_of(front, [&](std::size_t before) {
@@ -90,7 +91,7 @@ bool fits(const CostBudget& budget, const CostPoint& point) {
            (!budget.error || errorOf(point) <= *budget.error);
 }
 
-/// Returns how far beyond the budget a point is.
+/// Returns the largest share of the budget that a point takes; above 1 where it exceeds it.
 double excess(const CostBudget& budget, const CostPoint& point) {
     double largest = 0.0;
     if (budget.milliseconds) {
@@ -102,7 +103,7 @@ double excess(const CostBudget& budget, const CostPoint& point) {
     return largest;
 }
 
-/// Chooses among points that fit the one that a budget of time, or else one of error, buys.
+/// Chooses among points that fit: the most accurate one for a budget of time, else the fastest one.
 std::size_t bought(const CostBudget& budget, const std::vector<CostPoint>& points,
                    const std::vector<std::size_t>& fitting) {
     const auto time = [&points](std::size_t i) { return timeOf(points[i]); };
@@ -119,8 +120,8 @@ std::size_t bought(const CostBudget& budget, const std::vector<CostPoint>& point
                         : *std::ranges::min_element(alike, {}, error);
 }
 
-/// Chooses among points none of which fits the one that exceeds a budget least; among those that
-/// take as long, as far as can be told, the most accurate.
+/// Chooses among points of which none fits the one that exceeds the budget least; for a budget of
+/// time alone, the most accurate of those that tie with it in time.
 std::size_t nearest(const CostBudget& budget, const std::vector<CostPoint>& points,
                     const std::vector<std::size_t>& all) {
     const auto over = [&](std::size_t i) { return excess(budget, points[i]); };
@@ -242,7 +243,7 @@ std::vector<std::size_t> costFront(const std::vector<CostPoint>& points) {
             })) {
             continue;
         }
-        // The exact one, where another is as accurate and faster.
+        // Both are as accurate and this one is faster: the one before is the exact one.
         if (!front.empty() && knownError(points[front.back()]) == knownError(points[i])) {
             front.pop_back();
         }

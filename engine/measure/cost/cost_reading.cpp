@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Charts of costs as they were written.
+// This file reads charts of costs that costJson() wrote.
 #include "measure/cost/cost_table.h"
 
 namespace patina {
@@ -7,7 +7,7 @@ namespace {
 
 using nlohmann::json;
 
-/// A bound that is null was not known.
+/// Returns an interval; a bound that is null was not known and becomes the median.
 MedianInterval intervalFrom(const json& from) {
     const double median = from.at("median").get<double>();
     const auto bound = [&](const char* name) {

@@ -22,18 +22,19 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 
-/// The share of the time that pairs of single choices may take.
+/// Is the share of the time that pairs of single choices may take.
 constexpr double shareOfPairs = 0.6;
 
-/// Is the share of the time after which no single choice has more than one pair: it ends with that.
+/// Is the share of the time after which each single choice gets one pair only.
 constexpr double shareOfSingles = 0.95;
-/// Times a point's share of the time: with so much it ends, whatever it has.
+/// Is the factor of a point's share of the time after which the point ends with the pairs it has.
 constexpr double longestShare = 3.0;
 
-/// Is the share of a point's progress that ends when its frame is drawn.
+/// Is the share of a point's progress that is reached when its frame is drawn.
 constexpr double drawnShare = 0.3;
 
-/// The exact frame takes as long as itself; how far its pairs are apart says what noise there is.
+/// Returns the ratio of the exact frame to itself: 1, with the relative spread of its pairs as the
+/// noise.
 MedianInterval besideItself(const MedianInterval& ratio) {
     return {1.0, std::min(ratio.lower / ratio.median, 1.0),
             std::max(ratio.upper / ratio.median, 1.0)};
@@ -125,7 +126,7 @@ class CostSweep::Implementation {
         }
     }
 
-    /// Makes the frames that errors are measured against.
+    /// Makes the frames with which points are compared.
     Steps makeStandard() {
         Result<bool> done = standard_->step(patience_);
         while (done && !*done) {
@@ -157,8 +158,8 @@ class CostSweep::Implementation {
         singles_ = plan_.waiting();
     }
 
-    /// Times the frame in which nothing of what is measured is shaded, once more than counts: the
-    /// first time only warms up.
+    /// Times the frame in which nothing of what is measured is shaded, after one that only warms
+    /// up.
     Steps timeEmptyFrames() {
         const ChosenFrame frame = frames_.empty();
         drawn_->timeOf(frame.scene, frame.view);
@@ -174,8 +175,8 @@ class CostSweep::Implementation {
 
     bool hasTime() const { return spent_ + longestPoint_ < options_.seconds; }
 
-    /// No combination is begun that would hardly end in time, and nothing that is known by another
-    /// name.
+    /// Returns the next point to measure: no combination that would hardly end in time, and nothing
+    /// that is drawn as a measured point.
     std::optional<ChosenLevels> nextLevels() {
         while (begun_ < singles_ || hasTime()) {
             std::optional<ChosenLevels> levels = plan_.next(chart_);
@@ -229,15 +230,16 @@ class CostSweep::Implementation {
                                    {subject.catalog, subject.meshes});
     }
 
-    /// Some levels have nothing to do in a material: they draw the exact picture, bit for bit, with
-    /// as many instructions, and take as long.
+    /// Tells whether the levels have no effect on the material: they draw the exact picture bit for
+    /// bit, with as many instructions.
     bool changesNothing(const CostPoint& point, const LinearFrame& frame) const {
         const CostPoint* exact = chart_.find({});
         return frames_.isOfMaterial() && exact != nullptr && point.instructions &&
                point.instructions == exact->instructions && frame.colors == exactColors_;
     }
 
-    /// A level by itself is the exact one by another name.
+    /// Notes a single level without effect as drawn like the exact one. A combination becomes a
+    /// point whose time is the exact one's.
     void fold(CostPoint point, double began) {
         if (point.levels.size() > 1) {
             point.cost.settled = true;
@@ -270,7 +272,8 @@ class CostSweep::Implementation {
         }
     }
 
-    /// Singles share the time that is left, so that they end in time however slow they are.
+    /// Returns the limits of a point's pairs. Single choices share the time that is left, so that
+    /// they end in time however slow they are.
     PairedFrames::Limits limits() const {
         const double usual = shareOfPairs * options_.seconds / double(singles_);
         const std::size_t left = begun_ <= singles_ ? singles_ - begun_ + 1 : 1;
@@ -279,7 +282,8 @@ class CostSweep::Implementation {
         return {options_.pairs, std::min(usual, mine), std::min(longestShare * usual, mine)};
     }
 
-    /// The times of all points are told anew: every pair says more about the exact frame.
+    /// Adds a point and computes the times of all points again, since every pair makes the exact
+    /// frame's time more precise.
     void add(CostPoint added, double began) {
         chart_.points.push_back(std::move(added));
         longestPoint_ = std::max(longestPoint_, spent_ - began);
@@ -289,7 +293,7 @@ class CostSweep::Implementation {
         }
     }
 
-    /// The work that is on, its share that is done, and the levels it is about.
+    /// Describes the current work, its levels, and the share of it that is done.
     struct Doing {
         SweepStep::Work work = SweepStep::Work::GroundTruthFrame;
         ChosenLevels levels;
@@ -302,15 +306,15 @@ class CostSweep::Implementation {
     CostChart chart_;
     SweepPlan plan_;
     std::size_t singles_ = 0;
-    std::size_t begun_ = 0;     ///< points
+    std::size_t begun_ = 0;     ///< counts points
     double longestPoint_ = 0.0; ///< seconds
     std::optional<ErrorStandard> standard_;
     double secondsInAll_ = 0.0;
     MedianInterval empty_; ///< milliseconds of a frame without what is measured
     std::vector<double> exactTimes_;
-    std::vector<glm::dvec3> exactColors_; ///< as the device draws them
+    std::vector<glm::dvec3> exactColors_; ///< are the exact frame's as the device draws it
     Doing doing_;
-    std::chrono::milliseconds patience_{}; ///< of the step that is on
+    std::chrono::milliseconds patience_{}; ///< is the current step's
     Clock::duration spentUntilNow_{};
     double spent_ = 0.0; ///< seconds of work
     Errors problems_;

@@ -10,14 +10,15 @@
 
 namespace patina {
 
-/// Measures what each choice of a material costs and how wrong it is: the exact frame, every level
-/// by itself, then the combinations that may be on the front. Works in steps; points are there as
-/// soon as they are measured. Made, used and destroyed with one context current.
+/// Measures the time and the error of each choice of a material: the exact frame, every level by
+/// itself, then the combinations that may be on the front. It works in steps, and chart() has each
+/// point as soon as it is measured. It must be made, used and destroyed with the same context
+/// current.
 class CostSweep {
   public:
-    /// Holds what is measured. The catalogue and the meshes must stay while it is.
+    /// Says what is measured. The meshes and images must stay valid meanwhile.
     struct Subject {
-        Scene scene; ///< its ground is left out: nothing of it can be computed more cheaply
+        Scene scene; ///< is measured without its ground, which has no choices
         std::size_t object = 0;
         Camera camera;
         MeshSource meshes;
@@ -27,40 +28,40 @@ class CostSweep {
     };
 
     struct Options {
-        /// Pixels; 0: 1024 x 1024, 256 x 256 where the CPU draws, 64 x 64 where that draws pictures
-        /// under an environment.
+        /// Is in pixels. 0 means 1024 x 1024, 256 x 256 where the CPU draws, and 64 x 64 where that
+        /// draws pictures under an environment.
         glm::ivec2 size{0};
         Choice::Scope scope = Choice::Scope::Material;
         std::filesystem::path programCache{};
         CostPairs::Options pairs{};
-        double seconds = 60.0;    ///< no combination is begun after that, and pairs get fewer
-        bool combinations = true; ///< not only single choices
-        ChosenLevels present{};   ///< what there is now is measured, too
-        std::vector<std::string> only{}; ///< Choice::id of what is measured; empty: of all
+        double seconds = 60.0;    ///< after which no combination is begun; pairs get fewer for it
+        bool combinations = true; ///< asks for them, not only for single choices
+        ChosenLevels present{};   ///< are measured in any case
+        std::vector<std::string> only{}; ///< are the Choice::id of what is measured; empty: all
     };
 
     static Result<std::unique_ptr<CostSweep>> create(Subject subject, const Options& options);
     ~CostSweep();
 
-    /// Works for about so long, or for one frame where that takes longer: a frame that is timed is
-    /// drawn at once, and a program is made at once.
+    /// Works for about so long, or longer where one frame that is timed, or one program, takes
+    /// longer.
     void step(std::chrono::milliseconds patience);
     bool finished() const;
     SweepStep doing() const;
-    double progress() const; ///< 0 .. 1; falls back when combinations are found worth measuring
+    double progress() const; ///< 0 .. 1; falls when combinations turn out worth measuring
 
     /// Holds what was measured so far.
     const CostChart& chart() const;
 
-    /// Says why it ended before its time; empty while all is well.
+    /// Returns why it ended early; empty while all is well.
     const Errors& problems() const;
 
-    /// Returns the frame that errors are measured against, of points with the exact one's
-    /// directions of an environment; null before it is there.
+    /// Returns the frame with which points are compared that have the exact one's directions of an
+    /// environment; null before it is done.
     const LinearFrame* groundTruth() const;
 
-    /// Returns where the levels go wrong: the relative error of each pixel, rows from the top.
-    /// Draws a frame; empty before there is one to compare with.
+    /// Draws the frame of these levels and returns the relative error of each pixel, rows from the
+    /// top. Empty before there is a frame to compare with, or where drawing fails.
     std::vector<double> errorMap(const ChosenLevels& levels);
 
   private:

@@ -51,14 +51,14 @@ std::string tiesText(const CostChart& chart) {
             names += (names.empty() ? "" : ", ") + levelsText(chart.points[other].levels);
         }
         if (!names.empty()) {
-            text += fmt::format("{} cannot be told from {}\n",
-                                levelsText(chart.points[i].levels), names);
+            text += fmt::format("{} cannot be told from {}\n", levelsText(chart.points[i].levels),
+                                names);
         }
     }
     return text;
 }
 
-/// Returns a line below the table; none for an empty text.
+/// Returns a text as a line below the table; empty for an empty text.
 std::string lineOf(const std::string& text) {
     return text.empty() ? text : text + '\n';
 }
@@ -111,9 +111,13 @@ nlohmann::json choiceJson(const Choice& choice) {
         levels.push_back({{"id", level.id}, {"label", level.label}, {"doc", level.doc}});
     }
     const bool isOfPicture = choice.scope == Choice::Scope::Picture;
-    return {{"id", choice.id},       {"key", choice.key}, {"label", choice.label},
-            {"doc", choice.doc},     {"block", choice.block},
-            {"levels", levels},      {"scope", isOfPicture ? "picture" : "material"}};
+    return {{"id", choice.id},
+            {"key", choice.key},
+            {"label", choice.label},
+            {"doc", choice.doc},
+            {"block", choice.block},
+            {"levels", levels},
+            {"scope", isOfPicture ? "picture" : "material"}};
 }
 
 nlohmann::json sameJson(const std::vector<SameLevel>& same) {
@@ -160,14 +164,14 @@ std::string costCsv(const CostChart& chart, const std::string& name, bool withNa
         const CostPoint& point = chart.points[i];
         const ChoiceCost& cost = point.cost;
         const FrameError& error = point.error;
-        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
-                            csvText(name), csvText(levelsText(point.levels)), cost.ratio.median,
-                            boundsCsv(cost.ratio, cost.runs), cost.milliseconds.median,
-                            cost.nanosecondsPerPixel,
-                            instructionsText(point.instructions), cost.runs, error.p99, error.max,
-                            error.mean, error.rms, error.stepShare, error.shown, error.flip,
-                            standing[i] == Standing::OnFront ? 1 : 0, cost.settled ? 1 : 0,
-                            cost.belowNoise ? 1 : 0, standing[i] == Standing::Tie ? 1 : 0);
+        text +=
+            fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csvText(name),
+                        csvText(levelsText(point.levels)), cost.ratio.median,
+                        boundsCsv(cost.ratio, cost.runs), cost.milliseconds.median,
+                        cost.nanosecondsPerPixel, instructionsText(point.instructions), cost.runs,
+                        error.p99, error.max, error.mean, error.rms, error.stepShare, error.shown,
+                        error.flip, standing[i] == Standing::OnFront ? 1 : 0, cost.settled ? 1 : 0,
+                        cost.belowNoise ? 1 : 0, standing[i] == Standing::Tie ? 1 : 0);
     }
     return text;
 }
@@ -201,11 +205,10 @@ std::string ratioText(const ChoiceCost& cost, RatioBound bound, int digits) {
         bound == RatioBound::Unknown
             ? "-"
             : fmt::format("{}{:.{}f}", boundSign(bound), ratio.median, digits);
-    const std::string interval =
-        bound == RatioBound::Unknown
-            ? std::string()
-            : fmt::format("({:.{}f} .. {:.{}f}){}", ratio.lower, digits, ratio.upper, digits,
-                          doubtOf(cost));
+    const std::string interval = bound == RatioBound::Unknown
+                                     ? std::string()
+                                     : fmt::format("({:.{}f} .. {:.{}f}){}", ratio.lower, digits,
+                                                   ratio.upper, digits, doubtOf(cost));
     return fmt::format("{:>6} {}", number, interval);
 }
 

@@ -19,19 +19,20 @@ namespace {
 constexpr glm::ivec2 effectSizeOnCpu{256, 256};
 constexpr glm::ivec2 effectSizeOnDevice{1024, 1024};
 
-/// The first frames compile and let the driver prepare, which small ones do as well.
+/// Is the edge of the first frames, pixels: they compile and let the driver prepare, for which
+/// small ones are enough.
 constexpr int warmUpEdge = 16;
 
-/// Smaller frames say little of larger ones.
+/// Is the least edge of a timed frame, pixels: smaller frames say little about larger ones.
 constexpr int minEdge = 64;
 
-/// An interval of 95 % needs 6 samples.
+/// Is the least number of rounds; an interval of 95 % needs 6 samples.
 constexpr int minRounds = 7;
 
-/// A size that is larger by less is not worth another trial.
+/// Is the factor of the edge below which a larger size is not worth another trial.
 constexpr double minGrowth = 1.2;
 
-/// The rest of the time is for frames that count.
+/// Is the share of the time that warming up may take.
 constexpr double maxOfWarmUp = 0.5;
 
 glm::ivec2 effectSize(glm::ivec2 wanted) {
@@ -41,7 +42,8 @@ glm::ivec2 effectSize(glm::ivec2 wanted) {
     return gl::isSoftware() ? effectSizeOnCpu : effectSizeOnDevice;
 }
 
-/// Keeps the shape; no smaller than one pixel, no larger than it is.
+/// Returns a size of the same shape with this shorter edge; no smaller than one pixel, and no
+/// larger than `size`.
 glm::ivec2 withShortEdge(glm::ivec2 size, double edge) {
     const double part = std::min(1.0, edge / std::min(size.x, size.y));
     return glm::max(glm::ivec2(part * glm::dvec2(size)), glm::ivec2(1));
@@ -100,7 +102,7 @@ class EffectCostMeter::Implementation {
     }
 
   private:
-    /// Represents an effect that is measured, and the scene without it.
+    /// Holds an effect that is measured, and the scene without it.
     struct Test {
         std::string effect;
         Scene scene;
@@ -113,8 +115,8 @@ class EffectCostMeter::Implementation {
     int warmUpFrames() const { return 1 + static_cast<int>(ready_); }
     int pairs() const { return static_cast<int>(frames_.size()); }
 
-    /// Returns milliseconds of a frame. What it takes altogether, or up to `most` seconds of that,
-    /// counts as spent.
+    /// Returns the milliseconds of a frame. The seconds that drawing it takes in all, up to
+    /// `maxSeconds`, count as spent.
     double timeOf(const Scene& scene, double maxSeconds = std::numeric_limits<double>::infinity()) {
         const auto began = Clock::now();
         const double time = drawn_->timeOf(scene, view_);
@@ -138,13 +140,13 @@ class EffectCostMeter::Implementation {
         return isLate || pairs() >= rounds_ * perRound() || !drawn_->problems().empty();
     }
 
-    /// Draws small frames, which make all programs: the whole one, then one without each effect
+    /// Draws small frames, which make all programs: the complete one, then one without each effect
     /// while there is time for it.
     Steps warmUp() {
         drawn_->resize(withShortEdge(size_, warmUpEdge));
         timeOf(subject_.scene, 0.0);
         timeOf(subject_.scene);
-        const double warmFrame = last_; // compiles nothing
+        const double warmFrame = last_; // of a frame that compiles nothing
         for (warm_ = 1; warm_ < warmUpFrames(); ++warm_) {
             co_yield Steps::Pause();
             timeOf(tests_[static_cast<std::size_t>(warm_) - 1].scene, warmFrame);
@@ -154,9 +156,9 @@ class EffectCostMeter::Implementation {
         }
     }
 
-    /// As large as is wanted or, where frames may shrink, as still ends in time with the fewest
-    /// rounds: a frame takes at most so much longer as it has more pixels. A frame of the size is
-    /// drawn, so that the driver has prepared for it.
+    /// Chooses the size that is wanted or, where frames may shrink, the largest with which the
+    /// fewest rounds end in time, if the time grows with the pixels. It draws a frame of that size,
+    /// so that the driver has prepared for it.
     void chooseSize() {
         glm::ivec2 size = mayShrink_ ? withShortEdge(size_, minEdge) : size_;
         for (double growth = 2.0; growth > minGrowth;) {
@@ -186,7 +188,7 @@ class EffectCostMeter::Implementation {
 
     double secondsOfPair() const { return frames_.empty() ? 0.0 : counted_ / pairs(); }
 
-    /// Returns what the fewest pairs of every effect take, beside what is no pair.
+    /// Returns the seconds that the fewest pairs of every effect take, with all that is no pair.
     double secondsForAll() const {
         const auto minPairs = static_cast<double>(minRounds * tests_.size());
         return spent_ - counted_ + minPairs * secondsOfPair();
@@ -198,13 +200,13 @@ class EffectCostMeter::Implementation {
     bool mayShrink_;
     std::unique_ptr<TimedFrames> drawn_;
     glm::ivec2 size_;
-    int warm_ = 0;         ///< small frames that were drawn
-    double last_ = 0.0;    ///< seconds that the newest frame took altogether
+    int warm_ = 0;         ///< counts small frames that were drawn
+    double last_ = 0.0;    ///< seconds that the newest frame took in all
     double spent_ = 0.0;   ///< seconds
-    double counted_ = 0.0; ///< of them, those of pairs
+    double counted_ = 0.0; ///< seconds of spent_ that pairs took
     View view_;
     std::vector<Test> tests_;
-    std::size_t ready_ = 0;      ///< so many of the tests are measured
+    std::size_t ready_ = 0;      ///< counts the first tests, which are measured
     std::vector<double> frames_; ///< milliseconds of frames with everything
     Steps run_;
 };

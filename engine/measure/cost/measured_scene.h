@@ -9,8 +9,8 @@ inline void leaveGround(Scene& scene) {
     scene.ground.mode = GroundMode::Off;
 }
 
-/// Leaves a scene the surfaces of its objects alone: neither the ground nor lines along edges, of
-/// which a frame that is evaluated in double precision knows nothing.
+/// Removes the ground and the lines along edges from a scene, which a frame in double precision
+/// does not have.
 inline void leaveSurfaces(Scene& scene) {
     leaveGround(scene);
     for (Object& object : scene.objects) {

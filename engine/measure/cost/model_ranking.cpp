@@ -28,12 +28,12 @@ glm::ivec2 chosenSize(glm::ivec2 wanted) {
     return gl::isSoftware() ? sizeOnCpu : sizeOnDevice;
 }
 
-/// In each round every model has so many pairs, so that what the machine does in the meantime, for
-/// minutes perhaps, meets all of them and is in each model's interval.
+/// Is the number of pairs of a model in each round. It is small, so that other load of the machine,
+/// perhaps for minutes, affects all models and shows in each one's interval.
 constexpr int pairsPerTurn = 2;
 constexpr int minTurns = 6;
 
-/// Divides numbers that are known by intervals; leaves the first where the second may be 0.
+/// Returns the quotient of two numbers with intervals; the first number where the second may be 0.
 MedianInterval quotient(const MedianInterval& a, const MedianInterval& b) {
     return b.lower > 0.0 ? MedianInterval{a.median / b.median, a.lower / b.upper, a.upper / b.lower}
                          : a;
@@ -106,15 +106,15 @@ class ModelRanking::Implementation {
     const Errors& problems() const { return problems_; }
 
   private:
-    /// Says what is known of a model.
+    /// Holds what has been measured of a model.
     struct Ranked {
         CostPairs pairs;
-        int turns = 0; ///< that are done
+        int turns = 0; ///< counts those that are done
         std::optional<InstructionCount> instructions{};
         std::optional<double> albedoLoss{};
     };
 
-    /// Model after model, round after round. A step is a pair of frames.
+    /// Measures model after model, round after round. A step is a pair of frames.
     Steps run() {
         measureFrame();
         for (; !isOver(); model_ = (model_ + 1) % models_.size()) {
@@ -152,7 +152,8 @@ class ModelRanking::Implementation {
         return scene;
     }
 
-    /// Measures what is the same for all: how many pixels are shaded, and the frame without them.
+    /// Measures what is the same for all models: how many pixels are shaded, and the frame without
+    /// them.
     void measureFrame() {
         first_ = sceneOf(*models_.front());
         const auto buffer = drawn_->renderer().surfaces().capture(first_, view_, drawn_->meshes());
@@ -175,7 +176,7 @@ class ModelRanking::Implementation {
         began_ = Clock::now();
     }
 
-    /// The time is spent, and there are as many pairs as an interval needs.
+    /// Tells whether the time is spent and the model has as many pairs as an interval needs.
     bool isLate(const Ranked& model) const {
         const std::chrono::duration<double> spent = Clock::now() - began_;
         return spent.count() > options_.seconds && model.pairs.runs() >= options_.pairs.min;
@@ -206,8 +207,8 @@ class ModelRanking::Implementation {
     Scene first_;
     MedianInterval empty_;
     std::size_t pixels_ = 0;
-    std::vector<Ranked> ranked_; ///< in the order of the models
-    std::size_t model_ = 0;      ///< whose turn it is
+    std::vector<Ranked> ranked_; ///< are in the order of models_
+    std::size_t model_ = 0;      ///< is the index of the model whose turn it is
     Clock::time_point began_;
     std::vector<double> firstTimes_;
     Errors problems_;

@@ -11,34 +11,34 @@
 
 namespace patina {
 
-/// Holds what a model costs with its defaults.
+/// Holds the cost of a model with its defaults.
 struct ModelCost {
     std::string model;
     std::string label;
-    ChoiceCost cost;                              ///< ratios are to the quickest model
-    std::optional<InstructionCount> instructions; ///< of its program, where that can be counted
-    /// Is the share of an even white sky's light that it keeps; below 0: it sends out more than
-    /// arrives. Nothing without code in double precision. See whiteSkyAlbedo().
+    ChoiceCost cost;                              ///< has ratios to the quickest model
+    std::optional<InstructionCount> instructions; ///< are its program's, where they can be counted
+    /// Is the share of a uniform white sky's light that is lost: 1 - whiteSkyAlbedo(). Below 0 it
+    /// reflects more than arrives. Empty without code in double precision.
     std::optional<double> albedoLoss;
-    RatioBound bound = RatioBound::None; ///< of the ratio
+    RatioBound bound = RatioBound::None; ///< tells whether the ratio is a bound
 
     friend bool operator==(const ModelCost&, const ModelCost&) = default;
 };
 
-/// Makes ratios to whatever model ratios to the first of these, which is the quickest, with
-/// intervals that hold what is not known of either.
+/// Turns ratios to any one model into ratios to the first of these, which must be the quickest. The
+/// intervals contain the uncertainty of both.
 void countFromQuickest(std::vector<ModelCost>& costs);
 
-/// Ranks all models of the catalogue on one scene: the object that a sweep would measure gets each
-/// of them with its defaults, round after round. Works in steps. Made, used and destroyed with one
-/// context current.
+/// Ranks all models of the catalogue on one scene: the subject's object gets each of them with its
+/// defaults, round after round. It works in steps, and must be made, used and destroyed with the
+/// same context current.
 class ModelRanking {
   public:
     static Result<std::unique_ptr<ModelRanking>> create(CostSweep::Subject subject,
                                                         const CostSweep::Options& options);
     ~ModelRanking();
 
-    /// Draws two frames, one of them of the first model.
+    /// Draws a pair of frames, one of them with the first model.
     void step();
     bool finished() const;
     double progress() const; ///< 0 .. 1
@@ -46,16 +46,16 @@ class ModelRanking {
     /// Says which model is measured now.
     struct Turn {
         std::string label;
-        std::size_t number = 1; ///< from 1 on
+        std::size_t number = 1; ///< counts from 1
         std::size_t of = 1;
     };
     Turn turn() const;
 
-    /// The models that are measured so far, the fastest first.
+    /// Returns the models that are measured so far, the fastest first.
     std::vector<ModelCost> costs() const;
 
     std::string timer() const;
-    std::size_t pixels() const; ///< that are shaded
+    std::size_t pixels() const; ///< counts those that are shaded
     const Errors& problems() const;
 
   private:

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int rankedDigits = 2;
 
-/// What rounds to nothing has no sign.
+/// Returns a share in percent, without a sign where it rounds to 0; "-" where there is none.
 std::string shareText(const std::optional<double>& share) {
     return share ? fmt::format("{:.1f} %", std::round(1000.0 * *share) / 10.0 + 0.0) : "-";
 }
@@ -54,14 +54,13 @@ std::string rankingCsv(const std::vector<ModelCost>& costs) {
     for (const ModelCost& each : costs) {
         const ChoiceCost& cost = each.cost;
         const InstructionCount count = each.instructions.value_or(InstructionCount());
-        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", each.model,
-                            csvText(each.label), cost.ratio.median,
-                            boundsCsv(cost.ratio, cost.runs), cost.nanosecondsPerPixel, cost.runs,
-                            cost.settled ? 1 : 0, cost.belowNoise ? 1 : 0,
-                            instructionsText(each.instructions),
-                            count.arithmetic, count.transcendental, count.texture,
-                            count.branch, count.memory,
-                            each.albedoLoss ? fmt::format("{}", *each.albedoLoss) : "-");
+        text +=
+            fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", each.model,
+                        csvText(each.label), cost.ratio.median, boundsCsv(cost.ratio, cost.runs),
+                        cost.nanosecondsPerPixel, cost.runs, cost.settled ? 1 : 0,
+                        cost.belowNoise ? 1 : 0, instructionsText(each.instructions),
+                        count.arithmetic, count.transcendental, count.texture, count.branch,
+                        count.memory, each.albedoLoss ? fmt::format("{}", *each.albedoLoss) : "-");
     }
     return text;
 }

@@ -10,8 +10,8 @@
 
 namespace patina {
 
-/// The models in the order in which they are given: for people, as lines with a line of names
-/// before them, and for programs.
+/// Return the models in the given order: as a table with a legend for users, as CSV with a line of
+/// names, and as JSON.
 std::string rankingText(const std::vector<ModelCost>& costs);
 std::string rankingCsv(const std::vector<ModelCost>& costs);
 nlohmann::json rankingJson(const std::vector<ModelCost>& costs);

@@ -9,7 +9,7 @@
 namespace patina {
 namespace {
 
-/// Represents a level that differs from those before it.
+/// Holds a level that differs from those before it.
 struct Known {
     PixelSampling sampling;
     std::string level;

@@ -12,8 +12,8 @@ namespace patina {
 /// Tells whether a picture of the scene has more triangles than pixels.
 bool isDense(const Scene& scene, const MeshSource& meshes, glm::ivec2 size);
 
-/// Levels of the picture's samples per pixel that the device of the current context cannot tell
-/// apart in frames of this size: it is asked what it makes of each. `dense` as for HdrTarget.
+/// Returns levels of the samples per pixel that the device of the current context draws alike in
+/// frames of this size. It makes a target for each to find out. `dense` is as for HdrTarget.
 std::vector<SameLevel> sameSampleLevels(const std::vector<Choice>& choices, glm::ivec2 size,
                                         bool dense);
 

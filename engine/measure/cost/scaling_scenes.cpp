@@ -11,7 +11,7 @@
 namespace patina {
 namespace {
 
-/// Holds the camera's right and up in the world.
+/// Holds the camera's right and up in world space.
 struct Facing {
     glm::dvec3 right;
     glm::dvec3 up;

@@ -19,15 +19,15 @@ using Clock = std::chrono::steady_clock;
 const std::vector<int> edgesOnCpu{64, 96, 128, 192, 256, 384, 512};
 const std::vector<int> edgesOnDevice{256, 512, 724, 1024, 1448, 2048};
 
-/// One count of an axis: what is drawn, and how large.
+/// Holds one count of an axis: what is drawn, how large, and its times.
 struct Rung {
     double count = 1.0;
-    int edge = 256;
+    int edge = 256; ///< pixels
     Scene scene;
     std::vector<double> times; ///< milliseconds
 };
 
-/// An axis with all its counts.
+/// Holds an axis with all its counts.
 struct Ladder {
     Axis axis = Axis::Pixels;
     std::vector<Rung> rungs;
@@ -100,7 +100,7 @@ class ScalingSweep::Implementation {
         std::erase_if(ladders_, [](const Ladder& ladder) { return ladder.rungs.empty(); });
     }
 
-    /// Axis after axis, each round after round over all its counts. A step is a frame.
+    /// Measures axis after axis, each round after round over all its counts. A step is a frame.
     Steps run() {
         for (std::size_t axis = 0; axis < ladders_.size(); ++axis) {
             const Clock::time_point began = Clock::now();
@@ -114,7 +114,7 @@ class ScalingSweep::Implementation {
         }
     }
 
-    /// The first round of an axis only makes programs.
+    /// Times every count of an axis once. The first round only makes programs.
     Steps measureRound(std::size_t axis, int round) {
         turn_ = turnOf(axis, round);
         for (Rung& rung : ladders_[axis].rungs) {
@@ -143,7 +143,7 @@ class ScalingSweep::Implementation {
         return round > 1 && 3.0 * spent.count() > options_.seconds;
     }
 
-    /// Returns how many frames the first axes have, none left out.
+    /// Returns how many frames the first axes have where no round is left out.
     std::size_t framesOf(std::size_t axes) const {
         std::size_t rungs = 0;
         for (std::size_t axis = 0; axis < axes; ++axis) {
@@ -160,7 +160,7 @@ class ScalingSweep::Implementation {
         return drawn_->timeOf(rung.scene, view_);
     }
 
-    /// Makes the curve of an axis, or makes it anew.
+    /// Computes the curve of an axis from all its times.
     void show(std::size_t axis) {
         ++rounds_;
         const Ladder& ladder = ladders_[axis];
@@ -182,8 +182,8 @@ class ScalingSweep::Implementation {
     View view_;
     std::vector<Ladder> ladders_;
     Turn turn_;
-    std::size_t frames_ = 0; ///< that were timed, or left out
-    int rounds_ = 0;         ///< that the curves show
+    std::size_t frames_ = 0; ///< counts those that were timed, or left out
+    int rounds_ = 0;         ///< counts those that the curves contain
     std::vector<ScalingCurve> curves_;
     Errors problems_;
     Steps run_;

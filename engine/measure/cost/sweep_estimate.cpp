@@ -6,10 +6,11 @@
 namespace patina {
 namespace {
 
-/// Enough of them to tell how long thousands take.
+/// Is the number of directions from whose time that of thousands is estimated.
 constexpr int fewDirections = 64;
 
-/// Counts the ground truth, a converged one, and the exact one: captured, and a pair of it.
+/// Counts the ground truth, a converged frame, and the exact frame, which is captured and timed as
+/// a pair.
 constexpr double exactFrames = 5.0;
 
 /// Returns how many frames with every choice exact take as long as all points.

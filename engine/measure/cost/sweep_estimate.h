@@ -6,8 +6,9 @@
 
 namespace patina {
 
-/// Returns how long all single choices of a picture will take, about, where frames have hundreds of
-/// directions of an environment: a few of them tell. 0: that is not known before.
+/// Estimates how many seconds all single choices of a picture will take, from a frame with few
+/// directions of an environment. Returns 0 for a material, or where frames have few directions
+/// anyway.
 double secondsOfSingles(const SweepFrames& frames, TimedFrames& drawn);
 
 } // namespace patina

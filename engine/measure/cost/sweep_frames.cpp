@@ -10,8 +10,9 @@
 namespace patina {
 namespace {
 
-/// Directions of an environment's light with which errors of a material are measured: the same ones
-/// in every frame, too few for a search of the model's lobe, as that depends on the levels.
+/// Is the number of an environment's directions with which errors of a material are measured. Every
+/// frame has the same ones: a frame has too few at once to sample the model's lobe, which depends
+/// on the levels.
 constexpr int sampledDirections = 4 * SurfaceBufferDrawer::plainSamples;
 
 } // namespace
@@ -20,7 +21,7 @@ SweepFrames::SweepFrames(CostSweep::Subject subject, const CostSweep::Options& o
                          glm::ivec2 size)
     : subject_(std::move(subject)), scope_(options.scope), size_(size) {
     (isOfMaterial() ? leaveSurfaces : leaveGround)(subject_.scene);
-    subject_.scene.accuracy = PictureAccuracy(); // which has a chart of its own
+    subject_.scene.accuracy = PictureAccuracy(); // the picture has a chart of its own
     const Catalog& catalog = *subject_.catalog;
     choices_ = isOfMaterial() ? materialChoices(subject_.scene, subject_.object, catalog)
                               : choicesOfPicture(subject_.scene, catalog);

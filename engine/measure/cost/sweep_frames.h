@@ -6,27 +6,28 @@
 
 namespace patina {
 
-/// Holds the frames of a sweep: what is drawn for a point of its chart, and what is left without
-/// it.
+/// Describes the frames of a sweep: what is drawn for a point of its chart.
 class SweepFrames {
   public:
-    /// The subject's scene loses what is not measured.
+    /// Takes a sweep's subject and removes from its scene what is not measured.
     SweepFrames(CostSweep::Subject subject, const CostSweep::Options& options, glm::ivec2 size);
 
     /// Returns what can be computed more cheaply, as far as the options ask for it.
     const std::vector<Choice>& choices() const { return choices_; }
     bool isOfMaterial() const { return scope_ == Choice::Scope::Material; }
     const CostSweep::Subject& subject() const { return subject_; }
-    const std::vector<bool>& counted() const { return counted_; } ///< by object: is measured
+    const std::vector<bool>& counted() const {
+        return counted_;
+    } ///< tells for each object whether it is measured
 
-    /// Returns the frame as it is timed.
+    /// Returns the frame of these levels as it is timed.
     ChosenFrame of(const ChosenLevels& levels) const;
 
-    /// Returns the frame as it is captured, in whole floats; the picture's own choices say
-    /// otherwise.
+    /// Returns the frame of these levels as it is captured. For a material it has 32-bit floats and
+    /// few directions of an environment; for a picture it is the frame that is timed.
     ChosenFrame captured(const ChosenLevels& levels) const;
 
-    /// Returns the frame in which nothing of what counts is shaded.
+    /// Returns the exact frame without the objects that are measured.
     ChosenFrame empty() const;
 
   private:

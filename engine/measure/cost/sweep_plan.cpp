@@ -6,7 +6,7 @@
 namespace patina {
 namespace {
 
-/// As if every level saved its share of the time, and errors added up.
+/// Predicts a combination as if the ratios of its levels multiplied and their errors added up.
 struct Promise {
     double time = 1.0;
     double error = 0.0;
@@ -46,7 +46,7 @@ SweepPlan::SweepPlan(std::vector<Choice> choices, bool combinations, ChosenLevel
     add({});
 }
 
-/// Tells whether all of it is among the choices.
+/// Tells whether all levels are among those of the choices.
 bool SweepPlan::isMeant(const ChosenLevels& levels) const {
     return std::ranges::all_of(levels, [this](const auto& level) {
         return std::ranges::any_of(choices_, [&level](const Choice& choice) {
@@ -77,7 +77,8 @@ std::optional<ChosenLevels> SweepPlan::next(const CostChart& chart) {
     return levels;
 }
 
-/// Times that are not sure tie with many, so that too little would gain.
+/// Takes uncertain times for certain ones: else they tie with too many, and too little seems to
+/// gain.
 std::size_t SweepPlan::leftOver(CostChart chart) const {
     for (CostPoint& point : chart.points) {
         if (!point.cost.settled) {
@@ -94,8 +95,8 @@ std::size_t SweepPlan::leftOver(CostChart chart) const {
     return count;
 }
 
-/// By choice, the levels that are faster than the exact one and that no other level of the choice
-/// beats: what gains nothing by itself gains nothing in company.
+/// Returns for each choice the levels that are faster than the exact one and on the front of the
+/// choice: what gains nothing by itself is taken to gain nothing in a combination.
 SweepPlan::Candidates SweepPlan::gaining(const CostChart& chart) const {
     Candidates candidates;
     const CostPoint* exact = chart.find({});
@@ -149,7 +150,7 @@ void SweepPlan::addCombinations(const CostChart& chart) {
     }
 }
 
-/// Adds one level more: the one that saves most for the error that it brings.
+/// Adds one more level to the greedy combination: the one that saves most time for its error.
 void SweepPlan::addGreedy(const CostChart& chart) {
     const Candidates candidates = gaining(chart);
     std::optional<ChosenLevels> best;
@@ -172,7 +173,7 @@ void SweepPlan::addGreedy(const CostChart& chart) {
         if (reached_.size() > 1) {
             add(reached_);
         } else {
-            addGreedy(chart); // it was measured by itself
+            addGreedy(chart); // a single level has been measured already
         }
     }
 }

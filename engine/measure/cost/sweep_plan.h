@@ -10,27 +10,29 @@
 namespace patina {
 
 /// Decides which points of a chart are worth measuring, and in which order: the exact one, each
-/// level by itself, then combinations of those levels that gain something. All of them where they
-/// are fewer than 512, those that promise most first; else one level more at a time, from the exact
-/// point on.
+/// level by itself, then combinations of those levels that save time. Where there are fewer than
+/// 512 combinations, it takes all of them, the most promising first; else it adds one level at a
+/// time, beginning with the exact point.
 class SweepPlan {
   public:
     static constexpr std::size_t maxCombinations = 512;
 
-    /// `present` is measured in any case, after the exact point.
+    /// Plans the exact point, `present` where it consists of these choices, and the single levels.
     SweepPlan(std::vector<Choice> choices, bool combinations, ChosenLevels present = {});
 
-    /// Returns the next point, given what was measured; nothing: all are.
+    /// Returns the next point, given what was measured; nothing where there is none left.
     std::optional<ChosenLevels> next(const CostChart& chart);
 
-    /// Returns how many points it would name that are not on the chart, if all times were sure.
+    /// Returns how many more points next() would return that are not on the chart, if all times
+    /// were certain.
     std::size_t leftOver(CostChart chart) const;
 
-    /// Returns how many are known to be still to come.
+    /// Returns how many points are planned already.
     std::size_t waiting() const { return waiting_.size(); }
 
   private:
-    using Candidates = std::vector<std::vector<std::string>>; ///< by choice, without the exact one
+    using Candidates =
+        std::vector<std::vector<std::string>>; ///< are by choice, without the exact one
 
     void add(ChosenLevels levels);
     bool isMeant(const ChosenLevels& levels) const;
@@ -40,10 +42,10 @@ class SweepPlan {
 
     std::vector<Choice> choices_;
     bool combinations_;
-    bool combined_ = false; ///< whether addCombinations() was called
+    bool combined_ = false; ///< says whether addCombinations() was called
     bool greedy_ = false;
-    ChosenLevels reached_;              ///< where the greedy way is
-    std::vector<ChosenLevels> waiting_; ///< the next one last
+    ChosenLevels reached_;              ///< is the newest greedy combination
+    std::vector<ChosenLevels> waiting_; ///< has the next one at its end
     std::set<ChosenLevels> known_;
 };
 

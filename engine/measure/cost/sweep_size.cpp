@@ -10,7 +10,7 @@ namespace {
 constexpr glm::ivec2 sizeOnCpu{256, 256};
 constexpr glm::ivec2 sizeOnDevice{1024, 1024};
 
-/// Is used with thousands of directions per pixel.
+/// Is for pictures with thousands of directions per pixel.
 constexpr glm::ivec2 sampledSizeOnCpu{64, 64};
 
 } // namespace

@@ -5,8 +5,8 @@
 
 namespace patina {
 
-/// Returns the pixels of a sweep's frames: those of the options, or what the device of the current
-/// context is up to.
+/// Returns the size of a sweep's frames in pixels: that of the options, or, where they have none,
+/// one that suits the device of the current context.
 glm::ivec2 sweepSize(const CostSweep::Subject& subject, const CostSweep::Options& options);
 
 } // namespace patina
