@@ -23,7 +23,7 @@ using Json = nlohmann::json;
 
 constexpr FileFormat presetFormat{"patina.preset", 1, "preset"};
 
-/// Reads one preset object.
+/// Reads one preset object and collects its mistakes and notes.
 class PresetReader {
   public:
     PresetReader(const LocatedJson& document, const std::string& pointer, const Catalog& catalog,

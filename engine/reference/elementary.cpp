@@ -66,7 +66,8 @@ double ierfc(double a) {
     return std::exp(-a * a) * std::numbers::inv_sqrtpi - a * std::erfc(a);
 }
 
-// With theta = u sqrt(w); e^(-7^2) is below a double's rounding.
+// The integral is over u = theta / sqrt(w) and ends at 7, where e^(-u^2) is below a double's
+// rounding.
 double gaussianShare(double w) {
     const double m = std::sqrt(w);
     const auto integrand = [m](double u) { return std::exp(-u * u) * std::sin(2.0 * m * u) / m; };

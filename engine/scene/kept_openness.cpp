@@ -20,7 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Begins every file. It must change whenever opennessOf() gives other values.
+/// Begins every file; files with another beginning are not read. It must change whenever
+/// opennessOf() returns other values.
 constexpr std::string_view magic = "patina openness 1\n";
 
 constexpr std::uintmax_t folderBytes = std::uintmax_t(256) << 20;

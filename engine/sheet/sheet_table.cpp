@@ -6,7 +6,7 @@
 namespace patina {
 namespace {
 
-/// Returns a field quoted as RFC 4180 asks where it needs it.
+/// Returns a text as a field of a CSV file, quoted where RFC 4180 needs that.
 std::string quoted(const std::string& text) {
     if (text.find_first_of(",\"\n\r") == std::string::npos) {
         return text;

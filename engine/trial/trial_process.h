@@ -47,7 +47,7 @@ class TrialProcess {
         std::size_t maxMemoryBytes = 0; ///< is the most that it ever held
     };
 
-    /// Kills it unless it has ended by itself, and says how it ended. May be called again.
+    /// Kills it unless it has ended by itself, and says how it ended. It may be called again.
     End end();
 
   private:

@@ -34,9 +34,9 @@ class CostSweep {
         Choice::Scope scope = Choice::Scope::Material;
         std::filesystem::path programCache{};
         CostPairs::Options pairs{};
-        double seconds = 60.0;    ///< after which no combination is begun; pairs get fewer for it
-        bool combinations = true; ///< asks for them, not only for single choices
-        ChosenLevels present{};   ///< are measured in any case
+        double seconds = 60.0;           ///< limits the time: later no combination is begun
+        bool combinations = true;        ///< asks for them, not only for single choices
+        ChosenLevels present{};          ///< are measured in any case
         std::vector<std::string> only{}; ///< are the Choice::id of what is measured; empty: all
     };
 

@@ -22,7 +22,7 @@ struct ConvergedRender {
 };
 
 /// Draws a frame whose light of an environment is averaged over as many directions as the finest
-/// frame has, none of which that one or any coarser one draws. The frame is the mean of two
+/// frame has, but over other ones than any point of a chart draws. The frame is the mean of two
 /// independent halves, whose difference gives its own error. It is made in steps, all with the same
 /// context current.
 class ConvergedFrame {

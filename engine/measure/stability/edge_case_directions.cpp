@@ -190,7 +190,7 @@ Places edgeCaseRays() {
     return places;
 }
 
-/// Gives the numbers of one fixed random sequence.
+/// Draws numbers from a fixed random sequence, so that every call gets the same ones.
 class Random {
   public:
     double uniform(double low, double high) {

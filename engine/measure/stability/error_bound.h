@@ -33,7 +33,7 @@ class ErrorBound {
     /// Returns the part of the bound that does not depend on the noise.
     static double floor(double exact);
 
-    /// Tells whether the noise that is known so far is enough; computing on can only add to it.
+    /// Tells whether the noise that is known so far is enough. More computation can only add to it.
     using Enough = std::function<bool(const ReferenceNumbers&)>;
 
   private:

@@ -73,8 +73,8 @@ std::vector<double> panels(std::vector<double> breaks, double low, double high, 
     return ends;
 }
 
-/// Returns panels of the angle from the normal, 0 .. pi/2, of which light and mirror direction have
-/// the same.
+/// Returns panels of the angle from the normal, 0 .. pi/2; light and mirror direction are both at
+/// `theta`.
 std::vector<double> polarPanels(double theta, double widest) {
     std::vector<double> breaks{theta};
     for (const double step : mirrorSteps) {

@@ -24,8 +24,8 @@ struct InstructionCount {
 };
 
 /// Counts the instructions of a fragment stage in GLSL. It is compiled to SPIR-V with glslang and
-/// optimised by SPIRV-Tools, so that the result is the same on every machine. Needs no OpenGL. It
-/// is an error where the text does not compile.
+/// optimised by SPIRV-Tools, so that the result is the same on every machine. It needs no OpenGL.
+/// It is an error where the text does not compile.
 Result<InstructionCount> countInstructions(const std::string& fragment);
 
 /// Counts the instructions of a SPIR-V module.

@@ -16,8 +16,8 @@ class PairedFrames {
   public:
     struct Limits {
         CostPairs::Options pairs{};
-        double seconds = 1.0; ///< after which the fewest pairs are enough
-        double longest = 3.0; ///< after which any pairs are enough
+        double seconds = 1.0; ///< seconds after which the fewest pairs are enough
+        double longest = 3.0; ///< seconds after which any pairs are enough
     };
 
     /// Takes the milliseconds of a frame without anything to shade as `empty`.
