@@ -17,7 +17,7 @@ struct PresetReading {
     Errors notes;
     OutsideFiles outside;  ///< holds what it names and is not read
     bool readOnly = false; ///< says that a newer version wrote it: do not save over it
-    std::vector<std::filesystem::path> parents{}; ///< are a variant's, nearest first
+    std::vector<std::filesystem::path> parents{}; ///< are those of a variant, nearest first
 };
 
 /// Reads a material from the value at `pointer` of a document, as a preset inside a scene. It does

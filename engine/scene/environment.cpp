@@ -7,7 +7,7 @@
 namespace patina {
 namespace {
 
-constexpr int minDirections = 4; ///< are one round
+constexpr int minDirections = 4; ///< is the number that one round draws
 constexpr int maxUnasked = 256;
 
 const std::string* textOf(const BlockValues& values, const Parameter& parameter) {

@@ -20,7 +20,8 @@ struct CostPoint {
     ChosenLevels levels; ///< are those that are not exact
     FrameError error;
     ChoiceCost cost;
-    std::optional<InstructionCount> instructions; ///< are its program's, where they can be counted
+    std::optional<InstructionCount>
+        instructions; ///< are those of its program; empty: not countable
 
     bool isExact() const { return levels.empty(); }
 

@@ -312,7 +312,7 @@ class CostSweep::Implementation {
     double secondsInAll_ = 0.0;
     MedianInterval empty_; ///< milliseconds of a frame without what is measured
     std::vector<double> exactTimes_;
-    std::vector<glm::dvec3> exactColors_; ///< are the exact frame's as the device draws it
+    std::vector<glm::dvec3> exactColors_; ///< are those of the exact frame as the device draws it
     Doing doing_;
     std::chrono::milliseconds patience_{}; ///< is the current step's
     Clock::duration spentUntilNow_{};

@@ -50,7 +50,7 @@ class CostSweep {
     SweepStep doing() const;
     double progress() const; ///< 0 .. 1; falls when combinations turn out worth measuring
 
-    /// Holds what was measured so far.
+    /// Returns what was measured so far.
     const CostChart& chart() const;
 
     /// Returns why it ended early; empty while all is well.

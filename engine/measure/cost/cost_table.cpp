@@ -42,7 +42,7 @@ std::string headText(std::size_t columns) {
                        "", columns);
 }
 
-/// Names the points that tie with those on the front.
+/// Returns a line for each point on the front that others tie with.
 std::string tiesText(const CostChart& chart) {
     std::string text;
     for (const std::size_t i : costFront(chart.points)) {

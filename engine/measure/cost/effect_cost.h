@@ -81,7 +81,7 @@ class EffectCostMeter {
     bool finished() const;
     double progress() const; ///< 0 .. 1
 
-    /// Holds what was measured so far.
+    /// Returns what was measured so far.
     EffectCosts costs() const;
 
   private:

@@ -15,8 +15,9 @@ namespace patina {
 struct ModelCost {
     std::string model;
     std::string label;
-    ChoiceCost cost;                              ///< has ratios to the quickest model
-    std::optional<InstructionCount> instructions; ///< are its program's, where they can be counted
+    ChoiceCost cost; ///< has ratios to the quickest model
+    std::optional<InstructionCount>
+        instructions; ///< are those of its program; empty: not countable
     /// Is the share of a uniform white sky's light that is lost: 1 - whiteSkyAlbedo(). Below 0 it
     /// reflects more than arrives. Empty without code in double precision.
     std::optional<double> albedoLoss;

@@ -16,7 +16,7 @@ namespace patina {
 struct DisplayCurve {
     double exposure = 0.0;                  ///< EV, powers of two
     const reference::Block* tone = nullptr; ///< is null where there is none
-    std::vector<double> values{};           ///< are the tone curve's, packed
+    std::vector<double> values{};           ///< are the packed values of the tone curve
 
     /// Returns the curve of a scene. A tone curve without code in double precision, which was added
     /// since the program was built, counts as none.

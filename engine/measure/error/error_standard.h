@@ -24,8 +24,8 @@ class ErrorStandard {
 
     const GroundTruthFrame& groundTruth() const { return groundTruth_; }
 
-    /// Describes the converged frame once it is done; nothing is returned where all points have the
-    /// same directions.
+    /// Returns a description of the converged frame once it is done; nothing where all points have
+    /// the same directions.
     std::optional<ConvergedRender> converged() const;
 
     /// Returns the meter for a point of these levels, once all is done.

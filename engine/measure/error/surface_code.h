@@ -100,7 +100,7 @@ class SurfaceShader {
     const SurfaceBuffer* buffer_ = nullptr;
     std::size_t pixel_ = 0;
     Point point_{};
-    std::vector<std::vector<double>> values_; ///< are the blocks', as images changed them
+    std::vector<std::vector<double>> values_; ///< are those of the blocks, as images changed them
     std::vector<reference::Filler> fillers_;
     const reference::Function* incidence_;
 };

@@ -47,7 +47,7 @@ std::string modelPlace(const EvalCase& request) {
                        elevationText("viewer", elevation(request.n, request.v)), azimuth(request));
 }
 
-/// Names each field with its numbers.
+/// Returns each field with its numbers, as "depth 0.5, opacity 1".
 std::string fieldsText(const EvalCase& request) {
     std::string text;
     const double* numbers = request.fields.data();
