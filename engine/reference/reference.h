@@ -114,7 +114,7 @@ struct Block {
     glm::dvec3 fogColor(Parameters) const;
     /// Returns the irradiance over pi from the unit direction d, where the picture has this colour.
     glm::dvec3 environment(const glm::dvec3& d, const glm::dvec3& picture, Parameters) const;
-    /// Returns what a tone curve makes of linear light from 0.
+    /// Returns linear light, 0 or more, after the tone curve.
     glm::dvec3 toned(const glm::dvec3& light, Parameters) const;
     /// Returns the weight of a surface at the depth 0 .. 1.
     double transparency(double depth, double opacity, Parameters) const;

@@ -12,7 +12,7 @@ namespace {
 /// Is the number of sets of values beside the variant's own.
 constexpr std::size_t furtherRows = 4;
 
-/// Is how many places a step draws at least.
+/// Is the number of places from which on a step takes no further trial.
 constexpr std::size_t enoughPlaces = 4096;
 
 std::vector<EvalCase> rowsOf(const EvalCase& variant) {

@@ -13,8 +13,8 @@ namespace patina {
 /// without code in double precision.
 std::optional<double> whiteSkyAlbedo(const Catalog& catalog, const Block& model);
 
-/// Returns that of a material's model with the material's values and what fills its slot, without
-/// images.
+/// Returns this share for a material's model with the material's values and what fills its slot,
+/// without images.
 std::optional<double> whiteSkyAlbedo(const Catalog& catalog, const Material& material);
 
 } // namespace patina
