@@ -13,16 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Tells whether the file lies below the folder once all symbolic links are followed.
-bool isBelow(const fs::path& file, const fs::path& folder) {
-    std::error_code noFolder;
-    std::error_code circle; // links may form a circle, which leads nowhere
-    const fs::path from = fs::weakly_canonical(folder, noFolder);
-    const fs::path to = fs::weakly_canonical(file, circle);
-    return !noFolder && !circle && staysInFolder(to.lexically_relative(from).generic_string());
-}
-
-/// Tells whether the file lies in Patina's data or in the user's data folder of Patina.
+/// Patina's own folders.
 bool isPatinas(const fs::path& file) {
     const auto user = xdgDataFolder();
     return leadsWithin(file, dataFolder()) || (user && leadsWithin(file, *user));

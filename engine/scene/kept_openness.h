@@ -9,21 +9,17 @@
 
 namespace patina {
 
-/// Tells whether objects are to hide ambient light from themselves and the scene has such light.
-bool wantsOpenness(const Scene& scene);
-
-/// Returns the openness of a mesh (opennessOf()) from a file of the folder, whose name is a hash of
-/// the mesh; where there is no such file, it is computed and kept there. A damaged file is
-/// replaced, and one that cannot be written is not kept. The oldest files are removed when all
-/// together exceed 256 MiB. Nothing is kept where `folder` is empty. The result is empty where it
-/// was cancelled.
+/// Returns the openness of a mesh (opennessOf()) as a file of the folder has it, whose name says
+/// what is in the mesh; without one it is made and kept there. A file that is damaged is replaced,
+/// and one that cannot be written is not kept. The folder's oldest files go when there are more
+/// than some hundred megabytes. An empty folder: nothing is kept. Empty where it was cancelled.
 std::vector<VertexOpenness> keptOpenness(const MeshView& mesh, const std::filesystem::path& folder,
                                          Progress* progress = nullptr);
 
 /// Returns the file in which keptOpenness() keeps it.
 std::filesystem::path opennessFile(const MeshView& mesh, const std::filesystem::path& folder);
 
-/// Returns $XDG_CACHE_HOME/patina/openness; empty where the user has no cache folder.
+/// Returns $XDG_CACHE_HOME/patina/openness, or an empty path where there is no such folder.
 std::filesystem::path opennessFolder();
 
 } // namespace patina

@@ -16,12 +16,12 @@
 namespace patina {
 namespace {
 
+/// Returns where the first word of an id leads.
 std::string firstWord(const std::string& assignment) {
     return assignment.substr(0, assignment.find_first_of(".="));
 }
 
-/// Tells whether the word is an object of scene files whose keys are settings of the scene:
-/// "ground", "hemisphere".
+/// Objects inside a scene file whose keys are settings of the scene: "ground", "hemisphere".
 bool isGroup(std::string_view word) {
     const auto& parameters = settingsBlock(settings::scene)->parameters;
     return std::ranges::any_of(parameters, [word](const Parameter& parameter) {
@@ -44,8 +44,8 @@ bool hasParameter(const Catalog& catalog, std::string_view kind, std::string_vie
         catalog.ofKind(kind), [id](const Block* block) { return block->parameter(id) != nullptr; });
 }
 
-/// Tells whether only blocks of materials have a parameter of this id, although its first word is
-/// that of this kind: "tone.curve".
+/// Tells whether it is a value of materials alone, whose first word is also that of this kind:
+/// "tone.curve".
 bool isForMaterial(const Assignment& assignment, const BlockKind& kind, const Catalog& catalog) {
     return !hasParameter(catalog, kind.folder, assignment.inside(kind.singular)) &&
            std::ranges::any_of(blockKinds(), [&](const BlockKind& each) {
@@ -85,8 +85,7 @@ Result<void> assignSettings(Scene& scene, std::string_view word, const Assignmen
     return assignSetting(scene.objects[object], word, inner);
 }
 
-/// Sets a value in a block that the scene or a light may have. Where there is none, the error
-/// expects `option`, which would choose one.
+/// In a block that the scene or a light of it may have; `option` is what would choose one.
 Result<void> assignInBlock(const Block* block, BlockValues* values, const Assignment& inner,
                            const std::string& what, const std::string& option) {
     if (block == nullptr || values == nullptr) {
@@ -106,7 +105,7 @@ std::string lowered(std::string_view text) {
     return lower;
 }
 
-/// Sets a value of the light's block, or a setting of every light that the block does not have.
+/// In the light's block, or what every light has.
 Result<void> assignInLight(Light& light, const Block* block, const Assignment& own,
                            const std::string& what) {
     const bool isSetting = settingsBlock(settings::light)->parameter(own.id) != nullptr;
@@ -116,7 +115,7 @@ Result<void> assignInLight(Light& light, const Block* block, const Assignment& o
     return assignInBlock(block, &light.block, own, what, "--light");
 }
 
-/// Sets a value of the light whose name begins the id: "key.intensity".
+/// Sets "key.intensity": the light's name, and what is set of it.
 Result<void> assignInLights(Scene& scene, const Assignment& inner, const Catalog& catalog) {
     for (Light& light : scene.lights) {
         const std::string name = lowered(light.name);
@@ -143,8 +142,40 @@ Result<void> assignInLights(Scene& scene, const Assignment& inner, const Catalog
     return failure(fmt::format("there is no light \"{}\"", name), expectedLights(scene, name));
 }
 
-/// Returns what "key.intensity" or "key.shadow.softness" names: a parameter of the light's block or
-/// of a part of it, or a setting of every light.
+/// Sets the value in every light that has a part of the kind: "shadow.angle=3".
+Result<void> assignInAllLights(Scene& scene, std::string_view kind, const Assignment& inner,
+                               const Catalog& catalog) {
+    const std::string_view word = findKind(kind)->singular;
+    bool isThere = false;
+    for (Light& light : scene.lights) {
+        if (light.part(kind) == nullptr) {
+            continue;
+        }
+        isThere = true;
+        const auto done = assignInBlock(
+            blockOf(light.parts, kind, catalog), light.part(kind), inner,
+            fmt::format("the {} of the light \"{}\"", word, light.name), fmt::format("--{}", word));
+        if (!done) {
+            return done;
+        }
+    }
+    return isThere ? Result<void>()
+                   : failure(fmt::format("no light has a {}", word), fmt::format("--{}", word));
+}
+
+/// Finds the parameter in the first light that has a part of the kind.
+NamedParameter parameterOfLights(const Scene& scene, const BlockKind& kind, std::string_view id,
+                                 const Catalog& catalog) {
+    for (const Light& light : scene.lights) {
+        if (const Block* block = blockOf(light.parts, kind.folder, catalog)) {
+            return {block->parameter(id), std::string(kind.label)};
+        }
+    }
+    return {};
+}
+
+/// Finds "key.intensity", "key.shadow.softness" of the light's block, what every light has, or a
+/// part.
 NamedParameter parameterOfLight(const Scene& scene, const std::string& id, const Catalog& catalog) {
     const auto light = std::ranges::find_if(scene.lights, [&](const Light& each) {
         return !Assignment{lowered(id), {}}.inside(lowered(each.name)).empty();

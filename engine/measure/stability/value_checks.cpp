@@ -12,9 +12,9 @@ namespace {
 
 using Subject = EvalCase::Subject;
 
-/// Tells whether a direction lies below the surface or in it. About a normal that is no axis a
-/// cosine of 0 has a few roundings, so that a direction in the surface counts as above.
-bool isBelow(const glm::dvec3& n, const glm::dvec3& direction) {
+/// Returns the sine of the angle below the surface; about a normal that is no axis a cosine of 0 is
+/// known to a few roundings only, so that a direction in the surface may count as above.
+bool isBelowHorizon(const glm::dvec3& n, const glm::dvec3& direction) {
     const bool axis = n.x == 0.0 && n.y == 0.0;
     return glm::dot(glm::normalize(n), glm::normalize(direction)) <= (axis ? 0.0 : -1e-6);
 }
