@@ -86,13 +86,9 @@ TEST(AddedKind, InAPreset_IsReadAsWritten) {
 TEST(AddedKind, InAPreset_FollowsTheSchema) {
     const Result<JsonSchema> schema = JsonSchema::load("preset");
     ASSERT_TRUE(schema);
-    const auto mistakes = [&](const Json& sheen) {
-        Json preset = toJson(defaultMaterial(*catalog()->ofKind(kinds::models).front()), {});
-        preset[std::string(kind)] = sheen;
-        return schema->check({"a.patina.json", preset, {}}).size();
-    };
-    EXPECT_EQ(mistakes({{"id", "velvet"}, {"parameters", {{"width", 3}}}}), 0u);
-    EXPECT_EQ(mistakes({{"id", 3}}), 1u);
+    Json preset = toJson(defaultMaterial(*catalog()->ofKind(kinds::models).front()), {});
+    preset[std::string(kind)] = {{"id", "velvet"}, {"parameters", {{"width", 3}}}};
+    EXPECT_EQ(text(schema->check({"a.patina.json", preset, {}})), "");
 }
 
 TEST(AddedKind, OnTheCommandLine_IsChosenAndSet) {

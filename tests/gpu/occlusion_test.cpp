@@ -5,6 +5,7 @@
 #include "core/mesh_openness.h"
 #include "environment_fixture.h"
 #include "shading/effects/effect_set.h"
+#include "shading/effects/occlusion.h"
 #include "shading/effects/surface_program.h"
 
 namespace patina::occlusion_test {
@@ -180,6 +181,18 @@ TEST_F(OcclusionTest, WithoutLightFromAllAround_TheTextIsTheSameBytes) {
     const Scene under = plate("cook-torrance");
     EXPECT_EQ(textOf(under).find("openness"), std::string::npos);
     EXPECT_NE(textOf(occluded(under)).find("packedOpenness"), std::string::npos);
+}
+
+TEST_F(OcclusionTest, Openness_IsNeededOnlyUnderLightFromAllAround) {
+    Scene scene;
+    scene.ambient = glm::dvec3(0.1);
+    EXPECT_FALSE(needsOpenness(scene, *catalog));
+    scene.occlusion = true;
+    EXPECT_TRUE(needsOpenness(scene, *catalog));
+    scene.ambient = glm::dvec3(0.0);
+    EXPECT_FALSE(needsOpenness(scene, *catalog));
+    scene.setPart(kinds::environment, plate().parts.at(std::string(kinds::environment)));
+    EXPECT_TRUE(needsOpenness(scene, *catalog));
 }
 
 TEST_F(OcclusionTest, ValueThatIsDragged_CompilesNothing) {

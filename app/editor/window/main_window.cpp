@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/main_window.h"
 
+#include <algorithm>
+
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
@@ -88,7 +90,10 @@ void MainWindow::connectParts() {
     connect(&document_, &Document::told, &messages_, &MessageLog::add);
     connect(&meshes_, &MeshLibrary::remarked, &messages_, &MessageLog::addNote);
     onChange(document_, DocumentChange::Drawn, &meshes_, [this] {
-        meshes_.wantOpenness(needsOpenness(document_.scene(), document_.catalog()));
+        meshes_.wantOpenness(std::ranges::any_of(sides, [this](Side side) {
+            return indexOf(side) < document_.shownSides() &&
+                   needsOpenness(document_.scene(side), document_.catalog());
+        }));
     });
     connect(&textures_, &TextureLibrary::failed, this,
             [this](const QString&, const Error& why) { messages_.add(why); });

@@ -57,9 +57,9 @@ struct EnvironmentEffect {
     }
     void place(SceneLayout& layout, const EffectSet& set) const;
     void writeLight(SurfaceText& text) const;
+    std::string_view whyPerPixel(const EffectSet& set) const;
     static void remove(Scene& scene, const EffectName& effect, const Catalog& catalog);
 
-    std::string_view whyPerPixel(const EffectSet& set) const;
     friend bool operator==(const EnvironmentEffect&, const EnvironmentEffect&) = default;
 };
 

@@ -37,9 +37,9 @@ struct ShadowsEffect {
     EffectLine absent(const EffectSet&) const {
         return {std::string(kinds::shadows), {}, "No light has shadows."};
     }
+    std::string_view whyPerPixel(const EffectSet& set) const;
     static void remove(Scene& scene, const EffectName& effect, const Catalog& catalog);
 
-    std::string_view whyPerPixel(const EffectSet& set) const;
     friend bool operator==(const ShadowsEffect&, const ShadowsEffect&) = default;
 };
 

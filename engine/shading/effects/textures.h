@@ -73,9 +73,9 @@ struct TexturesEffect {
         return {"texture", {}, "No image is bound to the material."};
     }
     void place(ObjectLayout& layout, const EffectSet& set) const;
+    std::string_view whyPerPixel(const EffectSet& set) const;
     static void remove(Scene& scene, const EffectName& effect, const Catalog& catalog);
 
-    std::string_view whyPerPixel(const EffectSet& set) const;
     friend bool operator==(const TexturesEffect&, const TexturesEffect&) = default;
 };
 
