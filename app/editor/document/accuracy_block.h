@@ -7,8 +7,9 @@
 
 namespace patina {
 
-/// Returns the accuracy choices of blocks as enum parameters of one block, so that the one form and
-/// the one command serve them, too; blocks share a choice of the same id.
+/// Returns the accuracy choices of blocks as enum parameters of one block, so that the same form
+/// and command serve them. Blocks share a choice of the same id; a choice without levels is left
+/// out.
 Block accuracyBlock(std::span<const Block* const> blocks);
 
 } // namespace patina

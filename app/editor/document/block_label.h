@@ -9,8 +9,8 @@
 
 namespace patina {
 
-/// Returns what an edit is called that chooses a block of a kind, or none (null): "Fog Linear",
-/// "Fog off".
+/// Returns the label of an edit that chooses a block of a kind, or none (null): "Fog Linear", "Fog
+/// off".
 QString blockLabel(std::string_view kind, const Block* block);
 
 } // namespace patina

@@ -4,7 +4,7 @@
 namespace patina {
 namespace {
 
-/// The values that `own` has not, or has otherwise.
+/// Returns the values of `shown` that `own` does not have, or has with another value.
 Values otherValues(const Values& shown, const Values& own) {
     Values others;
     for (const auto& [id, value] : shown) {

@@ -9,32 +9,33 @@
 
 namespace patina {
 
-/// Says how finely a side draws its picture while ways to draw it are compared: what is laid over
-/// the values of the scene, which keeps its own.
+/// Holds the picture settings of one side while such settings are compared. They are laid over the
+/// values of the scene, which keeps its own.
 struct SidePicture {
     PictureAccuracy accuracy;
-    std::optional<BlockValues> transparency; ///< absent: the scene's own
-    Values environment;                      ///< those that are not the scene's own
-    std::map<std::size_t, Values> shadows;   ///< the same by light
+    std::optional<BlockValues> transparency; ///< is absent where the scene's own applies
+    Values environment;                      ///< holds only values that differ from the scene's
+    std::map<std::size_t, Values> shadows;   ///< holds the same by index of the light
 
     friend bool operator==(const SidePicture&, const SidePicture&) = default;
 };
 
-/// Two ways to draw the picture of one scene.
+/// Holds the settings of two pictures of one scene that are compared.
 struct ComparedPicture {
     /// Is what side B was given: it shows the objects' own materials until its material is another.
     Material material;
-    std::optional<SidePicture> first; ///< of side A; absent: the scene's own
+    std::optional<SidePicture> first; ///< is side A's; absent where the scene's own applies
     std::optional<SidePicture> second;
 
     friend bool operator==(const ComparedPicture&, const ComparedPicture&) = default;
 };
 
-/// Returns what is to be laid over a scene so that its picture is that of another one, which
-/// differs in how finely it is drawn alone.
+/// Returns what has to be laid over `own` to get the picture of `shown`. The two scenes may differ
+/// in their picture settings only.
 SidePicture pictureOf(const Scene& shown, const Scene& own);
 
-/// Lays it over the scene. What it names and the scene has no more is passed over.
+/// Lays picture settings over a scene. Those of parts and lights that the scene does not have are
+/// skipped.
 void layOver(Scene& scene, const SidePicture& picture);
 
 } // namespace patina

@@ -5,8 +5,8 @@
 
 namespace patina {
 
-/// Begins, changes and ends comparing: which materials or pictures a document's two sides show just
-/// to be looked at, and what side B had last. Each function is one undo step.
+/// Begins, changes and ends the comparison of a document's sides, and remembers what side B had
+/// last. Each function is one undo step.
 class Comparison : public QObject {
     Q_OBJECT
 
@@ -16,15 +16,17 @@ class Comparison : public QObject {
     /// Starts comparing with what was last on side B of this object, at first with a copy of side
     /// A; or stops.
     void setComparing(bool on);
-    /// Shows so many sides, 1 .. 4: those that come have what the active one has.
+    /// Shows this many sides, 1 .. 4. New sides C and D get the material and the own view of the
+    /// active one; side B comes as from setComparing().
     void setSideCount(std::size_t count);
     /// Compares two materials. Side A shows the first one until comparing ends, keeps its own
     /// meanwhile, also in files, and then has it again.
     void previewMaterials(const Material& first, const Material& second, const QString& label);
-    /// Compares two ways to draw the scene's picture, which is otherwise the active side's, until
-    /// comparing ends: the scene keeps its own.
+    /// Compares two sets of picture settings, both with the active side's material, until comparing
+    /// ends. The scene keeps its own settings.
     void previewPictures(const Scene& first, const Scene& second, const QString& label);
-    /// Chooses levels for good, also where side A shows others just to be looked at.
+    /// Sets the accuracy levels of a side's material for good, even where side A only previews
+    /// others.
     void setLevels(Side side, const AccuracyLevels& levels, const QString& label);
     void swapSides();
 
@@ -35,7 +37,7 @@ class Comparison : public QObject {
 
     Document& document_;
     std::optional<Material> lastSecond_;
-    int lastSecondObject_ = -1; ///< what `lastSecond_` was compared on
+    int lastSecondObject_ = -1; ///< is the object that `lastSecond_` was compared on
 };
 
 } // namespace patina

@@ -16,15 +16,15 @@ class DescribedBlocks {
   public:
     DescribedBlocks();
 
-    /// Null where nothing is, or where its block is not known.
+    /// Returns null where nothing is at the path, or where its block is not known.
     const Block* find(const DocumentState& state, const BlockPath& path, const Catalog& catalog);
 
-    /// The blocks of the catalogue have changed.
+    /// Drops what was made of the catalogue's blocks; called when these have changed.
     void forget() { accuracy_.clear(); }
 
   private:
     std::map<std::string, Block, std::less<>> settings_;
-    std::map<std::vector<const Block*>, Block> accuracy_; ///< by the blocks in use
+    std::map<std::vector<const Block*>, Block> accuracy_; ///< is keyed by the blocks in use
 };
 
 } // namespace patina

@@ -12,12 +12,13 @@ namespace patina {
 /// Says what of a document has changed.
 struct DocumentChange {
     enum Aspect : unsigned {
-        Value = 1 << 0,     ///< a value at `path`
-        Texture = 1 << 1,   ///< the image on a value at `path`
-        Material = 1 << 2,  ///< another model, part or whole material: a form's rows may differ
-        Block = 1 << 3,     ///< another part of the scene or of a light at `path`, or none
-        Lights = 1 << 4,    ///< a light was added, removed, renamed, switched or is of another kind
-        Objects = 1 << 5,   ///< an object was added, removed, renamed or has another mesh
+        Value = 1 << 0,   ///< a value at `path` has changed
+        Texture = 1 << 1, ///< the image on a value at `path` has changed
+        /// A model, part or whole material was replaced: a form's rows may differ.
+        Material = 1 << 2,
+        Block = 1 << 3,   ///< a part of the scene or of a light was replaced or removed, at `path`
+        Lights = 1 << 4,  ///< a light was added, removed, renamed, switched or is of another kind
+        Objects = 1 << 5, ///< an object was added, removed, renamed or has another mesh
         Comparing = 1 << 6, ///< comparing began or ended
         Camera = 1 << 7,
         Scene = 1 << 8, ///< another scene is there
@@ -28,16 +29,16 @@ struct DocumentChange {
         Snapshots = 1 << 13,   ///< one was taken, renamed or removed
         Bookmarks = 1 << 14,   ///< a view was kept
         Locks = 1 << 15,       ///< values at `path` were locked, or freed
-        OwnView = 1 << 16,     ///< what the view of the path's side has of its own
-        /// Any of what is drawn.
+        OwnView = 1 << 16,     ///< what the view of the path's side has of its own has changed
+        /// Combines all aspects that may change a picture.
         Drawn = Value | Texture | Material | Block | Lights | Objects | Comparing | Camera | Scene |
                 Catalog | Rights | OwnView
     };
     Q_DECLARE_FLAGS(Aspects, Aspect)
 
     Aspects aspects;
-    BlockPath path{};          ///< of a value, an image or a block
-    std::string parameterId{}; ///< of a value or an image
+    BlockPath path{};          ///< leads to the value, image or block
+    std::string parameterId{}; ///< is the id of the value, or of the value that the image lies on
 
     bool has(Aspects any) const { return aspects.testAnyFlags(any); }
 };

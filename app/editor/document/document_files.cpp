@@ -15,25 +15,26 @@ namespace patina {
 
 namespace {
 
-/// Is where a scene file keeps side B, and the number of the object that has it.
+/// A scene file keeps side B, and the index of the object that shows it, under these keys.
 const char* const compareKey = "compare";
 const char* const compareObjectKey = "compareObject";
 
-/// Is where it keeps sides C and D.
+/// A scene file keeps sides C and D under this key, as an array of materials.
 const char* const compareFurtherKey = "compareFurther";
 
-/// Where it keeps what the sides' views have of their own, from A on.
+/// A scene file keeps what the sides' views have of their own under this key, as an array from A
+/// on.
 const char* const compareViewsKey = "compareViews";
 
 const char* const snapshotsKey = "snapshots";
 
-/// Says what a scene file has of sides that are compared: materials that are no object's, and what
-/// is not the scene's.
+/// Holds what a scene file has of compared sides: materials that belong to no object, and what
+/// their views have of their own.
 struct ComparedSides {
     std::optional<Material> second;
     std::vector<Material> further;
     std::array<OwnView, sides.size()> ownViews{};
-    OutsideFiles outside{}; ///< that the views name and may not read
+    OutsideFiles outside{}; ///< are the files that the views name and may not read
 
     std::vector<Material*> all() {
         std::vector<Material*> found;
@@ -69,7 +70,7 @@ Scene withCompared(Scene scene, const DocumentState& state, int object) {
     return scene;
 }
 
-/// Takes the object of side B out of a scene that was read; the first one where none is named.
+/// Takes the index of side B's object out of a scene that was read; returns 0 where none is named.
 int takeSecondObject(Scene& scene) {
     const nlohmann::json named = scene.extras.value(compareObjectKey, nlohmann::json());
     scene.extras.erase(compareObjectKey);
@@ -129,7 +130,7 @@ Checked<ComparedSides> takeCompared(Scene& scene, const std::filesystem::path& p
     return compared;
 }
 
-/// What saving the preset of an object does not save.
+/// Returns the part of a state that saving the preset of an object does not save.
 DocumentState withoutMaterial(DocumentState state, int object) {
     if (Material* material = materialAt(state, object, Side::A)) {
         *material = Material();
@@ -138,7 +139,7 @@ DocumentState withoutMaterial(DocumentState state, int object) {
     return state;
 }
 
-/// Images that will not be read from the file before its user agrees.
+/// Returns a message for each image that is not read from the file before its user agrees.
 Errors imagesOutside(const Material& material, const std::filesystem::path& file) {
     Errors outside;
     const ReadingRights none;
@@ -154,7 +155,7 @@ Errors imagesOutside(const Material& material, const std::filesystem::path& file
     return outside;
 }
 
-/// Where the copy of unsaved work keeps what was not to be read.
+/// The copy of unsaved work keeps under this key which files must not be read.
 const char* const withheldKey = "withheld";
 
 void markOutside(Material& material, const std::string& image) {
@@ -163,7 +164,7 @@ void markOutside(Material& material, const std::string& image) {
     }
 }
 
-/// Leaves out what a copy of unsaved work says is not to be read.
+/// Marks as outside what a copy of unsaved work says must not be read.
 void takeWithheld(SceneReading& reading, Checked<ComparedSides>& compared) {
     const nlohmann::json withheld = reading.scene.extras.value(withheldKey, nlohmann::json());
     reading.scene.extras.erase(withheldKey);
@@ -196,7 +197,8 @@ QString titleOf(const std::filesystem::path& path) {
     return QString::fromStdString(path.filename().string());
 }
 
-/// Nothing that a file holds is lost where it is written anew.
+/// Tells whether a preset file holds parked values, which must not be lost when it is written
+/// again.
 bool holdsParked(const std::filesystem::path& path, const Catalog& catalog) {
     const auto held = readPreset(path, catalog);
     return held && !(withoutParked(held->material, catalog) == held->material);
@@ -213,8 +215,8 @@ void DocumentFiles::tell(const Errors& messages) {
     }
 }
 
-/// Makes the path absolute: what a path means must not depend on the folder that some later program
-/// starts in.
+/// Makes the path absolute: what it means must not depend on the folder that a later program starts
+/// in.
 void DocumentFiles::setFile(DocumentFile file) {
     file_ = std::move(file);
     std::error_code ignored; // it then stays as it is
@@ -245,7 +247,7 @@ bool DocumentFiles::openScene(const std::filesystem::path& path, const ReadingRi
     return notes.has_value();
 }
 
-/// Gives what there is to say of the scene; nothing, with the errors told, when it cannot be read.
+/// Returns the notes on the scene; nothing, after its errors were told, when it cannot be read.
 std::optional<Errors> DocumentFiles::takeScene(const std::filesystem::path& path,
                                                const ReadingRights& rights) {
     Checked<SceneReading> reading = readScene(path, document_.catalog(), rights);
@@ -449,7 +451,7 @@ bool DocumentFiles::savePreset(const std::filesystem::path& path, Side side,
                       saved);
 }
 
-/// Nothing is called otherwise before its file is written.
+/// Renames the material in the document only once its file is written.
 bool DocumentFiles::savePreset(const std::filesystem::path& path, const BlockPath& of,
                                const Material& saved) {
     if (!mayOverwrite(path)) {

@@ -13,7 +13,7 @@ struct DocumentFile {
     enum class Kind { None, Preset, Scene };
     Kind kind = Kind::None;
     std::filesystem::path path;
-    bool readOnly = false; ///< written by a newer version: never saved over
+    bool readOnly = false; ///< says that a newer version wrote it, so it is never overwritten
 
     friend bool operator==(const DocumentFile&, const DocumentFile&) = default;
 };
@@ -27,12 +27,12 @@ class DocumentFiles : public QObject {
     explicit DocumentFiles(Document& document, QObject* parent = nullptr);
 
     const DocumentFile& file() const { return file_; }
-    /// The file is a preset, and more than the material it holds was changed.
+    /// Tells whether the file is a preset and more than the material that it holds was changed.
     bool outgrewPreset() const;
-    /// Tells whether what is shown was recovered and not saved since.
+    /// Tells whether what is shown was recovered and has not been saved since.
     bool isRecovered() const { return isRecovered_; }
 
-    /// Begins a new, untitled document that starts as this scene.
+    /// Starts a new, untitled document from this scene.
     void startFrom(const Scene& scene);
     bool openScene(const std::filesystem::path& path, const ReadingRights& rights = {});
     /// Opens a scene as a new, untitled document (the default scene).
@@ -46,20 +46,21 @@ class DocumentFiles : public QObject {
     bool applyPreset(const std::filesystem::path& path, Side side,
                      const ReadingRights& rights = {});
 
-    /// Returns what a scene file of this document holds: the scene, in its extras side B and its
-    /// object.
+    /// Returns what a scene file of this document holds: the scene, with the compared sides and the
+    /// snapshots in its extras.
     Scene sceneToSave() const;
-    /// The same for a copy that is not its file: it says too what is not to be read.
+    /// Returns the same for a recovery copy, which also says which files must not be read.
     Scene sceneToRecover() const;
     bool saveScene(const std::filesystem::path& path);
     bool savePreset(const std::filesystem::path& path, Side side);
-    /// Sets whether presets that are saved keep the values that only other models use. The document
-    /// does, and so do scenes.
+    /// Says whether saved presets keep the values that only other models use. The document and
+    /// scene files always keep them.
     void setKeepsParked(bool keeps) { keepsParked_ = keeps; }
-    /// Saves under a name: the preset that is the document is then called so itself.
+    /// Saves under a name, which the material in the document takes too unless the document is a
+    /// scene.
     bool savePreset(const std::filesystem::path& path, Side side, const std::string& name);
-    /// Saves to file(), by its kind; false when there is none or it is not to be written. What
-    /// comes with Patina never is, whoever names it.
+    /// Saves to file(), by its kind; returns false when there is none or it must not be written.
+    /// Files that come with Patina are never written.
     bool save();
 
     /// Returns what a scene or preset file names outside its folder and would not read with these
@@ -85,10 +86,11 @@ class DocumentFiles : public QObject {
     Document& document_;
     WithheldFiles withheld_;
     DocumentFile file_;
-    int presetObject_ = -1; ///< whose material is in file_, when that is a preset
+    int presetObject_ = -1; ///< is the object whose material file_ holds, where that is a preset
     bool isRecovered_ = false;
     bool keepsParked_ = false;
-    DocumentState savedState_; ///< as opened or saved, to know what saving a preset leaves out
+    /// Is the state as opened or saved, to know what saving a preset leaves out.
+    DocumentState savedState_;
 };
 
 } // namespace patina

@@ -10,7 +10,7 @@ namespace patina {
 
 namespace {
 
-/// `container[index]`, or null when there is none.
+/// Returns the address of `container[index]`, or null when there is no such element.
 template <class Container>
 auto elementAt(Container& container, int index) -> decltype(&container[0]) {
     const bool inside = index >= 0 && index < static_cast<int>(container.size());
@@ -57,7 +57,7 @@ auto findBlockValues(State& state, const BlockPath& path) -> decltype(state.scen
     return material ? findInMaterial(*material, path.kind) : nullptr;
 }
 
-/// Returns what owns the settings that go by a word.
+/// Returns what owns the settings of this name.
 BlockOwner ownerOfSettings(std::string_view word) {
     return word == settings::scene || word == settings::camera ? BlockOwner::Scene
            : word == settings::object                          ? BlockOwner::Object

@@ -15,7 +15,7 @@
 
 namespace patina {
 
-/// Holds the materials that are compared. A is the object's own, B the second one, C and D are
+/// Names the materials that are compared: A is the object's own, B the second one, C and D are
 /// further ones.
 enum class Side { A, B, C, D };
 
@@ -25,7 +25,7 @@ constexpr std::size_t indexOf(Side side) {
     return static_cast<std::size_t>(side);
 }
 
-/// Holds what side A shows for as long as it is compared, and its own material, which was put
+/// Holds the material that side A shows only while it is compared, and its own one, which was put
 /// aside.
 struct MaterialPreview {
     int object = 0;
@@ -35,25 +35,29 @@ struct MaterialPreview {
     friend bool operator==(const MaterialPreview&, const MaterialPreview&) = default;
 };
 
-/// Represents a look that was kept under a name.
+/// Holds a material that was kept under a name.
 struct Snapshot {
     std::string name;
     Material material;
-    std::string png; ///< of a small picture of it, the bytes of the file
+    std::string png; ///< holds the bytes of a PNG file, a small picture of it
 
     friend bool operator==(const Snapshot&, const Snapshot&) = default;
 };
 
-/// Everything an edit can change.
+/// Holds everything that an edit can change.
 struct DocumentState {
     Scene scene;
-    std::optional<Material> second; ///< side B, shown on the current object; absent: no comparing
-    std::optional<MaterialPreview> preview = std::nullopt; ///< absent: side A shows its own
-    std::optional<ComparedPicture> picture = std::nullopt; ///< absent: both draw as the scene says
-    /// Holds sides C and D, shown on the current object, too; they rest while nothing is compared.
+    /// Is side B, shown on the current object; absent while nothing is compared.
+    std::optional<Material> second;
+    std::optional<MaterialPreview> preview = std::nullopt; ///< is absent where side A shows its own
+    /// Is absent where both sides draw as the scene says.
+    std::optional<ComparedPicture> picture = std::nullopt;
+    /// Holds sides C and D, also shown on the current object; they are unused while nothing is
+    /// compared.
     std::vector<Material> further{};
-    std::array<OwnView, sides.size()> ownViews{}; ///< by side; they rest in the same way
-    std::vector<Snapshot> snapshots{}; ///< in the order in which they were taken
+    /// Are indexed by side; unused while nothing is compared.
+    std::array<OwnView, sides.size()> ownViews{};
+    std::vector<Snapshot> snapshots{}; ///< are in the order in which they were taken
 
     friend bool operator==(const DocumentState&, const DocumentState&) = default;
 };
@@ -61,10 +65,10 @@ struct DocumentState {
 /// Names one set of parameter values in a document: what a form shows and a command changes.
 struct BlockPath {
     BlockOwner owner = BlockOwner::Material;
-    std::string kind{kinds::models}; ///< of the block, or one of `settings`
-    int index = 0;                   ///< of the object or the light that owns it; 0 of the scene
-    Side side = Side::A;             ///< of the material that owns it
-    bool isOfView = false;           ///< of what the side's view has of its own of the scene
+    std::string kind{kinds::models}; ///< is that of the block, or one of `settings`
+    int index = 0;         ///< is that of the object or light that owns it; 0 for the scene
+    Side side = Side::A;   ///< is that of the material that owns it
+    bool isOfView = false; ///< says that it is in what the side's view has of its own
 
     bool isAt(std::string_view wanted) const { return kind == wanted; }
 
@@ -87,14 +91,15 @@ struct MaterialPlace {
     friend bool operator==(const MaterialPlace&, const MaterialPlace&) = default;
 };
 
-/// Returns the path of what is of a kind, or one of `settings`.
+/// Returns the path of a kind of block, or of one of `settings`.
 BlockPath pathOf(std::string_view kind, int index = 0, Side side = Side::A);
 
-/// Returns the scene as one side shows it: all but A have a material of theirs on the current
+/// Returns the scene as one side shows it: sides other than A have their own material on this
 /// object.
 Scene shownScene(const DocumentState& state, int object, Side side);
 
-/// The same without what is laid over it where ways to draw its picture are compared.
+/// Returns the same without the picture settings that are laid over it while such settings are
+/// compared.
 Scene ownScene(const DocumentState& state, int object, Side side);
 
 /// Returns what a side's view has of its own; all is linked where nothing is compared.
@@ -103,10 +108,10 @@ const OwnView& ownView(const DocumentState& state, Side side);
 /// Returns the path of the environment that a side's view shows: its own one or the scene's.
 BlockPath environmentPath(const DocumentState& state, Side side);
 
-/// Returns what is laid over a side's scene while its picture is compared; null: nothing.
+/// Returns what is laid over a side's scene while its picture is compared; null where nothing is.
 const SidePicture* overlaidPicture(const DocumentState& state, Side side);
 
-/// Tells whether side A shows another value than this one, which the scene has.
+/// Tells whether side A shows another value than the scene's at this path.
 bool isOverlaid(const DocumentState& state, const BlockPath& path, std::string_view parameterId);
 
 /// Tells whether side B has another material than what its object has.
@@ -115,7 +120,7 @@ bool hasSecondMaterial(const DocumentState& state);
 /// Tells whether a side has a material that is not the object's.
 bool hasOwnMaterial(const DocumentState& state, Side side);
 
-/// Returns how many sides are shown: from 1, where nothing is compared.
+/// Returns how many sides are shown, 1 .. 4; 1 while nothing is compared.
 std::size_t shownSides(const DocumentState& state);
 
 /// Tells whether values at this path may have images.
@@ -124,19 +129,20 @@ bool takesTextures(const BlockPath& path);
 /// Returns the key of a value's image in Material::textures.
 std::string textureKey(const BlockPath& path, std::string_view parameterId);
 
-/// Returns the material a path lies in; null when the object or the side is not there.
+/// Returns the material of a side, for A that of this object; null when the object or side is not
+/// there.
 const Material* materialAt(const DocumentState& state, int object, Side side);
 Material* materialAt(DocumentState& state, int object, Side side);
 
-/// Returns the material that side A of an object has where it shows another one just to be looked
-/// at, with what was edited of it since; nothing where it shows its own.
+/// Returns the own material of an object whose side A previews another one, with what was edited of
+/// it since; nothing where side A shows its own.
 std::optional<Material> materialAside(const DocumentState& state, int object);
 
-/// Returns the block values a path names; null for settings and for what is not there.
+/// Returns the block values at a path; null for settings and for what is not there.
 const BlockValues* blockValuesAt(const DocumentState& state, const BlockPath& path);
 BlockValues* blockValuesAt(DocumentState& state, const BlockPath& path);
 
-/// Returns the parts of the scene or of one of its lights that a path lies in; null where it is not
+/// Returns the parts of the scene, or of the light, that a path lies in; null where it is not
 /// there.
 BlockParts* scenePartsAt(DocumentState& state, const BlockPath& path);
 
