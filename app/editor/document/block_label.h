@@ -9,8 +9,8 @@
 
 namespace patina {
 
-/// Returns the label of an edit that chooses a block of a kind, or none (null): "Fog Linear", "Fog
-/// off".
+/// Returns the label of an edit that chooses a block of a kind, or none (null), such as "Fog
+/// Linear" and "Fog off".
 QString blockLabel(std::string_view kind, const Block* block);
 
 } // namespace patina

@@ -12,9 +12,9 @@
 
 namespace patina {
 
-/// Returns what changing a value may soon call other programs for: a state of each kind that
-/// differs from this one in its programs, and this one where it lacks something because of its
-/// place, which a drag brings in.
+/// Returns the states whose programs a change of this value may soon call for: one of each kind
+/// whose programs differ from this state's, and this state itself where its programs leave
+/// something out because of its place, which a drag may bring in.
 std::vector<DocumentState> prewarmed(const DocumentState& state, const BlockPath& path,
                                      const Parameter& parameter, const Catalog& catalog);
 
@@ -33,10 +33,9 @@ class FrozenEffects {
     void keepTexture(const DocumentState& state, int object, const BlockPath& path,
                      const std::string& key);
 
-    /// A value of the document has changed: all but the dragged one count.
+    /// Takes over a value of the document that has changed, unless it is the dragged one.
     void follow(const DocumentState& state, const BlockPath& path, std::string_view parameterId);
 
-    /// Stops holding.
     void end() { held_.reset(); }
 
     /// Tells whether the document by itself calls for other programs than the held ones.
@@ -48,7 +47,7 @@ class FrozenEffects {
   private:
     struct Held {
         DocumentState state;
-        /// Is what the sides show, where that is not the state's scene.
+        /// Holds what the sides show, by side; absent where that is the state's scene.
         std::array<std::optional<Scene>, patina::sides.size()> shown;
         int object = -1;
         BlockPath path;

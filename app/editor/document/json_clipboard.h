@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// JSON on the clipboard: text for everybody, and the same once more under a name of our own for
-// windows of Patina.
+// Copies JSON to the clipboard and reads it from there: as text for every program, and once more
+// under a MIME type of Patina's own for its other windows.
 #pragma once
 
 #include <string>
@@ -9,28 +9,29 @@
 
 namespace patina {
 
-/// Represents a JSON text that was copied.
+/// Holds a JSON text that was copied, and says where it comes from.
 struct CopiedJson {
-    LocatedJson json; ///< of no file
+    LocatedJson json; ///< has no file name
 
-    /// It comes from a window of Patina that reads what it names. Of another text nobody knows who
-    /// wrote it.
+    /// Says that it comes from a window of Patina that reads the files it names. Other text may
+    /// come from anyone.
     bool isTrusted = false;
 
-    /// Returns what it says that it is; empty: nothing.
+    /// Returns the "format" that it names; empty where it names none.
     std::string format() const;
 };
 
-/// Copies JSON; `isTrusted`: all files that it names are read here.
+/// Copies JSON. `isTrusted` says that this window reads all files that the JSON names.
 void copyJson(const nlohmann::json& json, bool isTrusted);
 
-/// Returns what was copied; the error says where it is no JSON.
+/// Returns what was copied; the error says where it is not JSON.
 Result<CopiedJson> copiedJson();
 
-/// Tells whether it looks like JSON, at no cost.
+/// Tells whether the clipboard's text starts like a JSON object, without parsing it.
 bool hasCopiedJson();
 
-/// Returns an error, or errors, in what was copied: it is called the clipboard.
+/// Returns an error, or errors, in which "Clipboard" stands for the name of the file that is
+/// missing.
 Error inClipboard(Error error);
 Errors inClipboard(Errors errors);
 

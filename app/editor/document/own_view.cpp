@@ -14,7 +14,7 @@ namespace {
 constexpr const char* environmentKey = "environment";
 constexpr const char* switchedOffKey = "switchedOff";
 
-/// Returns a number of stops as the scene takes them.
+/// Returns stops conformed to the range of the scene's exposure.
 double inRange(double stops) {
     for (const Descriptor& descriptor : settingsDescriptors()) {
         const Parameter* parameter = descriptor.block.parameter(exposureSetting);
@@ -25,7 +25,7 @@ double inRange(double stops) {
     return stops;
 }
 
-/// The environment of a view that has one of its own, whose picture is judged.
+/// Reads a view's own environment, and notes in `references` the picture file that it names.
 std::optional<BlockValues> environmentFrom(JsonReader reader, const Catalog& catalog, Errors& notes,
                                            References& references) {
     BlockValues values = BlockReader{catalog, notes}.read(reader, kinds::environment);

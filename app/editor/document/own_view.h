@@ -14,30 +14,31 @@
 
 namespace patina {
 
-/// Says what of the scene a side's view has of its own while sides are compared. What it has not is
-/// linked with the scene.
+/// Holds what a side's view has of its own while sides are compared. What is absent here is linked
+/// with the scene.
 struct OwnView {
     std::optional<double> exposure;         ///< stops
-    bool hasEnvironment = false;            ///< the next, whatever lights the scene
-    std::optional<BlockValues> environment; ///< absent: nothing lights it from all around
-    std::optional<std::vector<std::string>> switchedOff; ///< its effects, by name
+    bool hasEnvironment = false;            ///< says that `environment` counts, not the scene's
+    std::optional<BlockValues> environment; ///< is absent where the view has no environment
+    /// Holds the names of effects that are off.
+    std::optional<std::vector<std::string>> switchedOff;
 
     bool isLinked() const { return *this == OwnView(); }
 
     friend bool operator==(const OwnView&, const OwnView&) = default;
 };
 
-/// The scene's setting that a view may have of its own.
+/// Names the setting of the scene that a view may have of its own.
 inline constexpr const char* exposureSetting = "exposure";
 
-/// A setting of the scene that is the view's own; nothing where it is linked.
+/// Returns a setting of the scene that is the view's own; nothing where it is linked.
 std::optional<Value> settingOf(const OwnView& own, std::string_view id);
 void storeSetting(OwnView& own, std::string_view id, const Value& value);
 
 /// Gives a scene what a view has of its own; its effects stay.
 void giveOwn(Scene& scene, const OwnView& own);
 
-/// Gives a scene that a view shows what another one has where the view is linked with it.
+/// Brings the linked settings of a scene that a view shows up to date with `scene`.
 void relink(Scene& shown, const Scene& scene, const OwnView& own);
 
 nlohmann::json toJson(const OwnView& own);

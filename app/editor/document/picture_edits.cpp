@@ -6,7 +6,7 @@
 namespace patina {
 namespace {
 
-/// Sets the values of a block that differ from those that are there.
+/// Sets all values of a block at a path; those that stay the same make no edit.
 void setValues(Document& document, const BlockPath& path, const BlockValues& wanted) {
     for (const auto& [id, value] : wanted.parameters) {
         document.setValue(path, id, value);

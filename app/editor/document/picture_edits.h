@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// Brings what choices of the picture change, and nothing else, from a scene into the document.
+/// Takes the picture settings of a scene, and nothing else, into the document.
 void setPicture(Document& document, const Scene& from);
 
 } // namespace patina

@@ -13,10 +13,11 @@ namespace patina {
 /// Returns the choices of the picture's accuracy as parameters of a form: "picture.<choice>".
 std::vector<Parameter> pictureAccuracyParameters();
 
-/// Nothing where the id names no such choice.
+/// Returns the id of the level that the scene has of a choice; nothing where the id names no such
+/// choice.
 std::optional<Value> pictureLevel(const Scene& scene, std::string_view parameterId);
 
-/// Does nothing where the id or the level is not known.
+/// Sets the level of a choice; does nothing where the id or the level is not known.
 void storePictureLevel(Scene& scene, std::string_view parameterId, const Value& value);
 
 } // namespace patina

@@ -6,16 +6,17 @@
 
 namespace patina {
 
-/// Knows the effects that the views' programs have where a document alone would not say so: those
-/// of a value that is dragged, and those that what the artist approaches may soon call for.
+/// Knows which effects the views' programs need beyond those of the document's state: those of a
+/// value that is dragged, and those that a value or model which the artist approaches may soon call
+/// for.
 class ProgramEffects : public QObject {
     Q_OBJECT
 
   public:
     explicit ProgramEffects(Document& document, QObject* parent = nullptr);
 
-    /// Returns the scene whose effects a side's programs have while a value is dragged; null: its
-    /// own.
+    /// Returns the scene whose effects a side's programs have while a value is dragged; null where
+    /// they have those of the side's own scene.
     const Scene* scene(Side side) const { return frozen_.scene(side); }
 
   Q_SIGNALS:

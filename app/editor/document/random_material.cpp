@@ -8,7 +8,7 @@
 namespace patina {
 namespace {
 
-/// Returns the paths of the blocks that a material is made of.
+/// Returns the paths of the blocks that the active material is made of.
 std::vector<BlockPath> pathsOf(const Document& document) {
     const Block* model = document.block(document.selection().currentPath(kinds::models));
     std::vector<BlockPath> paths;

@@ -7,8 +7,9 @@
 
 namespace patina {
 
-/// Gives the values of the active material's model, and of what works beside it, random ones that
-/// sliders reach (see randomValue()), as one undo step. Locked ones stay.
+/// Gives the values of the active material's model and of its parts random values within their
+/// sliders (see randomValue()), as one undo step. Locked values stay. `next` returns random
+/// numbers, 0 .. 1.
 void randomiseMaterial(Document& document, const std::function<double()>& next);
 
 } // namespace patina

@@ -21,7 +21,8 @@
 namespace patina {
 namespace {
 
-/// Returns the way that the light of a block takes; null where it has none of its own.
+/// Returns the parameter for the direction in which the light of a block travels; null where the
+/// block has none.
 const Parameter* wayOf(const Block& block) {
     const auto found = std::ranges::find_if(block.parameters, [](const Parameter& parameter) {
         return parameter.space == Space::WorldDirection;
@@ -35,7 +36,8 @@ const Element* at(const std::vector<Element>& list, int index) {
     return isInside ? &list[static_cast<std::size_t>(index)] : nullptr;
 }
 
-/// Returns a light from very far away whose brightness can be set; null: there is none.
+/// Returns the first kind of light from very far away whose colour and brightness can be set; null
+/// where there is none.
 const Block* farLight(const Catalog& catalog) {
     const std::vector<const Block*> all = catalog.ofKind(kinds::lights);
     const auto found = std::ranges::find_if(all, [](const Block* block) {
@@ -46,7 +48,7 @@ const Block* farLight(const Catalog& catalog) {
     return found == all.end() ? nullptr : *found;
 }
 
-/// Returns the shadows of lamps with a size; null: there are none.
+/// Returns the first kind of shadows for lamps with a size; null where there is none.
 const Block* softShadows(const Catalog& catalog) {
     const std::vector<const Block*> all = catalog.ofKind(kinds::shadows);
     const auto found = std::ranges::find_if(
@@ -54,7 +56,8 @@ const Block* softShadows(const Catalog& catalog) {
     return found == all.end() ? nullptr : *found;
 }
 
-/// `direction`: towards the lamp, in the world.
+/// Returns a light in place of a lamp of an environment. `direction` points towards the lamp, in
+/// world space.
 Light lightOf(const EnvironmentLamp& lamp, const glm::dvec3& direction, const Block& block,
               const Block* shadows) {
     Light light{{}, true, defaultsOf(block)};
@@ -85,8 +88,8 @@ Names namesOf(const Scene& scene, std::string Object::*which) {
     return names;
 }
 
-/// Returns the name, or the first of "name 2", "name 3" ... that is free; a number at its end
-/// counts on.
+/// Returns the name if it is free, or else the first free one of "name 2", "name 3" ..., with which
+/// a number at its end is replaced.
 std::string unusedName(const Names& taken, const std::string& name) {
     const std::size_t letters = name.find_last_not_of("0123456789");
     const bool isNumbered = letters != std::string::npos && letters + 1 < name.size() &&
@@ -99,7 +102,7 @@ std::string unusedName(const Names& taken, const std::string& name) {
     return free;
 }
 
-/// Objects under names and in groups that no object of the scene has.
+/// Returns the objects, with names and groups changed to ones that no object of the scene has.
 std::vector<Object> namedApart(const Scene& scene, std::vector<Object> objects) {
     Names names = namesOf(scene, &Object::name);
     Names groups = namesOf(scene, &Object::group);
@@ -187,8 +190,8 @@ void removeLight(Document& document, int index) {
     }
 }
 
-/// Which lights were on before is kept with those that are turned off, in the scene itself: it is
-/// undone and saved with it.
+/// Keeps which lights were on before in the lights themselves, so that it is undone and saved with
+/// the scene.
 void toggleSolo(Document& document, int index) {
     const std::vector<Light>& lights = document.scene().lights;
     if (!at(lights, index)) {
@@ -264,7 +267,7 @@ void changeObjects(Document& document, const std::vector<int>& indices, const QS
     setObjects(document, changed, label);
 }
 
-/// The last one goes first, so that each is where it was.
+/// Removes the last one first, so that the indices of the others stay right.
 void removeObjects(Document& document, std::vector<int> indices) {
     std::ranges::sort(indices, std::greater());
     const QString label =

@@ -12,7 +12,7 @@
 namespace patina {
 namespace {
 
-/// A file may hold so many, with pictures of so many bytes.
+/// A file may hold this many snapshots, each with a picture of this many bytes in base64.
 constexpr std::size_t maxSnapshots = 500;
 constexpr std::size_t maxPictureBytes = 1u << 20;
 

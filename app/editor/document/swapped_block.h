@@ -5,12 +5,12 @@
 
 namespace patina {
 
-/// Returns the values of a block as its descriptor has them.
+/// Returns the values of a block that its descriptor gives as defaults.
 BlockValues defaultsOf(const Block& block);
 
-/// Returns another block in place of `values`, which `before` describes, by the same rules as a
-/// model swap: values with the same id carry over, the others are parked beside them. The defaults
-/// where there are no values.
+/// Returns values of another block in place of `values`, which `before` describes, by the same
+/// rules as a model swap: values with the same id carry over, the others are parked beside them.
+/// Returns the defaults where there are no values.
 BlockValues swappedBlock(const BlockValues* values, const Block* before, const Block& after);
 
 } // namespace patina

@@ -5,21 +5,23 @@
 
 namespace patina {
 
-/// Represents a material that a side shows on the current object just to be tried. The document
-/// does not know it: it is no edit and in no file, and it goes with the next edit.
+/// Holds a material that a side shows on the current object just to be tried. The document does not
+/// know it: it is no edit and in no file, and the next edit ends it.
 class TriedMaterial : public QObject {
     Q_OBJECT
 
   public:
     explicit TriedMaterial(Document& document, QObject* parent = nullptr);
 
-    /// Side B shows it only while the document compares. `what` it is: nobody else's is so called.
+    /// Shows a material on a side, on B only while the document compares. `what` names it, so that
+    /// isShown() tells it from others.
     void show(Side side, const Material& material, const QString& what = {});
     void end();
 
     bool isShown() const { return shown_.has_value(); }
     bool isShown(const QString& what) const { return shown_ && shown_->what == what; }
-    /// Returns what the side shows in place of the document's scene; null: nothing.
+    /// Returns what the side shows in place of the document's scene; null where no material is
+    /// tried.
     const Scene* scene(Side side) const;
 
   Q_SIGNALS:

@@ -12,11 +12,12 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Is the key, in what files keep without knowing it: kind -> ids.
+/// The owner of locked values keeps their ids under this key, by kind, as data that files keep
+/// unread.
 constexpr const char* lockedKey = "locked";
 
-/// Returns where the owner of the values keeps what only the editor knows; null where it is not
-/// there.
+/// Returns where the owner of the values keeps what only the editor knows; null where the owner is
+/// missing.
 template <class State>
 auto keptAt(State& state, const BlockPath& path) -> decltype(&state.scene.extras) {
     const auto index = static_cast<std::size_t>(path.index);

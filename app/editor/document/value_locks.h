@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Locked values: what changes a whole group at once (random values, a reset, a paste) leaves them
-// alone. Files keep them with what they belong to.
+// Values can be locked: what changes a whole group at once (random values, a reset, a paste) leaves
+// locked ones alone. Files keep the locks with what they belong to.
 #pragma once
 
 #include <string>
@@ -11,15 +11,16 @@
 
 namespace patina {
 
-/// Returns the ids of the values that are locked, in order.
+/// Returns the ids of the locked values of a block, in order.
 std::vector<std::string> lockedValues(const DocumentState& state, const BlockPath& path);
 bool isLocked(const DocumentState& state, const BlockPath& path, std::string_view parameterId);
 
-/// Stores them in what the path lies in; nothing happens where that is not there.
+/// Stores the ids of a block's locked values in what the path lies in; does nothing where that is
+/// missing.
 void storeLockedValues(DocumentState& state, const BlockPath& path,
                        const std::vector<std::string>& ids);
 
-/// Locks values or frees them, as one undo step.
+/// Locks or unlocks values, as one undo step.
 void setLocked(Document& document, const BlockPath& path, const std::vector<std::string>& ids,
                bool isLocked);
 

@@ -10,7 +10,7 @@
 namespace patina {
 namespace {
 
-/// Where the reader of scenes keeps the path of a preset that it did not read.
+/// The reader of scenes keeps the path of a preset that it did not read under this key.
 const char* const unreadPreset = "damagedPreset";
 
 /// Returns every place of a material that a document has.
@@ -133,7 +133,8 @@ void WithheldFiles::allowAll(const std::filesystem::path& documentFile) {
     document_.announce({DocumentChange::Rights});
 }
 
-/// Reads a material's preset that was not read, and shows its images.
+/// Reads the preset of a material where it was not read, and marks the material's images as
+/// allowed.
 void WithheldFiles::allowIn(const MaterialPlace& place, const std::filesystem::path& documentFile,
                             const ReadingRights& rights) {
     const Material* held = materialAt(document_.state(), place.object, place.side);

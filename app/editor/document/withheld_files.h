@@ -19,26 +19,28 @@ class WithheldFiles : public QObject {
   public:
     explicit WithheldFiles(Document& document, QObject* parent = nullptr);
 
-    /// Returns all of them, the images of materials too.
+    /// Returns all of them, including the images of materials.
     OutsideFiles all() const;
-    /// Returns what may be read of meshes, of the picture and of the links of meshes.
+    /// Returns the rights to read meshes, the environment's picture and the files that meshes link
+    /// to.
     FileRights rights() const;
-    /// Withholds these alone, beside images, which know it themselves.
+    /// Withholds these and no others. Images are left out: materials say themselves which are
+    /// withheld.
     void set(OutsideFiles files);
     /// Withholds these as well.
     void add(const OutsideFiles& files);
-    /// Allows these links of meshes alone.
+    /// Allows meshes to read these linked files and no others.
     void allowLinks(FileSet links);
-    /// A mesh was read without these links.
+    /// Withholds these linked files, without which a mesh was read.
     void addLinks(const std::vector<std::string>& places);
-    /// Allows what the user named file himself.
+    /// Allows a file that the user named.
     void allow(const std::filesystem::path& file);
-    /// Reads them all from now on; images and presets as one undoable step. Paths of presets start
-    /// in the folder of this file.
+    /// Allows all of them from now on, images and presets as one undoable step. Relative paths of
+    /// presets start in the folder of `documentFile`.
     void allowAll(const std::filesystem::path& documentFile);
 
   Q_SIGNALS:
-    /// There are others, or fewer, beside images, or other rights.
+    /// The withheld files other than images, or the rights, have changed.
     void changed();
 
   private:
@@ -46,8 +48,8 @@ class WithheldFiles : public QObject {
                  const ReadingRights& rights);
 
     Document& document_;
-    OutsideFiles files_; ///< beside images
-    FileSet links_;      ///< that are allowed
+    OutsideFiles files_; ///< holds no images
+    FileSet links_;      ///< names the linked files that meshes may read
 };
 
 } // namespace patina

@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// Holds the way of the camera that belongs to another edit: framing a mesh that was dropped.
+/// Moves the camera as part of another edit, such as framing a mesh that was dropped.
 class CameraCommand : public ChangeCommand<int, Camera> {
   public:
     CameraCommand(Document& document, const Camera& before, const Camera& after);

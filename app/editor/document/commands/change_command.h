@@ -7,9 +7,9 @@
 
 namespace patina {
 
-/// Represents an edit that replaces one value by another. `Target` says which value of the document
-/// it is; edits of different values whose `Held` is the same need targets of different types.
-/// Within one interaction changes of one target merge; one that ends where it began is dropped.
+/// Replaces one value by another. `Target` says which value of the document it is; edits of
+/// different values whose `Held` is the same need targets of different types. Within one
+/// interaction changes of one target merge; one that ends where it began is dropped.
 template <class Target, class Held>
 class ChangeCommand : public DocumentCommand {
   public:

@@ -7,7 +7,7 @@
 
 namespace patina {
 
-/// Holds the object that sides C and D are shown on.
+/// Names the object that sides C and D are shown on.
 struct FurtherSides {
     int object = 0;
 

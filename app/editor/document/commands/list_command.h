@@ -48,7 +48,7 @@ class ListCommand : public ChangeCommand<int, std::optional<Element>> {
 
     bool isReplacement_;
     bool isAddition_;
-    int current_; ///< before the edit
+    int current_; ///< is the current index before the edit
 };
 
 } // namespace patina

@@ -8,17 +8,17 @@
 
 namespace patina {
 
-/// The locks of a block's values.
+/// Names the block whose locks an edit changes.
 struct BlockLocks {
     BlockPath path;
 
     friend bool operator==(const BlockLocks&, const BlockLocks&) = default;
 };
 
-/// Locks values of a block, or frees them.
+/// Locks or unlocks values of a block.
 class LockCommand : public ChangeCommand<BlockLocks, std::vector<std::string>> {
   public:
-    /// `after`: the ids of all that are locked then.
+    /// `after` holds the ids of all values that are locked afterwards.
     LockCommand(Document& document, const BlockPath& path, std::vector<std::string> after,
                 const QString& label);
 
