@@ -7,7 +7,7 @@ class QCheckBox;
 
 namespace patina {
 
-/// A check box.
+/// Edits a bool in a check box.
 class BoolEditor : public ParameterEditor {
     Q_OBJECT
 

@@ -5,8 +5,8 @@
 
 namespace patina {
 
-/// Represents a combo box that leaves the wheel to what scrolls unless it has the focus, and that
-/// may be narrower than its longest choice.
+/// Leaves the wheel to the scroll area around it unless it has the focus, and may be narrower than
+/// its longest choice.
 class ChoiceBox : public QComboBox {
     Q_OBJECT
 

@@ -20,7 +20,8 @@ std::string_view trimmed(std::string_view text, std::string_view what) {
     return text.substr(first, text.find_last_not_of(what) - first + 1);
 }
 
-/// "2 * 0.25", "30 deg" and the like, which only a person writes.
+/// Returns the number of an expression as people type it ("2 * 0.25", "30 deg"), kept in the
+/// parameter's range; nothing when the text is none.
 std::optional<Value> pastedNumber(const Parameter& parameter, std::string_view text) {
     const std::optional<double> number = evaluateNumber(text, parameter.unit);
     if (!number) {

@@ -6,8 +6,8 @@
 
 namespace patina {
 
-/// Represents a field in which a point is dragged; x and y run from 0 to 1, y upwards. The base of
-/// the picker's two fields: they only paint differently.
+/// Lets a point be dragged in a field; x and y run from 0 to 1, y upwards. The picker's two fields
+/// derive from it and differ only in how they paint.
 class ColorArea : public QWidget {
     Q_OBJECT
 

@@ -25,7 +25,7 @@ ColorEditor::ColorEditor(const Parameter& parameter, QWidget* parent)
             [this](const glm::dvec3& wanted) { Q_EMIT edited(Value(wanted)); });
 }
 
-/// Returns the popup that the editor stands in; null where it stands in a window or a dock.
+/// Returns the popup that the editor is in; null where it is in a window or a dock.
 QWidget* ColorEditor::popup() const {
     return window()->windowType() == Qt::Popup ? window() : nullptr;
 }
@@ -58,7 +58,8 @@ void ColorEditor::openPicker() {
     picker_->openAt(*swatch_);
 }
 
-/// A popup is out of the way meanwhile, so what it belongs to has the mouse and the keys.
+/// Gives the eyedropper the widget that grabs the mouse and keys: where the editor is in a popup,
+/// which is hidden meanwhile, the parent of that popup.
 void ColorEditor::makeEyedropper() {
     eyedropper_ = new Eyedropper(popup() ? popup()->parentWidget() : swatch_);
     connect(eyedropper_, &Eyedropper::hovered, this,

@@ -10,7 +10,7 @@ class ColorSwatch;
 class Eyedropper;
 class HexBox;
 
-/// Represents a swatch that opens a picker, and the colour's sRGB hex.
+/// Edits a colour by a swatch that opens a picker, and by its sRGB hex.
 class ColorEditor : public ParameterEditor {
     Q_OBJECT
 
@@ -31,9 +31,9 @@ class ColorEditor : public ParameterEditor {
     glm::dvec3 color_{0.0};
     ColorSwatch* swatch_;
     HexBox* hex_;
-    ColorPicker* picker_ = nullptr; ///< made when it is first opened
-    Eyedropper* eyedropper_ = nullptr; ///< likewise
-    glm::dvec3 colorBefore_{0.0}; ///< what giving up the picking goes back to
+    ColorPicker* picker_ = nullptr;    ///< is made when it is first opened
+    Eyedropper* eyedropper_ = nullptr; ///< is made when it is first used
+    glm::dvec3 colorBefore_{0.0};      ///< is the colour that comes back when picking is given up
 };
 
 } // namespace patina

@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// Saturation (x) and brightness (y) of one hue, as a screen shows them.
+/// Shows saturation (x) and brightness (y) of one hue, as a screen shows them.
 class SaturationField : public ColorArea {
     Q_OBJECT
 

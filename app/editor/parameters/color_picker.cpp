@@ -22,7 +22,7 @@ namespace patina {
 
 namespace {
 
-constexpr int restMilliseconds = 400; // longer than a slow key repeat
+constexpr int restMilliseconds = 400; // is longer than a slow key repeat
 
 Parameter componentOf(const Parameter& color) {
     Parameter component = color;

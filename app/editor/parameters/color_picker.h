@@ -17,8 +17,8 @@ class HueStrip;
 class NumberEdit;
 class SaturationField;
 
-/// Represents a popup that edits a colour live: hue, saturation and brightness as a screen shows
-/// them, and the linear numbers the shader gets.
+/// Edits a colour live in a popup: hue, saturation and brightness as a screen shows them, and the
+/// linear numbers the shader gets.
 class ColorPicker : public QFrame {
     Q_OBJECT
 
@@ -34,7 +34,7 @@ class ColorPicker : public QFrame {
     void interactionBegan();
     void edited(const glm::dvec3& linear);
     void interactionEnded();
-    /// A colour is to be taken from the screen, without the popup in the way.
+    /// The user wants to take a colour from the screen, without the popup in the way.
     void eyedropperWished();
 
   protected:
@@ -47,10 +47,11 @@ class ColorPicker : public QFrame {
     void showScreenColor();
 
     glm::dvec3 color_{0.0};
-    double hue_ = 0.0; ///< kept while the colour is grey, which has none
+    double hue_ = 0.0; ///< is kept while the colour is grey, which has no hue
     double saturation_ = 0.0;
     double brightness_ = 0.0;
-    double intensity_ = 1.0; ///< of a colour brighter than the screen
+    /// Is the largest component of a colour brighter than the screen, else 1.
+    double intensity_ = 1.0;
     bool isAreaDragged_ = false;
     SaturationField* field_;
     HueStrip* strip_;

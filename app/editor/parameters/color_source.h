@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// A widget that knows the colours it shows better than the screen does.
+/// Is implemented by widgets that know the colours they show more exactly than the screen does.
 class ColorSource {
   public:
     virtual ~ColorSource() = default;

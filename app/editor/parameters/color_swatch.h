@@ -7,7 +7,7 @@
 
 namespace patina {
 
-/// Represents a button that shows a linear colour as it looks on screen.
+/// Shows a linear colour as it looks on screen, on a button.
 class ColorSwatch : public PreviewButton {
     Q_OBJECT
 

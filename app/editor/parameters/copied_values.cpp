@@ -18,7 +18,8 @@ using Json = nlohmann::json;
 
 constexpr FileFormat valuesFormat{"patina.values", 1, "copy of values"};
 
-/// Reads copied values.
+/// Reads copied values and pastes them onto one value or several. A reader is used once: it hands
+/// its result over.
 class ValuesReader {
   public:
     ValuesReader(const CopiedJson& copied, const ParameterSource& source)

@@ -28,7 +28,7 @@ bool mayReadAll(std::span<const Parameter* const> parameters, const ParameterSou
 /// Tells whether JSON says that it is values of a block.
 bool areCopiedValues(const CopiedJson& copied);
 
-/// Says what copied values mean to others, and what had to be left out.
+/// Holds the edits that copied values make, and messages about what had to be left out.
 struct PastedValues {
     ValueEdits edits;
     Errors problems;
@@ -38,7 +38,7 @@ struct PastedValues {
 PastedValues pastedOnto(const Parameter& target, const CopiedJson& copied,
                         const ParameterSource& source);
 
-/// Pastes onto those of a block's values that go by the same names; the block must be of the same
+/// Pastes onto those of a block's values that have the same ids; the block must be of the same
 /// kind.
 PastedValues pastedOnto(const NamedBlock& block, std::span<const Parameter* const> targets,
                         const CopiedJson& copied, const ParameterSource& source);

@@ -20,7 +20,7 @@ namespace patina {
 namespace {
 
 constexpr double pointRadius = 4.5;
-constexpr double fieldMargin = 8.0; // so that points at the edges are whole
+constexpr double fieldMargin = 8.0; // keeps points at the edges whole
 constexpr int fieldSide = 280;
 constexpr int gridLines = 4;
 
@@ -30,7 +30,8 @@ QColor faint(const QPalette& palette, float share) {
     return color;
 }
 
-/// Returns the curve from the left edge of a rectangle to its right one.
+/// Returns the line of the curve from the left edge of a rectangle to its right one, in half
+/// pixels; empty where there are too few points.
 QPolygonF curveLine(const CurvePoints& points, const Parameter& parameter, const QRectF& place) {
     QPolygonF line;
     if (points.size() < minCurvePoints) {
@@ -63,7 +64,7 @@ CurvePoints pointsOf(const std::vector<Handle>& handles) {
     return points;
 }
 
-/// Holds the square in which the points of a curve are dragged.
+/// Shows the square in which the points of a curve are dragged.
 class CurveField : public HandleArea {
   public:
     CurveField(const Parameter& parameter, QWidget* parent)
@@ -136,8 +137,7 @@ class CurveField : public HandleArea {
 
 } // namespace
 
-/// Edits a curve live: its points in a field, the chosen one as numbers, and curves to
-/// begin with.
+/// Edits a curve live: its points in a field, the chosen one as numbers, and preset curves.
 class CurvePopup : public QFrame {
   public:
     CurvePopup(const Parameter& parameter, CurveEditor* editor)

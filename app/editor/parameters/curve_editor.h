@@ -9,7 +9,7 @@ namespace patina {
 class CurvePopup;
 class PreviewButton;
 
-/// Holds the curve as a small picture, which opens a popup that edits it.
+/// Shows the curve as a small picture, which opens a popup that edits it.
 class CurveEditor : public ParameterEditor {
     Q_OBJECT
 
@@ -24,7 +24,7 @@ class CurveEditor : public ParameterEditor {
 
     CurvePoints points_;
     PreviewButton* preview_;
-    CurvePopup* popup_ = nullptr; ///< made when it is first opened
+    CurvePopup* popup_ = nullptr; ///< is made when it is first opened
 };
 
 } // namespace patina

@@ -8,7 +8,7 @@ namespace patina {
 
 class TextureLibrary;
 
-/// Holds the form of one kind of block, or of settings, of what is current in a document. It
+/// Shows the form of one kind of block, or of settings, of what is current in a document. It
 /// follows the document: values, swapped models, the selected object, light and side.
 class DocumentForm : public ParameterForm {
     Q_OBJECT

@@ -8,7 +8,7 @@ namespace patina {
 
 class TextureLibrary;
 
-/// Gives the values at a path of a document.
+/// Reads and edits the values at a path of a document.
 class DocumentSource : public ParameterSource {
   public:
     DocumentSource(Document& document, TextureLibrary& textures, const BlockPath& path)

@@ -5,10 +5,10 @@
 
 namespace patina {
 
-/// Returns the editor of a parameter's type.
+/// Makes the editor for a parameter's type; `parent` owns it.
 ParameterEditor* makeEditor(const Parameter& parameter, QWidget* parent);
 
-/// Declares what makes the editors of each type; each stands beside its editor.
+/// Declares a function for each type that makes its editor; it is defined beside the editor.
 #define PATINA_EDITOR_MAKER(name)                                                                  \
     ParameterEditor* make##name##Editor(const Parameter& parameter, QWidget* parent);
 PATINA_PARAMETER_TYPES(PATINA_EDITOR_MAKER)

@@ -7,7 +7,7 @@ namespace patina {
 
 class ChoiceBox;
 
-/// A list of choices, each with its own explanation.
+/// Offers a list of choices, each with its own explanation as a tooltip.
 class EnumEditor : public ParameterEditor {
     Q_OBJECT
 

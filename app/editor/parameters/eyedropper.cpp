@@ -29,8 +29,8 @@ std::optional<glm::dvec3> pixelOf(const Image& image, const QPoint& place) {
     if (!inside) {
         return std::nullopt;
     }
-    const auto first = static_cast<std::size_t>((place.y() * image.width + place.x()) *
-                                                image.channels);
+    const auto first =
+        static_cast<std::size_t>((place.y() * image.width + place.x()) * image.channels);
     return glm::dvec3(image.pixels[first], image.pixels[first + 1], image.pixels[first + 2]);
 }
 
@@ -62,7 +62,7 @@ bool Eyedropper::eventFilter(QObject* watched, QEvent* event) {
     return isPicking_ && handle(*event) ? true : QObject::eventFilter(watched, event);
 }
 
-/// Everything the mouse and the keys do is the eyedropper's until it is done.
+/// Takes every event of the mouse and the keys until picking ends; returns false for other events.
 bool Eyedropper::handle(QEvent& event) {
     switch (event.type()) {
     case QEvent::MouseMove:
@@ -103,8 +103,8 @@ std::optional<glm::dvec3> Eyedropper::colorAt(const QPoint& place) {
     }
     QScreen* screen = QGuiApplication::screenAt(place);
     const QPoint corner = screen ? screen->geometry().topLeft() : QPoint();
-    return screen ? firstColor(screen->grabWindow(0, place.x() - corner.x(),
-                                                  place.y() - corner.y(), 1, 1))
+    return screen ? firstColor(
+                        screen->grabWindow(0, place.x() - corner.x(), place.y() - corner.y(), 1, 1))
                   : std::nullopt;
 }
 

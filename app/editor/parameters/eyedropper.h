@@ -40,7 +40,8 @@ class Eyedropper : public QObject {
     QWidget* anchor_;
     bool isPicking_ = false;
     bool hadTracking_ = false;
-    std::map<QWidget*, Image> stills_; ///< taken once: picking must not chase its own result
+    /// Are taken once, because picking changes what the widgets show.
+    std::map<QWidget*, Image> stills_;
 };
 
 } // namespace patina

@@ -16,23 +16,23 @@ class ParameterForm;
 class ParameterRow;
 class ParameterSection;
 
-/// Says what can be done to a value of a form, to a group of them or to all, by their menus and
-/// keys: copy, paste, reset, random values, locks.
+/// Offers what can be done to a value of a form, to a group of them or to all, by menus and keys:
+/// copy, paste, reset, random values, locks.
 class FormMenu : public QObject {
     Q_OBJECT
 
   public:
     explicit FormMenu(ParameterForm& form);
 
-    /// Whose values the form shows.
+    /// Sets whose values the form shows, and the block that they belong to.
     void setSource(ParameterSource* source, const Block* block);
 
     void attach(ParameterRow& row);
     void attach(ParameterSection& section);
 
     void copy(const std::vector<ParameterRow*>& rows) const;
-    /// Onto one value any of its type, or a text that is one; onto several those of the same names
-    /// that are not locked.
+    /// Paste what was copied: onto one value any value of its type, or a text that is one; onto
+    /// several those of the same names that are not locked.
     void paste(ParameterRow& row) const;
     void paste(const std::vector<ParameterRow*>& rows) const;
     void reset(const std::vector<ParameterRow*>& rows) const;
@@ -51,7 +51,7 @@ class FormMenu : public QObject {
     ParameterForm& form_;
     ParameterSource* source_ = nullptr;
     NamedBlock block_;
-    bool isOfKind_ = false; ///< a block, not settings that every scene has
+    bool isOfKind_ = false; ///< says that it is a block, not settings that every scene has
 };
 
 } // namespace patina

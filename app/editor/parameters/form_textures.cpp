@@ -16,7 +16,7 @@ bool takesImage(const Parameter& parameter) {
     return !parameter.textureChannels.empty();
 }
 
-/// Returns an image as it lies at first. One on a number that goes beyond 1 darkens it.
+/// Returns how an image lies at first. On a number whose range exceeds 1 it multiplies the number.
 TextureUse firstUse(const Parameter& parameter, const QString& file) {
     TextureUse use = textureUse(parameter.id, file.toStdString());
     if (parameter.type == ParameterType::Float && parameter.max > 1.0) {

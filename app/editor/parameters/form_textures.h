@@ -14,7 +14,7 @@ namespace patina {
 class ParameterRow;
 class TexturePopup;
 
-/// Handles the images on a form's values: asks for files, takes dropped ones, shows how an image
+/// Manages the images on a form's values: asks for files, takes dropped ones, shows how an image
 /// lies.
 class FormTextures : public QObject {
     Q_OBJECT
@@ -22,10 +22,10 @@ class FormTextures : public QObject {
   public:
     explicit FormTextures(QWidget* form);
 
-    /// Whose values the form shows; what is open for another's goes.
+    /// Sets whose values the form shows, and closes the popup that is open for another's.
     void setSource(ParameterSource* source);
 
-    /// Follows a row's wishes where its value takes an image.
+    /// Connects what a row asks for, where its value takes an image.
     void attach(ParameterRow& row);
 
     /// Shows the image of the row's value.
@@ -47,7 +47,7 @@ class FormTextures : public QObject {
     ParameterSource* source_ = nullptr;
     QPointer<TexturePopup> popup_;
     std::string popupId_;
-    QString folder_; ///< where the last image was found
+    QString folder_; ///< is where the last image was found
 };
 
 } // namespace patina

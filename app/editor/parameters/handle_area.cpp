@@ -13,9 +13,9 @@
 namespace patina {
 namespace {
 
-constexpr double handleReach = 10.0;     // pixels around a handle that are it
-constexpr double awayPixels = 24.0;      // pixels beyond the field where a handle is let go
-constexpr int keyRestMilliseconds = 400; // longer than a slow key repeat
+constexpr double handleReach = 10.0;     // pixels around a handle at which it is hit
+constexpr double awayPixels = 24.0;      // pixels beyond the field at which a handle is removed
+constexpr int keyRestMilliseconds = 400; // is longer than a slow key repeat
 constexpr double keyStep = 0.01;
 constexpr double fineKeyStep = 0.001;
 
@@ -61,7 +61,7 @@ std::optional<std::size_t> HandleArea::handleNear(const QPointF& pixel) const {
     return nearest;
 }
 
-/// Returns the nearest to x that is between the neighbours of a handle; nothing where they are too
+/// Returns the place nearest to x between the neighbours of a handle; nothing where they are too
 /// close.
 std::optional<double> HandleArea::roomFor(double x, std::size_t index) const {
     const double low = index == 0 ? 0.0 : handles_[index - 1].x + limits_.gap;
@@ -69,7 +69,7 @@ std::optional<double> HandleArea::roomFor(double x, std::size_t index) const {
     return low <= high ? std::optional(std::clamp(x, low, high)) : std::nullopt;
 }
 
-/// Puts the dragged handle as near to where it is wanted as the others allow, whichever those are.
+/// Puts the dragged handle as near to where it is wanted as the others allow, also beyond them.
 void HandleArea::moveThroughOthers(const Handle& wanted) {
     handles_ = base_;
     const auto begin = handles_.begin();
@@ -95,7 +95,8 @@ void HandleArea::moveThroughOthers(const Handle& wanted) {
     setChosen(nearest);
 }
 
-/// Puts a handle among the others; nothing where there is no room for it.
+/// Puts a handle among the others and returns its index; returns nothing where there is no room for
+/// it.
 std::optional<std::size_t> HandleArea::insert(const Handle& handle) {
     const auto after = std::ranges::upper_bound(handles_, handle.x, {}, &Handle::x);
     const bool fits = handles_.size() < limits_.max &&

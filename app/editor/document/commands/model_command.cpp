@@ -9,13 +9,14 @@ namespace patina {
 
 namespace {
 
-/// Returns a value of the former model that the new one has too, or one that it had before.
+/// Tells whether a value carries over from the former model, or was parked when this model was last
+/// in use.
 bool isCarriedOver(const Parameter& parameter, const Material& material, const Block* before) {
     const Parameter* former = before ? before->parameter(parameter.id) : nullptr;
     return (former && former->type == parameter.type) || material.parked.contains(parameter.id);
 }
 
-/// Gives what nothing carries over to the values that the user wants it to begin with.
+/// Sets the parameters to which nothing carries over to the user's start values.
 void begin(Values& values, const nlohmann::json& start, const Material& material,
            const Block* before, const Block& model) {
     for (const auto& [id, json] : start.items()) {

@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// Cuts the links of a side's view with the scene, changes what it has of its own, or links it
+/// Unlinks settings of a side's view from the scene, changes what it has of its own, or links it
 /// again.
 class OwnViewCommand : public ChangeCommand<Side, OwnView> {
   public:

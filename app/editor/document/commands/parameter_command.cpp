@@ -32,8 +32,8 @@ std::vector<std::string> idsOf(const Values& values) {
     return ids;
 }
 
-/// Returns what is given, and what that changes beside it: a choice sets others where they are not
-/// given, and turns to the one for values of one's own where it does not say what is set.
+/// Returns the given values and the shorthands among the others: a choice that is given sets values
+/// that are not, and one that does not match what is set becomes the choice for custom values.
 Values decided(const Block& block, const Values& held, Values given) {
     fillGaps(block, given);
     Values all = held;

@@ -17,13 +17,13 @@ struct ValuesTarget {
 };
 
 /// Changes values of a model, Fresnel block, light, fog, object or of the scene, and those that
-/// they decide with them.
+/// depend on them.
 class ParameterCommand : public ChangeCommand<ValuesTarget, Values> {
   public:
     ParameterCommand(Document& document, const BlockPath& path, const Block& block,
                      const Parameter& parameter, const Value& after);
 
-    /// Several values of the block, as it takes them.
+    /// Changes several values of the block at once; those that depend on them follow.
     ParameterCommand(Document& document, const BlockPath& path, const Block& block,
                      const Values& given, const QString& label);
 

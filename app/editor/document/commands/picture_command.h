@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// Notes how finely the sides draw the picture just to be looked at, or that they do no more.
+/// Sets, replaces or ends (nothing) the picture settings that are compared.
 class PictureCommand : public ChangeCommand<int, std::optional<ComparedPicture>> {
   public:
     PictureCommand(Document& document, std::optional<ComparedPicture> after);

@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// Notes that side A shows a material just to be looked at, or that it does no more.
+/// Notes that side A only previews a material, or that it no longer does (nothing).
 class PreviewCommand : public ChangeCommand<int, std::optional<MaterialPreview>> {
   public:
     PreviewCommand(Document& document, std::optional<MaterialPreview> after);

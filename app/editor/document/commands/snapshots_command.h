@@ -7,7 +7,7 @@
 
 namespace patina {
 
-/// Holds the snapshots of a document as a whole.
+/// Names all snapshots of a document, as the target of an edit.
 struct AllSnapshots {
     friend bool operator==(const AllSnapshots&, const AllSnapshots&) = default;
 };
