@@ -10,20 +10,20 @@
 
 namespace patina {
 
-/// A point of a curve, a stop of a ramp.
+/// Holds a point of a curve or a stop of a ramp.
 struct Handle {
     double x = 0.0;        ///< 0 .. 1
-    double y = 0.0;        ///< curves only
-    glm::dvec3 color{0.0}; ///< ramps only
+    double y = 0.0;        ///< is used by curves only
+    glm::dvec3 color{0.0}; ///< is used by ramps only; linear
 
     friend bool operator==(const Handle&, const Handle&) = default;
 };
 
-/// Represents a field in which handles are chosen, dragged, added with a click and removed by
-/// dragging them out. One that is dragged past another takes a place behind it and stays the chosen
-/// one. Arrows move the chosen one between its neighbours, page keys choose another, Delete removes
-/// it, Esc takes a drag back. Handles stand by rising x and keep a distance. What it asks for it
-/// shows at once; the document's answer comes through setHandles().
+/// Lets handles be chosen, dragged, added with a click and removed by dragging them out of the
+/// field. One that is dragged past another takes a place behind it and stays the chosen one. Arrows
+/// move the chosen one between its neighbours, page keys choose another, Delete removes it, Esc
+/// takes a drag back. Handles stand by rising x and keep a distance. What it asks for it shows at
+/// once; the document's answer comes through setHandles().
 class HandleArea : public QWidget {
     Q_OBJECT
 
@@ -40,11 +40,11 @@ class HandleArea : public QWidget {
     void setHandles(const std::vector<Handle>& handles);
     const std::vector<Handle>& handles() const { return handles_; }
 
-    /// Returns the handle that keys and fields change; none where it was removed.
+    /// Returns the index of the handle that keys and fields change; nothing where it was removed.
     std::optional<std::size_t> chosen() const { return chosen_; }
     void choose(std::size_t index);
 
-    /// Asks for another chosen handle, as near as its neighbours allow.
+    /// Asks for a handle in place of the chosen one, as near to it as its neighbours allow.
     void replaceChosen(const Handle& wanted);
     void removeChosen();
 
@@ -53,7 +53,7 @@ class HandleArea : public QWidget {
 
   Q_SIGNALS:
     void interactionBegan();
-    void changed(); ///< handles() is asked for
+    void changed(); ///< handles() are what the user asks for
     void interactionEnded();
     void chosenChanged();
     void activated(); ///< the chosen handle was double clicked, or Return was pressed
@@ -61,9 +61,9 @@ class HandleArea : public QWidget {
   protected:
     /// Returns a new handle at a pixel.
     virtual Handle handleAt(const QPointF& pixel) const = 0;
-    /// Returns a handle that is dragged to a pixel.
+    /// Returns a handle as it is when it is dragged to a pixel.
     virtual Handle dragged(const Handle& handle, const QPointF& pixel) const = 0;
-    /// Returns a handle after an arrow key, by so many steps.
+    /// Returns a handle after an arrow key moved it by shares of the field's width and height.
     virtual Handle stepped(const Handle& handle, double right, double up) const = 0;
 
     void mousePressEvent(QMouseEvent* event) override;
@@ -88,9 +88,9 @@ class HandleArea : public QWidget {
     Limits limits_;
     std::vector<Handle> handles_;
     std::optional<std::size_t> chosen_;
-    std::vector<Handle> before_;         ///< a drag, for Esc
-    std::vector<Handle> base_;           ///< with the dragged handle where it was pressed
-    std::optional<std::size_t> dragged_; ///< in base_
+    std::vector<Handle> before_;         ///< are those before the drag, for Esc
+    std::vector<Handle> base_;           ///< are those with the dragged one where it was pressed
+    std::optional<std::size_t> dragged_; ///< is its index in base_
     QTimer nudging_;                     ///< a held key is one interaction until it rests
 };
 

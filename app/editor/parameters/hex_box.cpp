@@ -22,7 +22,8 @@ void HexBox::showValue() {
     setModified(false);
 }
 
-/// Hex is coarse: a colour whose hex is what stands there already is not touched.
+/// Asks for the typed colour, unless the present one has the same hex: hex is coarse and would
+/// round it.
 void HexBox::commit() {
     const std::string text = this->text().toStdString();
     const std::optional<glm::dvec3> typedColor = colorOfHex(text);

@@ -7,7 +7,7 @@
 
 namespace patina {
 
-/// Represents a field for a colour as the sRGB hex number that a screen shows.
+/// Edits a colour as the sRGB hex number that a screen shows.
 class HexBox : public ValueBox {
     Q_OBJECT
 

@@ -16,10 +16,10 @@ namespace patina {
 
 namespace {
 
-/// Is the most letters of a unit; more would leave no room for the number.
+/// A unit is cut to so many letters; more would leave no room for the number.
 constexpr int maxUnit = 6;
 
-const QColor wrong(196, 64, 48); // readable on light and dark
+const QColor wrong(196, 64, 48); // can be read on light and dark
 
 } // namespace
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "parameters/value_steps.h"
 #include "parameters/value_box.h"
+#include "parameters/value_steps.h"
 
 namespace patina {
 
-/// Represents a field for one number. It shows few digits and, once it is edited, all of them; what
-/// is not touched is never rounded. Enter or leaving it asks for the number that was typed.
+/// Edits one number in a field. It shows few digits and, once it is edited, all of them; what is
+/// not touched is never rounded. Enter or leaving it asks for the number that was typed.
 class NumberBox : public ValueBox {
     Q_OBJECT
 
@@ -31,8 +31,8 @@ class NumberBox : public ValueBox {
     void changeEvent(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
-    /// Returns the value as the field shows it, in full while it is edited; text that reads as the
-    /// value.
+    /// Returns the text that the field shows for a value, in full while it is edited; it must read
+    /// back as the value.
     virtual QString textOf(double value) const;
 
   private:
@@ -41,8 +41,8 @@ class NumberBox : public ValueBox {
 
     double value_ = 0.0;
     int decimals_;
-    QString unit_;  ///< as the descriptor has it, which is what typed units convert to
-    QString shown_; ///< as people write it
+    QString unit_;  ///< is the descriptor's, which typed units convert to
+    QString shown_; ///< is the unit as people write it
     bool selectOnRelease_ = false;
     WheelSteps wheel_;
 };

@@ -16,8 +16,8 @@ namespace patina {
 
 namespace {
 
-constexpr double scrubPixels = 300.0; // from one end of the soft range to the other
-constexpr int restMilliseconds = 400; // longer than a slow key repeat, shorter than a thought
+constexpr double scrubPixels = 300.0; // pixels from one end of the soft range to the other
+constexpr int restMilliseconds = 400; // is longer than a slow key repeat
 
 } // namespace
 
@@ -52,7 +52,8 @@ NumberEdit::NumberEdit(const Parameter& parameter, double defaultValue, const QS
     connect(box_, &NumberBox::stepped, this, &NumberEdit::step);
 }
 
-/// A handle stays under the pointer, and a number that is edited here where it is.
+/// Tells whether the slider keeps its range: a handle stays under the pointer, and a number that is
+/// edited here stays where it is.
 bool NumberEdit::keepsRange(double value) const {
     const bool isDefault = static_cast<float>(value) == static_cast<float>(defaultValue_);
     return slider_->isDragging() || isScrubbing_ || (!isDefault && (isAsking_ || value == value_));

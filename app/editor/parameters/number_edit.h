@@ -13,8 +13,8 @@ class NumberBox;
 class ScrubLabel;
 class ValueSlider;
 
-/// Represents a slider and a number box for one number. Whatever way a number is changed, it goes
-/// through here: it is made finite, whole where it must be, and kept inside the hard range.
+/// Edits one number with a slider and a number box. Every change goes through here: it is dropped
+/// if it is not finite, rounded where the type is whole, and kept inside the hard range.
 class NumberEdit : public QWidget {
     Q_OBJECT
 
@@ -23,14 +23,14 @@ class NumberEdit : public QWidget {
     NumberEdit(const Parameter& parameter, double defaultValue, const QString& name,
                QWidget* parent = nullptr);
 
-    /// Shows a number. One that comes from elsewhere (an undo, another material) has the slider it
-    /// needs; while the number is edited here the slider only widens.
+    /// Shows a number. One that comes from elsewhere (an undo, another material) resets the
+    /// slider's range; while the number is edited here the range only widens.
     void present(double value);
     double value() const { return value_; }
     ValueSlider* slider() const { return slider_; }
     NumberBox* box() const { return box_; }
 
-    /// Dragging the label changes the number, as far as the hard range.
+    /// Lets a drag of the label change the number, as far as the hard range.
     void scrubWith(ScrubLabel& label);
 
   Q_SIGNALS:
@@ -55,11 +55,11 @@ class NumberEdit : public QWidget {
     double defaultValue_;
     double value_ = 0.0;
     SliderRange range_;
-    SliderRange scrubRange_; ///< as it was when the drag began, so that its speed does not change
+    SliderRange scrubRange_; ///< is that at the drag's start, so that its speed stays
     double scrubPosition_ = 0.0;
-    double scrubStart_ = 0.0; ///< where Esc goes back to
+    double scrubStart_ = 0.0; ///< is the number that Esc goes back to
     bool isScrubbing_ = false;
-    bool isAsking_ = false; ///< what is presented meanwhile is the answer
+    bool isAsking_ = false; ///< says that what is presented is the answer to edited()
     ValueSlider* slider_;
     NumberBox* box_;
     QTimer stepping_; ///< a held key or a turned wheel is one interaction until it rests

@@ -43,7 +43,7 @@ const Unit* unitNamed(std::string_view name) {
     return nullptr;
 }
 
-/// Returns what one `typed` is in `wanted`; nothing when they do not measure the same thing.
+/// Returns how many `wanted` one `typed` is; nothing when they do not measure the same thing.
 std::optional<double> conversion(std::string_view typed, std::string_view wanted) {
     if (typed == wanted) {
         return 1.0;
@@ -59,7 +59,7 @@ std::optional<double> conversion(std::string_view typed, std::string_view wanted
     return from->factor / to->factor;
 }
 
-/// Recursive descent over sums of products of signed numbers with units.
+/// Parses sums of products of signed numbers with units, by recursive descent.
 class Parser {
   public:
     Parser(std::string_view text, std::string_view unit) : text_(text), unit_(unit) {}
@@ -72,7 +72,7 @@ class Parser {
     }
 
   private:
-    static constexpr int deepest = 32; // parentheses and signs; bounds the recursion
+    static constexpr int deepest = 32; // bounds the recursion into parentheses and signs
 
     void skipBlanks() {
         while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_]))) {
@@ -142,7 +142,8 @@ class Parser {
         return parseNumber(digits); // two decimal marks do not parse
     }
 
-    /// Digits, decimal marks, and an exponent with its sign ("1e-3", but not the e of "1 ev").
+    /// Tells whether the next character belongs to a number: a digit, a decimal mark, or part of an
+    /// exponent with its sign ("1e-3", but not the e of "1 ev").
     bool belongsToNumber(std::size_t start) const {
         const char c = text_[at_];
         if (std::isdigit(static_cast<unsigned char>(c)) || c == '.' || c == ',') {

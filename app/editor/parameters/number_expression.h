@@ -6,9 +6,9 @@
 
 namespace patina {
 
-/// Returns the number a person typed: `.` or `,` as the decimal mark in any locale, + - * / and
-/// parentheses, and a unit that converts to `unit` ("45deg", "500 nm" where the unit is "um",
-/// "50%"). Nothing for anything else, and never NaN or infinity.
+/// Returns the number that a person typed: `.` or `,` as the decimal mark in any locale, + - * /
+/// and parentheses, and a unit that converts to `unit` ("45deg", "500 nm" where the unit is "um",
+/// "50%"). Returns nothing for anything else, and never NaN or infinity.
 std::optional<double> evaluateNumber(std::string_view text, std::string_view unit);
 
 } // namespace patina

@@ -9,8 +9,8 @@ namespace patina {
 
 class ScrubLabel;
 
-/// Shows one parameter's value and asks for changes; the document decides and the answer comes
-/// back through present(). One small subclass per parameter type.
+/// Shows one parameter's value and asks for changes; the document decides and the answer comes back
+/// through present(). Types of parameters that are edited differently have subclasses of their own.
 class ParameterEditor : public QWidget {
     Q_OBJECT
 

@@ -19,7 +19,7 @@
 namespace patina {
 namespace {
 
-/// The pointer passes many rows on its way to one.
+/// The pointer must rest on a row for so many milliseconds: it passes many on its way to one.
 constexpr int restMs = 80;
 
 } // namespace
@@ -46,7 +46,7 @@ ParameterForm::ParameterForm(QWidget* parent)
     });
 }
 
-/// The focus goes from it while it is destroyed.
+/// Stops following the focus, which leaves the form's widgets while they are destroyed.
 ParameterForm::~ParameterForm() {
     disconnect(qApp, nullptr, this, nullptr);
 }
@@ -187,14 +187,15 @@ void ParameterForm::setFilter(RowFilter filter) {
     applyFilter();
 }
 
-/// What is dragged, or has the keys, does not go from under the hand.
+/// Tells whether the filter shows a row. One that is dragged or has the focus stays, so that it
+/// does not vanish in use.
 bool ParameterForm::passes(const ParameterRow& row) const {
     const bool isInUse = &row == interacting_ || row.isAncestorOf(QApplication::focusWidget());
     return filter_ == RowFilter::All || (isInUse && !row.isHidden()) ||
            (filter_ == RowFilter::Active ? row.isCounting() : row.isChanged() || row.hasTexture());
 }
 
-/// A filter that lets all through has nothing to follow.
+/// Applies the filter again after a change, unless it shows all rows.
 void ParameterForm::followFilter() {
     if (filter_ != RowFilter::All) {
         applyFilter();
@@ -282,8 +283,8 @@ int ParameterForm::narrowestLabel() const {
     return 12 * fontMetrics().averageCharWidth();
 }
 
-/// One column of labels for the whole form: as wide as its longest, within reason, and narrower
-/// where the rows would not fit beside it; longer labels wrap.
+/// Gives all labels of the form one width: that of the longest, within limits, and less where the
+/// rows would not fit beside it. Longer labels wrap.
 void ParameterForm::alignLabels() {
     const int letter = fontMetrics().averageCharWidth();
     int wished = 14 * letter;
@@ -300,7 +301,7 @@ void ParameterForm::alignLabels() {
     }
 }
 
-/// Labels give way.
+/// Counts the labels at their narrowest, because they give way to the rows.
 QSize ParameterForm::minimumSizeHint() const {
     const QSize least = QWidget::minimumSizeHint();
     return rows_.empty() ? least : least - QSize(labelWidth_ - narrowestLabel(), 0);

@@ -27,11 +27,11 @@ class ParameterSection;
 /// Says which rows a form shows.
 enum class RowFilter {
     All,
-    Active, ///< those that count at present
-    Changed ///< those that are not at their default, and those with an image
+    Active, ///< shows those that count at present
+    Changed ///< shows those that are not at their default, and those with an image
 };
 
-/// Shows the form of a block: one row per parameter, lined up in sections, made from the descriptor
+/// Shows a block's parameters, one row each, lined up in sections and made from the descriptor
 /// alone. It holds no values; it asks its source.
 class ParameterForm : public QWidget {
     Q_OBJECT
@@ -55,12 +55,12 @@ class ParameterForm : public QWidget {
     /// Returns the rows of a group, in order.
     std::vector<ParameterRow*> rowsOf(std::string_view group) const;
 
-    /// A row that is in use stays until it is not.
+    /// Sets which rows are shown; one that is in use stays until it is not.
     void setFilter(RowFilter filter);
     RowFilter filter() const { return filter_; }
-    /// Returns the images on the form's values.
+    /// Returns what manages the images on the form's values.
     FormTextures& textures() const { return *textures_; }
-    /// Returns what can be done to its values by menus.
+    /// Returns what offers copying, resetting and the like in menus of the values.
     FormMenu& menu() const { return *menu_; }
 
     QSize minimumSizeHint() const override;
@@ -73,7 +73,7 @@ class ParameterForm : public QWidget {
   private:
     using Rows = std::map<std::string, ParameterRow*, std::less<>>;
 
-    /// When a row counts, and the parameters that decide it.
+    /// Says when a row counts, and by which words: ids of parameters and of choices.
     struct Condition {
         Expression expression;
         std::vector<std::string> words;
@@ -101,12 +101,12 @@ class ParameterForm : public QWidget {
     std::string approached_;
     RowFilter filter_ = RowFilter::All;
     const ParameterRow* interacting_ = nullptr;
-    QString emptyText_; ///< without a block
+    QString emptyText_; ///< is shown where there are no rows
     std::vector<Parameter> parameters_;
     Rows rows_;
-    std::map<std::string, Condition, std::less<>> conditions_; ///< by the id of their row
+    std::map<std::string, Condition, std::less<>> conditions_; ///< are keyed by their row's id
     std::vector<ParameterSection*> sections_;
-    std::map<QString, bool> foldedSections_; ///< remembered while models are swapped
+    std::map<QString, bool> foldedSections_; ///< are remembered while models are swapped
     int labelWidth_ = 0;
     QLabel* empty_;
     QVBoxLayout* ungrouped_;

@@ -166,7 +166,8 @@ int ParameterRow::labelWidthHint() const {
     return label_->fontMetrics().horizontalAdvance(label_->text()) + 2;
 }
 
-/// A mark that comes must not need more room.
+/// Counts the reset mark even while it is hidden, so that the row needs no more room when it
+/// appears.
 int ParameterRow::widthBesideLabel() const {
     const int mark = resetMark_->sizeHint().width() + layout()->spacing();
     return layout()->minimumSize().width() - label_->minimumWidth() +

@@ -49,7 +49,7 @@ void ParameterSection::resizeEvent(QResizeEvent* event) {
     showTitle();
 }
 
-/// As much of the title as has room beside the arrow.
+/// Shows as much of the title as has room beside the arrow.
 void ParameterSection::showTitle() {
     const int arrow = header_->iconSize().width() + 4 * header_->fontMetrics().averageCharWidth();
     const int room = width() - arrow;

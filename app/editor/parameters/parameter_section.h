@@ -12,7 +12,7 @@ namespace patina {
 
 class ParameterRow;
 
-/// Represents a heading that folds the rows below it.
+/// Shows a heading that folds the rows below it.
 class ParameterSection : public QWidget {
     Q_OBJECT
 
@@ -28,7 +28,7 @@ class ParameterSection : public QWidget {
 
   Q_SIGNALS:
     void folded(bool isFolded);
-    void menuWished(const QPoint& place); ///< on the screen
+    void menuWished(const QPoint& place); ///< `place` is on the screen
 
   protected:
     void resizeEvent(QResizeEvent* event) override;

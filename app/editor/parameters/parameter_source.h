@@ -17,12 +17,13 @@ namespace patina {
 
 /// Holds what is known of an image that lies on a value.
 struct TexturePreview {
-    QImage image;          ///< small; null while it is on its way
-    QString problem;       ///< why it is missing; empty while it is not
-    bool hasAlpha = false; ///< and not only 1
+    QImage image;          ///< is small; null while it is being read
+    QString problem;       ///< says why it is missing; empty while it is not
+    bool hasAlpha = false; ///< says that its alpha is not 1 everywhere
 };
 
-/// Several values that are set at once, and images on them; nothing: one is taken away.
+/// Holds several values that are set at once, and images on them; one that is nothing is taken
+/// away.
 struct ValueEdits {
     Values values{};
     std::map<std::string, std::optional<TextureUse>, std::less<>> textures{};
@@ -30,7 +31,7 @@ struct ValueEdits {
     bool isEmpty() const { return values.empty() && textures.empty(); }
 };
 
-/// Tells where a form's values come from and where its edits go.
+/// Reads the values that a form shows, and takes its edits.
 class ParameterSource {
   public:
     virtual ~ParameterSource() = default;
@@ -38,10 +39,10 @@ class ParameterSource {
     virtual Value value(const Parameter& parameter) const = 0;
     virtual void setValue(std::string_view parameterId, const Value& value) = 0;
 
-    /// The value may be changed soon.
+    /// Is called when the value may be changed soon.
     virtual void prewarm(std::string_view /*parameterId*/) {}
 
-    /// Edits between these are one undo step, and drag this value; see Document.
+    /// Edits between these two are one undo step, and drag this value; see Document.
     virtual int beginInteraction(std::string_view parameterId) = 0;
     virtual void endInteraction(int token) = 0;
 
@@ -53,7 +54,7 @@ class ParameterSource {
     /// Tells whether a window of Patina may read an image whose path is copied there.
     virtual bool mayRead(const TextureUse& use) const { return !use.outside; }
 
-    /// Sets several values as one undo step, which is called so.
+    /// Sets several values as one undo step with this label.
     virtual void edit(const ValueEdits& edits, const QString& label) = 0;
 
     /// Tells whether values may be locked: what sets a whole group leaves those alone.

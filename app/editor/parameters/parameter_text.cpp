@@ -65,7 +65,7 @@ struct Shower {
     }
 };
 
-/// Tells whether the range of a type tells more than the editor shows.
+/// Tells whether the tooltip of a type has a range, which the editor itself does not show.
 bool tellsRange(ParameterType type) {
     const ParameterTypeInfo& info = infoOf(type);
     return info.hasRange && info.function == nullptr && !info.isColor;
@@ -109,8 +109,8 @@ const std::map<std::string, const char*, std::less<>>& signsInWords() {
     return words;
 }
 
-/// A word of an expression as a person would say it: the label of a parameter, of a choice of the
-/// parameter named before, or a sign in words.
+/// Returns a word of an expression as a person would say it: the label of a parameter, of a choice
+/// of the parameter named before, or a sign in words.
 QString inWords(const std::string& word, const Parameter*& named,
                 std::span<const Parameter> siblings) {
     if (const auto sign = signsInWords().find(word); sign != signsInWords().end()) {

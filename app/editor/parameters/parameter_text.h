@@ -15,7 +15,7 @@ QString shownValue(const Parameter& parameter, const Value& value);
 /// Returns what hovering over a parameter says, in plain words.
 QString tooltipOf(const Parameter& parameter);
 
-/// Why a parameter counts or does not: "Falloff is Polynomial".
+/// Returns the condition under which a parameter counts, in words: "Falloff is Polynomial".
 QString enabledReason(const Parameter& parameter, std::span<const Parameter> siblings);
 
 /// Returns the warning for a value outside the range of real things; empty when there is none.

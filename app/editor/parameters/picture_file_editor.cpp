@@ -15,7 +15,7 @@ namespace {
 
 const QString purpose = QStringLiteral("picture");
 
-/// Returns the first file that is dragged; empty for anything else.
+/// Returns the first local file that is dragged; empty for anything else.
 QString fileIn(const QMimeData& data) {
     return draggedFiles(data).value(0);
 }

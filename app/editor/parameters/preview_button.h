@@ -7,7 +7,7 @@
 
 namespace patina {
 
-/// Represents a button that shows a value as a small picture.
+/// Shows a value as a small picture on a button.
 class PreviewButton : public QAbstractButton {
     Q_OBJECT
 

@@ -22,8 +22,8 @@
 namespace patina {
 namespace {
 
-constexpr double stopHalf = 6.5;    // of a stop's width
-constexpr double stripMargin = 9.0; // so that stops at the ends are whole
+constexpr double stopHalf = 6.5;    // pixels; half the width of a stop
+constexpr double stripMargin = 9.0; // keeps stops at the ends whole
 constexpr double stopHeight = 19.0;
 constexpr int stripWidth = 380;
 constexpr int stripHeight = 66;
@@ -34,7 +34,7 @@ QColor shown(const glm::dvec3& linear) {
                             static_cast<float>(encoded.z));
 }
 
-/// Paints the colours as the screen shows them, a column each.
+/// Paints the colours as the screen shows them, two columns for each pixel.
 void paintRamp(QPainter& painter, const QRectF& place, const Ramp& ramp) {
     QImage colors(std::max(1, static_cast<int>(2.0 * place.width())), 1, QImage::Format_RGB32);
     for (int i = 0; i < colors.width(); ++i) {
@@ -43,7 +43,7 @@ void paintRamp(QPainter& painter, const QRectF& place, const Ramp& ramp) {
     painter.drawImage(place, colors);
 }
 
-/// Represents a strip of the ramp's colours with the stops under it.
+/// Shows a strip of the ramp's colours with the stops under it.
 class RampStrip : public HandleArea {
   public:
     explicit RampStrip(QWidget* parent) : HandleArea({1, maxRampStops, minRampGap}, parent) {
@@ -113,7 +113,7 @@ class RampStrip : public HandleArea {
         return std::clamp((pixel.x() - colors().left()) / colors().width(), 0.0, 1.0);
     }
 
-    /// Paints a house whose roof points at the place.
+    /// Paints a stop as a house whose roof points at its place.
     void paintStop(QPainter& painter, const Handle& handle, bool isChosen) const {
         const double x = pixelOf(handle).x();
         const double top = colors().bottom() + 1.0;
@@ -132,7 +132,7 @@ class RampStrip : public HandleArea {
     RampInterpolation interpolation_ = RampInterpolation::Linear;
 };
 
-/// The colour of one stop, as a parameter of its own.
+/// Returns a parameter that describes the colour of one stop.
 Parameter stopColor(const Parameter& ramp) {
     Parameter color = ramp;
     color.type = ParameterType::Color;
