@@ -19,7 +19,7 @@ namespace patina {
 struct TexturePreview {
     QImage image;          ///< is small; null while it is being read
     QString problem;       ///< says why it is missing; empty while it is not
-    bool hasAlpha = false; ///< says that its alpha is not 1 everywhere
+    bool hasAlpha = false; ///< says that some of it is not opaque
 };
 
 /// Holds several values that are set at once, and images on them; one that is nothing is taken

@@ -9,7 +9,7 @@ namespace patina {
 class PreviewButton;
 class RampPopup;
 
-/// Holds the ramp as a strip of its colours, which opens a popup that edits it.
+/// Shows the ramp as a strip of its colours, which opens a popup that edits it.
 class RampEditor : public ParameterEditor {
     Q_OBJECT
 
@@ -24,7 +24,7 @@ class RampEditor : public ParameterEditor {
 
     Ramp ramp_;
     PreviewButton* preview_;
-    RampPopup* popup_ = nullptr; ///< made when it is first opened
+    RampPopup* popup_ = nullptr; ///< is made when it is first opened
 };
 
 } // namespace patina

@@ -5,9 +5,8 @@
 
 namespace patina {
 
-/// Represents a label that can be dragged sideways to change the number it names. It tells the way
-/// that was dragged; what that means is its number's business. A plain label until it is made
-/// draggable.
+/// Lets the label of a number be dragged sideways to change it. It tells how far it was dragged;
+/// the number's editor decides what that means. It is a plain label until it is made draggable.
 class ScrubLabel : public QLabel {
     Q_OBJECT
 
@@ -18,8 +17,9 @@ class ScrubLabel : public QLabel {
 
   Q_SIGNALS:
     void scrubBegan();
-    void scrubbed(double pixels, Qt::KeyboardModifiers modifiers); ///< since the last one
-    void scrubCancelled(); ///< by Esc; the end follows
+    /// `pixels` count from the last one.
+    void scrubbed(double pixels, Qt::KeyboardModifiers modifiers);
+    void scrubCancelled(); ///< Esc was pressed; scrubEnded() follows
     void scrubEnded();
 
   protected:
@@ -38,7 +38,7 @@ class ScrubLabel : public QLabel {
 
     bool isDraggable_ = false;
     Drag drag_ = Drag::None;
-    double pressed_ = 0.0; ///< where on the screen
+    double pressed_ = 0.0; ///< pixels on the screen
     double last_ = 0.0;
 };
 

@@ -9,7 +9,8 @@ namespace patina {
 
 namespace {
 
-/// 10^exponent, exact where a double can be: dividing by an exact power keeps 0.3 at 0.3.
+/// Returns the value rounded to a multiple of 10^exponent. It divides by an exact power, which
+/// keeps 0.3 at 0.3.
 double rounded(double value, int exponent) {
     const double power = std::pow(10.0, std::abs(exponent));
     return exponent < 0 ? std::round(value * power) / power : std::round(value / power) * power;
@@ -20,8 +21,8 @@ double rounded(double value, int exponent) {
 SliderRange::SliderRange(const Parameter& parameter)
     : lower_(parameter.softMin), upper_(parameter.softMax), softMin_(parameter.softMin),
       softMax_(parameter.softMax), min_(parameter.min), max_(parameter.max),
-      step_(parameter.step > 0.0 ? parameter.step : 0.01),
-      isWhole_(infoOf(parameter.type).isWhole), scale_(parameter.scale) {
+      step_(parameter.step > 0.0 ? parameter.step : 0.01), isWhole_(infoOf(parameter.type).isWhole),
+      scale_(parameter.scale) {
     if (!(softMin_ < softMax_)) { // no slider to speak of; any length will do
         upper_ = softMax_ = softMin_ + 1.0;
     }
@@ -40,8 +41,9 @@ void SliderRange::reset() {
     upper_ = softMax_;
 }
 
-/// A log slider that starts at or below 0 is logarithmic above the start of its soft range, or a
-/// thousandth of that, and runs straight into its start. How far it was widened does not matter.
+/// Returns the distance from the start of a log slider above which it is logarithmic; below it is
+/// almost linear. For one that starts at or below 0 this is the start of its soft range or, where
+/// that is not above 0, a thousandth of the range's length. How far it was widened does not matter.
 double SliderRange::kneeOfLog() const {
     if (lower_ > 0.0) {
         return lower_;
@@ -96,7 +98,8 @@ double SliderRange::continuedValueAt(double position, double span) const {
     return canRound ? std::clamp(tidied(value, change), min_, max_) : value;
 }
 
-/// The nearest multiple of the shortest round number of steps that is no shorter than `change`.
+/// Returns the nearest multiple of the shortest round number of steps that is no shorter than
+/// `change`.
 double SliderRange::snapped(double value, double change) const {
     const double wanted = std::isfinite(change) ? change / step_ : 1.0;
     double power = 1.0;
@@ -104,9 +107,8 @@ double SliderRange::snapped(double value, double change) const {
         power *= 10.0;
     }
     const auto counts = {1.0, 2.0, 5.0, 10.0};
-    const auto* const count =
-        std::find_if(counts.begin(), std::prev(counts.end()),
-                     [&](double number) { return number * power >= wanted; });
+    const auto* const count = std::find_if(counts.begin(), std::prev(counts.end()),
+                                           [&](double number) { return number * power >= wanted; });
     const double apart = *count * power * step_;
     return stepped(std::round(value / apart) * apart, 0.0);
 }

@@ -24,27 +24,30 @@ class SliderRange {
     void widenFor(double value);
     void reset();
 
-    /// Returns the place along the slider, 0 .. 1; values beyond it are at its ends.
+    /// Convert between values and positions, 0 .. 1 along the slider; what is beyond it is at its
+    /// ends.
     double positionOf(double value) const;
     double valueAt(double position) const;
 
-    /// Returns the value at a position, rounded to a power of ten that is finer than `span` (a
+    /// Returns the value at a position, rounded to a power of ten that is no coarser than `span` (a
     /// share of the slider's length, such as one pixel), so that a drag gives numbers a person
     /// would type.
     double tidyValueAt(double position, double span) const;
 
-    /// Like tidyValueAt, but positions go on past both ends as far as the hard range.
+    /// Works like tidyValueAt(), but positions go on past both ends as far as the hard range.
     double continuedValueAt(double position, double span) const;
     bool isInHardRange(double position) const;
 
-    /// The next value in round multiples of the step (1, 2, 5, 10, ... steps) that are at least
-    /// `span` of the slider's length apart there: on a short slider single steps would not be felt.
+    /// Returns the nearest value in round multiples of the step (1, 2, 5, 10, ... steps) that are
+    /// at least `span` of the slider's length apart there: on a short slider single steps would not
+    /// be felt.
     double snappedValueAt(double position, double span) const;
 
-    /// Like snappedValueAt, but positions go on past both ends as far as the hard range.
+    /// Works like snappedValueAt(), but positions go on past both ends as far as the hard range.
     double continuedSnapAt(double position, double span) const;
 
-    double stepped(double value, double steps) const; ///< steps further, inside the hard range
+    /// Returns a value this many steps further, inside the hard range.
+    double stepped(double value, double steps) const;
 
     friend bool operator==(const SliderRange&, const SliderRange&) = default;
 

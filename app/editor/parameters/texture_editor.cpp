@@ -14,7 +14,8 @@ TextureEditor::TextureEditor(const Parameter& parameter, QWidget* parent)
 
 void TextureEditor::present(const Value&) {}
 
-/// A value that is an image has the line of its image; any other file is chosen.
+/// Makes an editor without parts for a value that is an image, whose row has a line for it, and a
+/// file chooser for any other file.
 ParameterEditor* makeTextureEditor(const Parameter& parameter, QWidget* parent) {
     return parameter.textureChannels.empty()
                ? static_cast<ParameterEditor*>(new PictureFileEditor(parameter, parent))

@@ -12,7 +12,7 @@ namespace patina {
 namespace {
 
 constexpr int thumbnailSide = 24;
-constexpr double fadedShare = 0.35; ///< of an image that is switched off
+constexpr double fadedShare = 0.35; ///< is the opacity of an image that is switched off
 
 QPixmap faded(const QPixmap& picture, double share) {
     QPixmap result(picture.size());
@@ -23,7 +23,8 @@ QPixmap faded(const QPixmap& picture, double share) {
     return result;
 }
 
-/// Draws four fields of a checker: "an image" without words; in alarming colours a missing one.
+/// Returns an icon of four checker fields, which says "an image" without words; in alarming colours
+/// it says that one is missing.
 QIcon checker(const QColor& light, const QColor& dark) {
     QPixmap picture(thumbnailSide, thumbnailSide);
     picture.fill(dark);

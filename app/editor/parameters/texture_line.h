@@ -11,8 +11,9 @@ class QToolButton;
 
 namespace patina {
 
-/// Shows the image on a value, in one line: a small picture, whether it counts, its name, how it
-/// lies, and away with it. Without an image only a button that asks for one.
+/// Shows the image on a value in one line: a small picture, whether it counts, its name, and
+/// buttons for its settings and to remove it. Without an image there is only a button that asks for
+/// one.
 class TextureLine : public QWidget {
     Q_OBJECT
 

@@ -7,7 +7,7 @@
 
 namespace patina {
 
-/// Tells how the image of one value lies, as the values of a form: see textureSettings().
+/// Reads and edits how the image of one value lies, as the values of a form: see textureSettings().
 class TextureSettingsSource : public ParameterSource {
   public:
     /// `owner` has the value and outlives this.

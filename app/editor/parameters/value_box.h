@@ -5,11 +5,11 @@
 
 namespace patina {
 
-/// Tells whether a field is asked if a key for undo or redo is its own.
+/// Tells whether an event asks a field if it takes the key for undo or redo.
 bool asksForUndo(const QEvent& event);
 
-/// Represents a field in which a value is typed. Enter or leaving it asks for what was typed, Esc
-/// takes the typing back; undo is the document's except while there is typing to take back.
+/// Lets a value be typed into a field. Enter or leaving it asks for what was typed, Esc takes the
+/// typing back; undo is the document's except while there is typing to take back.
 class ValueBox : public QLineEdit {
     Q_OBJECT
 

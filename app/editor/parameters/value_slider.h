@@ -8,9 +8,8 @@
 
 namespace patina {
 
-/// Represents a slider over real values. It shows what it is told and asks for changes: dragging
-/// moves (Shift: ten times finer, Ctrl: in round steps), Esc takes a drag back, keys and the wheel
-/// step.
+/// Edits a real value with a slider. It shows what it is told and asks for changes: dragging moves
+/// (Shift: ten times finer, Ctrl: in round steps), Esc takes a drag back, keys and the wheel step.
 class ValueSlider : public QWidget {
     Q_OBJECT
 
@@ -63,8 +62,8 @@ class ValueSlider : public QWidget {
     double value_ = 0.0;
     double defaultValue_ = 0.0;
     bool isDragging_ = false;
-    double startValue_ = 0.0; ///< where Esc goes back to
-    double share_ = 0.0;      ///< of the drag, not rounded to what was asked for
+    double startValue_ = 0.0; ///< is the value that Esc goes back to
+    double share_ = 0.0;      ///< is the position of the drag, not rounded to what was asked for
     double lastPixel_ = 0.0;
     WheelSteps wheel_;
 };

@@ -3,8 +3,8 @@
 
 namespace patina {
 
-/// Makes screen readers see a ValueSlider as a slider with its real value and range. Safe to call
-/// any number of times.
+/// Makes screen readers see a ValueSlider as a slider with its real value and range. It may be
+/// called any number of times.
 void installValueSliderAccessibility();
 
 } // namespace patina

@@ -11,7 +11,7 @@ class QWheelEvent;
 namespace patina {
 
 /// Returns how many steps an arrow up or down or a page key asks for; with Shift an arrow asks for
-/// a tenth. Nothing for other keys.
+/// a tenth. Returns nothing for other keys.
 std::optional<double> stepsOf(const QKeyEvent& key);
 
 /// Counts whole notches of a wheel, whose events may bring parts of one; with Shift each is worth
@@ -25,11 +25,11 @@ class WheelSteps {
     double rest_ = 0.0;
 };
 
-/// So far apart, in pixels of a drag, are the values it snaps to at least: near enough for every
-/// round number, far enough to be felt and hit.
+/// Values that a drag snaps to are at least this many pixels apart: near enough for every round
+/// number, far enough to be felt and hit.
 inline constexpr double snapPixels = 6.0;
 
-/// Returns what Shift makes of a step.
+/// Returns the factor of a step: a tenth with Shift, else 1.
 double fineness(Qt::KeyboardModifiers modifiers);
 
 } // namespace patina

@@ -5,8 +5,8 @@
 
 namespace patina {
 
-/// Represents a warning triangle that says in its tooltip what is unusual. Empty text: nothing to
-/// see.
+/// Shows a warning triangle whose tooltip says what is unusual; it is hidden while there is no
+/// text.
 class WarningMark : public QWidget {
     Q_OBJECT
 

@@ -9,7 +9,8 @@
 namespace patina {
 namespace {
 
-/// No more than three flashes a second, which are safe to look at (WCAG 2.3.1).
+/// Seconds that each picture is shown. No more than three flashes a second are safe to look at
+/// (WCAG 2.3.1).
 constexpr double minBlink = 0.34;
 constexpr double maxBlink = 2.0;
 

@@ -13,7 +13,7 @@ enum class CompareMode { SideBySide, Wipe, Flip, Onion, Blink, Difference };
 /// Tells where views stand that are side by side.
 enum class ViewArrangement { Grid, Row, Column };
 
-/// Says how A and B are compared, as it is chosen and remembered.
+/// Holds how A and B are compared, as it is chosen and remembered.
 struct CompareLook {
     CompareMode mode = CompareMode::SideBySide;
     double wipe = 0.5;      ///< 0 .. 1, the share of the picture that A has
@@ -28,10 +28,10 @@ struct CompareLook {
 /// Describes a mode, and the one number that it has beside the angle of the wipe.
 struct CompareModeRow {
     CompareMode mode;
-    const char* id; ///< as it is remembered
+    const char* id; ///< is the name under which the mode is remembered
     const char* label;
     const char* doc;
-    double CompareLook::*amount = nullptr; ///< absent: it has none
+    double CompareLook::*amount = nullptr; ///< is null where the mode has no number
     const char* amountLabel = "";
     double min = 0.0;
     double max = 1.0;
@@ -40,7 +40,7 @@ struct CompareModeRow {
     QString shownDoc() const;
     QString shownAmountLabel() const;
 
-    /// Both pictures are drawn at one place, as one.
+    /// Tells whether both pictures are drawn at one place, as one.
     bool isComposed() const;
 };
 
@@ -48,15 +48,15 @@ struct CompareModeRow {
 std::span<const CompareModeRow> compareModes();
 const CompareModeRow& rowOf(CompareMode mode);
 
-/// Returns the mode that is called so; side by side where there is none.
+/// Returns the mode with this id; side by side where there is none.
 CompareMode compareModeCalled(const QString& id);
 
-/// Returns the look with its number at this share of its range, 0 .. 1.
+/// Returns the look with its mode's number at this share of its range, 0 .. 1.
 CompareLook withAmount(CompareLook look, double share);
-/// Returns where in its range the number is; 0 where the mode has none.
+/// Returns where in its range the mode's number is, 0 .. 1; 0 where the mode has none.
 double amountOf(const CompareLook& look);
 
-/// Returns an angle within -180 .. 180 degrees.
+/// Returns the same angle within -180 .. 180 degrees; 0 where it is not finite.
 double wrappedAngle(double degrees);
 
 } // namespace patina

@@ -5,9 +5,9 @@ namespace patina {
 
 /// Says how a mesh file becomes an object.
 struct MeshImport {
-    bool fits = true;   ///< into a unit box, before the scale
+    bool fits = true;   ///< says that it is fitted into a unit box, before the scale
     double scale = 1.0; ///< metres of one unit of the file
-    bool flips = false; ///< normals that point inwards
+    bool flips = false; ///< says that normals which point inwards are turned
     bool isZUp = false; ///< z is up in the file, not y
 
     friend bool operator==(const MeshImport&, const MeshImport&) = default;

@@ -26,7 +26,7 @@ class MessageLog : public QObject {
     int noteCount() const;
 
     void add(const Error& event);
-    /// An event that nobody has to do anything about.
+    /// Adds an event that nobody has to do anything about.
     void addNote(const Error& event);
     void setGroup(const QString& group, const Errors& messages);
     void clearEvents();

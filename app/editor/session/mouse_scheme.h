@@ -20,7 +20,7 @@ inline constexpr std::array<std::string_view, 4> mouseSchemeIds{"default", "maya
 /// Says how the mouse moves the cameras of the views.
 struct MouseHabits {
     MouseScheme scheme = MouseScheme::Default;
-    bool wheelZooms = true; ///< without Ctrl, too
+    bool wheelZooms = true; ///< says that the wheel zooms without Ctrl, too
 
     friend bool operator==(const MouseHabits&, const MouseHabits&) = default;
 };

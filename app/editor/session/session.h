@@ -25,11 +25,11 @@ class Session {
 
     QByteArray windowGeometry() const;
     QByteArray windowLayout() const;
-    QStringList openedDocks() const; ///< by name, those that were open once
+    QStringList openedDocks() const; ///< returns the names of docks that were open once
     void setWindow(const QByteArray& geometry, const QByteArray& layout);
     void setOpenedDocks(const QStringList& names);
 
-    QStringList recentFiles() const; ///< newest first, only those that exist
+    QStringList recentFiles() const; ///< returns the newest first, only those that exist
     void addRecentFile(const QString& file);
     void clearRecentFiles();
 
@@ -37,8 +37,8 @@ class Session {
     QStringList environments() const;
     void addEnvironment(const QString& file);
 
-    /// Returns what a file may read outside of its folder, and what not, as the user said. The
-    /// files that were asked about last are remembered.
+    /// Returns the files outside its folder that the user allowed, or refused, a file to read. Only
+    /// the answers for the files that were asked about last are remembered.
     QStringList outside(const QString& file, bool allowed) const;
     void addOutside(const QString& file, bool allowed, const QStringList& others);
 
@@ -64,17 +64,17 @@ class Session {
     bool keepsParked() const;
     void setKeepsParked(bool keeps);
 
-    /// How meshes were imported last.
+    /// Returns how meshes were imported last.
     MeshImport meshImport() const;
     void setMeshImport(const MeshImport& import);
 
-    /// Lists of preset files or folders that the preset library remembers.
+    /// Names the lists of preset files or folders that the preset library remembers.
     enum class Presets { Favourites, Recent, Folders };
     QStringList presets(Presets which) const;
     void setPresets(Presets which, const QStringList& paths);
 
-    /// Says how the preset library is looked at: the size of pictures, 0 where it was never chosen,
-    /// as a list or not, and the name of an order.
+    /// Holds how the preset library is looked at: the size of pictures, 0 where it was never
+    /// chosen, as a list or not, and the name of an order.
     struct PresetsLook {
         int pictureSize = 0;
         bool asList = false;
@@ -83,7 +83,8 @@ class Session {
     PresetsLook presetsLook() const;
     void setPresetsLook(const PresetsLook& look);
 
-    /// Returns where a file dialog opened last, one for each purpose ("preset", "scene", "mesh").
+    /// Returns the folder of the file that was chosen last for a purpose ("preset", "scene",
+    /// "mesh"); the home folder where there is none.
     QString folder(const QString& purpose) const;
     void setFolderOf(const QString& purpose, const QString& file);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The user's own start values of models, a file each in $XDG_CONFIG_HOME/patina/start-values.
+// Reads and writes the user's own start values of models, a file each in
+// $XDG_CONFIG_HOME/patina/start-values.
 #pragma once
 
 #include <filesystem>
@@ -12,10 +13,10 @@
 
 namespace patina {
 
-/// Returns where they lie.
+/// Returns the folder of these files.
 std::filesystem::path startValueFolder();
 
-/// What was read: model's id -> "parameters" as in a preset, and what was wrong.
+/// Holds what was read: model's id -> "parameters" as in a preset, and what was wrong.
 struct StartValueReading {
     std::map<std::string, nlohmann::json, std::less<>> values;
     Errors errors;
@@ -23,7 +24,7 @@ struct StartValueReading {
 
 StartValueReading readStartValues(const std::filesystem::path& folder);
 
-/// Writes those of a model; null removes them.
+/// Writes the start values of a model; null removes its file.
 Result<void> writeStartValues(const std::filesystem::path& folder, const std::string& model,
                               const nlohmann::json& parameters);
 
