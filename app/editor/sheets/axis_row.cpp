@@ -20,7 +20,7 @@
 namespace patina {
 namespace {
 
-constexpr int wideEnough = 420; ///< pixels for one line
+constexpr int wideEnough = 420; ///< pixels from which the row is one line
 constexpr int decimals = 3;
 constexpr int minSteps = 2;
 constexpr int longestEntries = 14; ///< letters
@@ -131,7 +131,7 @@ void AxisRow::show(const std::optional<SheetAxis>& axis, const Subject& subject)
     showRange();
 }
 
-/// Lists all that there is, and on top what the axis is of where that is not among it.
+/// Lists all that an axis may be of, and on top what this one is of where that is not among it.
 void AxisRow::fillChoices(const Subject& subject) {
     offers_ = subject.offers;
     const bool isKnown = !axis_ || std::ranges::any_of(offers_, [this](const AxisOffer& each) {
@@ -161,7 +161,8 @@ void AxisRow::fillChoices(const Subject& subject) {
     what_->setCurrentIndex(current);
 }
 
-/// Those of a kind, a choice or a switch that the axis may go through, or the values of a list.
+/// Lists what the axis may go through: the members of a kind, a choice or a switch, or the values
+/// of a list.
 void AxisRow::fillEntries(const Subject& subject) {
     const auto steps = [&](const std::vector<std::string>& entries) {
         const auto planned = plannedAxis({axis_->kind, axis_->value, {}, entries}, subject.scene,
@@ -199,7 +200,7 @@ void AxisRow::fillMenu() {
     }
 }
 
-/// Which entries the axis goes through.
+/// Shows which entries the axis goes through.
 void AxisRow::showEntries() {
     QStringList chosen;
     for (std::size_t i = 0; i < listed_.size(); ++i) {
@@ -231,7 +232,7 @@ void AxisRow::choose(int index) {
     }
 }
 
-/// In the hard range of the number, and whole where it is.
+/// Asks for a range, kept in the hard range of the number, and whole where the number is.
 void AxisRow::wishRange(SheetRange range) {
     if (number_) {
         const bool isWhole = infoOf(number_->type).isWhole;
@@ -245,7 +246,8 @@ void AxisRow::wishRange(SheetRange range) {
     wish(std::move(axis));
 }
 
-/// In the order in which they are listed; one at least stays.
+/// Asks for the axis with an entry or without it. The entries are in the order in which they are
+/// listed, and there is always one of them.
 void AxisRow::wishEntry(const std::string& entry, bool isOn) {
     SheetAxis axis = *axis_;
     axis.entries.clear();
@@ -263,7 +265,7 @@ void AxisRow::wishEntry(const std::string& entry, bool isOn) {
     wish(std::move(axis));
 }
 
-/// The widgets show what was accepted, also where that is nothing new.
+/// Asks for an axis. Where that is nothing new, the widgets show again what was accepted.
 void AxisRow::wish(SheetAxis axis) {
     if (axis == *axis_) {
         showRange();

@@ -20,7 +20,7 @@ class NumberBox;
 
 /// Chooses what one axis of a sheet goes through: a value from one number to another, or some of
 /// what there is of a kind. In a narrow panel it takes two lines. It shows what it is given and
-/// tells what is wished; it changes nothing itself.
+/// asks for changes; it changes nothing itself.
 class AxisRow : public QWidget {
     Q_OBJECT
 
@@ -37,7 +37,7 @@ class AxisRow : public QWidget {
         const std::vector<AxisOffer>& offers;
     };
 
-    /// Shows an axis; nothing: there is none, which only one down may be.
+    /// Shows an axis, or that there is none (nothing), as only the one down allows.
     void show(const std::optional<SheetAxis>& axis, const Subject& subject);
 
   Q_SIGNALS:
@@ -62,7 +62,7 @@ class AxisRow : public QWidget {
 
     Direction direction_;
     QComboBox* what_;
-    QWidget* steps_; ///< the widgets below
+    QWidget* steps_; ///< holds the widgets below
     NumberBox* from_;
     NumberBox* to_;
     NumberBox* count_;
@@ -71,8 +71,8 @@ class AxisRow : public QWidget {
     QBoxLayout* layout_;
     std::optional<SheetAxis> axis_;
     std::vector<AxisOffer> offers_;
-    std::optional<Parameter> number_; ///< that the axis is of
-    std::vector<SheetStep> listed_;   ///< entries that there are, where the axis has no range
+    std::optional<Parameter> number_; ///< is the one that the axis is of
+    std::vector<SheetStep> listed_;   ///< are all entries, where the axis has no range
 };
 
 } // namespace patina

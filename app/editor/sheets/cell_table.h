@@ -20,12 +20,12 @@ class CellTable : public QAbstractTableModel {
     void markShown(const QModelIndex& index);
     void clear();
 
-    /// Null while there is none.
+    /// Returns the plan; null while there is none.
     const std::shared_ptr<const SheetPlan>& plan() const { return sheet_.plan; }
     const Sheet& sheet() const { return sheet_.sheet; }
     const SheetCell& cell(const QModelIndex& index) const;
-    int dueCells() const; ///< that are not drawn yet
-    /// Returns the lines below its picture.
+    int dueCells() const; ///< counts cells that are not drawn yet
+    /// Returns the lines below the picture of a cell.
     QStringList caption(const QModelIndex& index) const;
     bool isControl(int row) const { return sheet_.plan && sheet_.plan->isControl(row); }
 

@@ -16,10 +16,12 @@
 namespace patina {
 namespace {
 
-using Materials = std::vector<std::pair<int, Material>>; ///< by object
+/// Are paired with the indices of their objects.
+using Materials = std::vector<std::pair<int, Material>>;
 
-/// Returns the material that a cell gives an object: that of the cell, and of the others that are
-/// edited their own with the cell's values. Nothing where it cannot have them.
+/// Returns the material that a cell gives an object: the cell's for the object of the sheet and in
+/// the control row, else the object's own with the cell's values. Returns nothing where it cannot
+/// have them.
 std::optional<Material> materialOf(const SheetPlan& plan, const Scene& cell, std::size_t object,
                                    int column, int row) {
     if (object == plan.object() || plan.isControl(row)) {

@@ -27,7 +27,7 @@ void CheckMenu::keyPressEvent(QKeyEvent* event) {
     }
 }
 
-/// False where it is nothing that can be switched.
+/// Switches an action; returns false where it cannot be switched.
 bool CheckMenu::switched(QAction* action) {
     const bool isSwitch = action && action->isCheckable() && action->isEnabled();
     if (isSwitch) {

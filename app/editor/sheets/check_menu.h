@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// A menu that stays open while things in it are switched on and off.
+/// Keeps a menu open while things in it are switched on and off.
 class CheckMenu : public QMenu {
     Q_OBJECT
 

@@ -132,7 +132,7 @@ void SheetControls::connectParts() {
     });
 }
 
-/// What the other axis goes through changes places with it.
+/// Asks for the axis across. Where the one down goes through the same, they change places.
 void SheetControls::wishX(const std::optional<SheetAxis>& axis) {
     wish([&](Sheet& sheet) {
         sheet.x = axis.value_or(sheet.x);
@@ -152,7 +152,8 @@ void SheetControls::wishY(const std::optional<SheetAxis>& axis) {
     });
 }
 
-/// Shows the sheet that there is again where it stays as it was.
+/// Asks for a changed sheet, also where it stays as it was: the answer makes the widgets show it
+/// again.
 void SheetControls::wish(const std::function<void(Sheet&)>& change) {
     Sheet sheet = sheet_;
     change(sheet);

@@ -8,14 +8,14 @@ class QToolButton;
 namespace patina {
 
 /// Chooses what a sheet goes through, how large its cells are and what they say, and has the menu
-/// of its file. It shows what it is given and tells what is wished; it changes nothing itself.
+/// of its file. It shows what it is given and asks for changes; it changes nothing itself.
 class SheetControls : public QWidget {
     Q_OBJECT
 
   public:
     explicit SheetControls(QWidget* parent = nullptr);
 
-    /// Shows a sheet, whose axes are of this subject; null: there is none yet.
+    /// Shows a sheet and what its axes may be of; null while that is not known.
     void show(const Sheet& sheet, const AxisRow::Subject* subject);
 
   Q_SIGNALS:

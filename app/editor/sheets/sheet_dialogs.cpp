@@ -10,7 +10,7 @@
 namespace patina {
 namespace {
 
-constexpr const char* purpose = "sheet"; ///< of the folder that is remembered
+constexpr const char* purpose = "sheet"; ///< names the folder that is remembered
 
 QString ending() {
     return asText(std::string(sheetEnding));

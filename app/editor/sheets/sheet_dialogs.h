@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where sheets are read from and written to; each returns a file, or an empty text.
+// Dialogs ask where sheets are read from and written to; each returns a file, or an empty text
+// where it was closed without one.
 #pragma once
 
 #include <QString>
@@ -12,10 +13,10 @@ class Session;
 
 QString askForSheet(QWidget* parent, Session& session);
 
-/// `name`: of the file that is offered, without its ending, as in the next.
+/// `name` is that of the file that is offered, without its ending, as in the next.
 QString askWhereToSaveSheet(QWidget* parent, Session& session, const QString& name);
 
-/// Tells a picture from a table of numbers.
+/// Offers a picture (.png, .exr) or a table of numbers (.csv).
 QString askWhereToExportSheet(QWidget* parent, Session& session, const QString& name);
 
 } // namespace patina

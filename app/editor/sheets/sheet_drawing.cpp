@@ -14,14 +14,14 @@
 namespace patina {
 namespace {
 
-/// Is how long the context is kept for the next edit.
+/// The context is kept for so long, for the next edit.
 constexpr std::chrono::seconds patience{3};
 
 bool haveSameSteps(const Sheet& a, const Sheet& b) {
     return a.x == b.x && a.y == b.y && a.hasControlRow == b.hasControlRow;
 }
 
-/// Tells which axes are of nothing that there is, where the sheet cannot be planned.
+/// Says why a sheet cannot be planned, and which of its axes go through nothing that there is.
 SheetRefusal refusalOf(const SheetDrawing::Request& request, const Errors& errors) {
     SheetRefusal refusal{asText(text(errors)).trimmed()};
     const auto isAlive = [&request](const SheetAxis& axis) {
@@ -35,10 +35,10 @@ SheetRefusal refusalOf(const SheetDrawing::Request& request, const Errors& error
 
 } // namespace
 
-/// Holds the renderer of the sheets that are drawn without a rest.
+/// Draws the cells of sheets with one renderer, which is kept until the worker rests.
 class SheetDrawing::Studio {
   public:
-    /// The context is current.
+    /// Makes a studio; the worker's context must be current.
     static Result<std::unique_ptr<Studio>> open(const std::filesystem::path& programCache) {
         return Renderer::create({programCache}).map([&](std::unique_ptr<Renderer> renderer) {
             return std::make_unique<Studio>(programCache, std::move(renderer));
@@ -48,7 +48,8 @@ class SheetDrawing::Studio {
     Studio(std::filesystem::path programCache, std::unique_ptr<Renderer> renderer)
         : programCache_(std::move(programCache)), renderer_(std::move(renderer)) {}
 
-    /// Returns the maker of a request's cells: for a file, or without a form for the window.
+    /// Returns the maker of a request's cells: for a file of this form, or without a form for the
+    /// window.
     CellMaker& cellsOf(const Request& request, std::optional<SheetForm> form) {
         if (!cells_ || request.catalog != catalog_) {
             catalog_ = request.catalog;
@@ -82,7 +83,8 @@ class SheetDrawing::Studio {
                 }};
     }
 
-    /// Sheets name no files: a picture is the document's.
+    /// Returns the picture of a scene's environment. Sheets name no files, so any picture but the
+    /// document's is missing.
     Result<CellMaker::Panorama> panoramaOf(const Scene& scene) const {
         const Block* block = blockOf(scene.parts, kinds::environment, *catalog_);
         const std::string_view file = block == nullptr
@@ -118,10 +120,10 @@ class SheetDrawing::Studio {
     int pixels_ = 0;
     std::optional<SheetForm> form_;
     int revision_ = 0;
-    std::optional<CellMaker> cells_; ///< goes first: it uses what stands above
+    std::optional<CellMaker> cells_; ///< is destroyed first, because it uses the members above
 };
 
-/// Says what the worker's thread knows: the last sheet with its cells, and what draws them.
+/// Holds what the worker's thread knows: the last sheet with its cells, and what draws them.
 class SheetDrawing::Work {
   public:
     Work(SheetDrawing& drawing, std::filesystem::path programCache)
@@ -152,13 +154,13 @@ class SheetDrawing::Work {
 
     SheetDrawing& drawing_;
     std::filesystem::path programCache_;
-    Request request_; ///< of the cells
+    Request request_; ///< is the one that the cells were planned for
     std::shared_ptr<const SheetPlan> plan_;
     std::vector<Cell> cells_;
     std::unique_ptr<Studio> studio_;
 };
 
-/// False where there is no plan.
+/// Plans the cells and hands the sheet over; returns false where there is no plan.
 bool SheetDrawing::Work::plan(const Request& request, const Worker::Control& control) {
     std::shared_ptr<const SheetPlan> plan = plan_;
     const bool isSame = plan_ && request_.start == request.start &&
@@ -188,8 +190,8 @@ bool SheetDrawing::Work::plan(const Request& request, const Worker::Control& con
     return true;
 }
 
-/// A cell as it is before anything is drawn: one whose scene is as before keeps its picture, one in
-/// the place of another shows that one's until its own is there.
+/// Returns a cell as it is before anything is drawn: one whose scene is as before keeps its
+/// picture, one in the place of another shows that one's until its own is there.
 SheetDrawing::Work::Cell SheetDrawing::Work::planned(const SheetPlan& plan, const Request& request,
                                                      int column, int row) const {
     const Result<Scene> scene = plan.scene(column, row);
@@ -214,7 +216,7 @@ SheetDrawing::Work::Cell SheetDrawing::Work::planned(const SheetPlan& plan, cons
     return cell;
 }
 
-/// Returns the cell that was in this place; null: none, or it was of something else.
+/// Returns the cell that was in this place; null where there was none, or one of something else.
 const SheetDrawing::Work::Cell* SheetDrawing::Work::before(const SheetPlan& plan,
                                                            const Request& request, int column,
                                                            int row) const {
@@ -234,7 +236,7 @@ bool SheetDrawing::Work::isSameAsBefore(const Scene& scene, const SheetPlan& pla
     return former && *former == scene;
 }
 
-/// The cells by index that have a picture of their own: all of the control row are one.
+/// Returns the indices of cells that have a picture of their own: all of the control row share one.
 std::vector<int> SheetDrawing::Work::ownCells() const {
     std::vector<int> own;
     for (int i = 0; i < static_cast<int>(cells_.size()); ++i) {
@@ -330,7 +332,7 @@ void SheetDrawing::Work::measureCell(int index, CellMaker& cells, const Worker::
     cell.measured.insert(cell.measured.end(), kinds.begin(), kinds.end());
 }
 
-/// Hands a cell over; the first one of the control row is all of them.
+/// Hands a cell over; the first one of the control row stands for that whole row.
 void SheetDrawing::Work::show(int index, const Worker::Control& control) {
     const int columns = plan_->columns();
     const int last = plan_->isControl(index / columns) ? index + columns : index + 1;
@@ -354,7 +356,7 @@ Result<SheetDrawing::Studio*> SheetDrawing::Work::studio(const Worker::Control& 
     return studio_.get();
 }
 
-/// False where it was stopped before its end.
+/// Returns false where it was stopped before its end.
 Checked<bool> SheetDrawing::Work::write(const Request& request, const std::filesystem::path& file,
                                         Worker::Control& control) {
     const auto plan = SheetPlan::of(request.sheet, *request.start, request.object, request.catalog);

@@ -14,34 +14,34 @@
 
 namespace patina {
 
-/// Represents one cell as far as it is made.
+/// Holds one cell as far as it is made.
 struct SheetCell {
-    QImage picture{}; ///< null: it is not drawn yet, or cannot be
+    QImage picture{}; ///< is null while it is not drawn, or cannot be
     CellNumbers numbers{};
-    QString problem{};    ///< why it cannot be; empty: it can
-    bool isDue = true;    ///< what is shown here is older than what was asked for
-    bool isShown = false; ///< it is what the document shows
+    QString problem{};    ///< says why it cannot be drawn; empty where it can
+    bool isDue = true;    ///< says that the picture is older than what was asked for
+    bool isShown = false; ///< says that it is what the document shows
 };
 
-/// Represents a plan with its cells, row by row.
+/// Holds a plan with its cells, row by row.
 struct PlannedSheet {
     std::shared_ptr<const SheetPlan> plan;
-    Sheet sheet; ///< that was asked for
+    Sheet sheet; ///< is the one that was asked for
     std::vector<SheetCell> cells;
 };
 
-/// Why there is no plan.
+/// Says why there is no plan.
 struct SheetRefusal {
     QString text;
-    bool isXDead = false; ///< there is nothing that the axis could be of
+    bool isXDead = false; ///< says that there is nothing the axis could be of
     bool isYDead = false;
 };
 
-/// Tells how a sheet ended.
+/// Says how the drawing of a sheet ended.
 struct SheetEnd {
-    int drawn = 0; ///< cells, but for those that were there
+    int drawn = 0; ///< counts the cells that were drawn, not those kept
     bool isWhole = false;
-    QString problem{}; ///< why nothing could be drawn
+    QString problem{}; ///< says what could not be drawn or measured, and why
 };
 
 /// Plans, draws and measures sheets in a thread with a context of its own, cell by cell: pictures
@@ -54,14 +54,14 @@ class SheetDrawing : public QObject {
     struct Request {
         Sheet sheet;
         std::shared_ptr<const Scene> start;
-        Scene shown;            ///< by the document; a cell that shows it is marked
-        std::size_t object = 0; ///< that the sheet is of
+        Scene shown;            ///< is what the document shows; a cell that shows it is marked
+        std::size_t object = 0; ///< is the object that the sheet is of
         std::shared_ptr<const Catalog> catalog;
-        MeshSource meshes; ///< for other threads, as are the next
+        MeshSource meshes; ///< may be called in other threads, as may the next
         TextureSource textures;
-        std::string panoramaFile; ///< of the start's environment; empty: none
+        std::string panoramaFile; ///< is that of the start's environment; empty where it has none
         CellMaker::Panorama panorama;
-        int revision = 0; ///< another one where meshes or pictures have changed
+        int revision = 0; ///< is another one where meshes or pictures have changed
     };
 
     explicit SheetDrawing(std::filesystem::path programCache, QObject* parent = nullptr);
@@ -74,8 +74,7 @@ class SheetDrawing : public QObject {
     /// Gives up what is being drawn; finished() follows.
     void cancel();
 
-    /// Draws the sheet as `patina sheet` does, into a file; written() follows, unless it was
-    /// cancelled.
+    /// Draws the sheet as `patina sheet` does, into a file; written() follows.
     void write(Request request, const std::filesystem::path& file);
     void cancelWriting();
 
@@ -87,18 +86,18 @@ class SheetDrawing : public QObject {
     void refused(const patina::SheetRefusal& why);
     void drawn(int index, const patina::SheetCell& cell);
     void finished(const patina::SheetEnd& end);
-    void progressed(double share, const QString& doing); ///< share: 0 .. 1
-    /// Tells where the sheet is. An empty file: it was cancelled, and nothing is written.
+    void progressed(double share, const QString& doing); ///< `share` is 0 .. 1
+    /// Writing has ended. The file is empty where it was cancelled and nothing was written.
     void written(const QString& file, const patina::Errors& problems);
 
   private:
     class Studio;
     class Work;
 
-    std::shared_ptr<Progress> drawing_; ///< null while nothing is drawn
+    std::shared_ptr<Progress> drawing_; ///< is null while nothing is drawn
     std::shared_ptr<Progress> writing_;
-    int asked_ = 0;              ///< how often
-    std::unique_ptr<Work> work_; ///< of the worker's thread
+    int asked_ = 0;              ///< counts the calls of ask()
+    std::unique_ptr<Work> work_; ///< is used in the worker's thread only
     Worker worker_;
 };
 

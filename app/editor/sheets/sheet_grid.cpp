@@ -13,10 +13,10 @@ namespace patina {
 namespace {
 
 constexpr int gap = 2;          ///< pixels around a picture
-constexpr int apart = 8;        ///< above the control row
+constexpr int apart = 8;        ///< pixels above the control row
 constexpr int smallest = 36;    ///< pixels of a cell's side
-constexpr int wellSeen = 64;    ///< cells are not made smaller only to have all rows in sight
-constexpr double faint = 0.35;  ///< of what is older than what was asked for
+constexpr int wellSeen = 64;    ///< pixels; cells are not made smaller to show all rows
+constexpr double faint = 0.35;  ///< is the opacity of pictures that are out of date
 constexpr int widestLabel = 96; ///< pixels
 
 QFont captionFont(const QFont& font) {
@@ -61,7 +61,8 @@ class CellDelegate : public QStyledItemDelegate {
     }
 
   private:
-    /// Made smaller at once by the painter it would flicker between pixels.
+    /// Returns a picture no larger than it is shown: made smaller by the painter it would flicker
+    /// between pixels.
     static QImage scaled(const QImage& picture, const QSize& size, const QPainter& painter) {
         const QSize pixels = size * painter.device()->devicePixelRatioF();
         return picture.width() > pixels.width()
@@ -91,13 +92,14 @@ class CellDelegate : public QStyledItemDelegate {
         }
     }
 
-    /// Returns "0.82" of "albedo 0.82"; what stands before the number goes first where room is
+    /// Returns "0.82" of "albedo 0.82": what stands before the number goes first where room is
     /// short.
     static QString withoutName(const QString& line) {
         return line.front().isDigit() ? line : line.section(QLatin1Char(' '), -1);
     }
 
-    /// Around what the document shows, and around the cell that the keys are at.
+    /// Draws a frame around what the document shows, and one around the cell that has the focus or
+    /// is under the mouse.
     static void frame(QPainter& painter, const QStyleOptionViewItem& option, const QRect& square,
                       bool isShown) {
         painter.setBrush(Qt::NoBrush);
@@ -154,8 +156,8 @@ QSize SheetGrid::sizeHint() const {
     return {4 * wellSeen, 5 * wellSeen};
 }
 
-/// As wide as there is room for all columns; where that leaves cells that can be seen well, all
-/// rows are in sight, too.
+/// Returns the side of a cell in pixels: as much as there is room for all columns, and less to have
+/// all rows in sight where the cells can still be seen well.
 int SheetGrid::cellSide() const {
     const int columns = std::max(table_->columnCount(), 1);
     const int rows = std::max(table_->rowCount(), 1);
@@ -211,7 +213,7 @@ void SheetGrid::keyPressEvent(QKeyEvent* event) {
     QTableView::keyPressEvent(event);
 }
 
-/// The keys need a place to start from.
+/// Makes the first cell current where none is: the keys need a place to start from.
 void SheetGrid::focusInEvent(QFocusEvent* event) {
     QTableView::focusInEvent(event);
     if (!currentIndex().isValid() && table_->rowCount() > 0) {

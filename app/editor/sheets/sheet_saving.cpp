@@ -26,7 +26,7 @@ bool mayName(const fs::path& file, const fs::path& preset) {
 }
 
 /// Returns the first of "name", "name 2", "name 3" ... in the sheet's folder that is free or holds
-/// it.
+/// the material.
 fs::path presetBeside(const fs::path& file, const std::string& stem, const Material& material,
                       const Catalog& catalog) {
     const auto called = [&](int number) {

@@ -7,7 +7,7 @@
 namespace patina {
 namespace {
 
-constexpr std::size_t maxTaken = 64; ///< scenes that are kept
+constexpr std::size_t maxTaken = 64; ///< is how many scenes are kept
 
 std::vector<SheetAxis> axesOf(const Sheet& sheet) {
     std::vector<SheetAxis> axes{{sheet.x.kind, sheet.x.value, {}, {}}};

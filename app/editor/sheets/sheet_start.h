@@ -10,11 +10,11 @@
 
 namespace patina {
 
-/// Says what a sheet in the window starts from: what the active side shows, but for cells that were
-/// taken from the sheet, so that one can be taken after the other and the start again.
+/// Knows what a sheet in the window starts from: what the active side shows, except for cells that
+/// were taken from the sheet, so that one can be taken after the other and the start again.
 class SheetStart {
   public:
-    /// Whose sheet it is.
+    /// Says whose sheet it is.
     struct Subject {
         Side side = Side::A;
         std::size_t object = 0;
@@ -22,17 +22,18 @@ class SheetStart {
         friend bool operator==(const Subject&, const Subject&) = default;
     };
 
-    /// Hears what is shown now. The start becomes this where something else has changed than the
-    /// camera and what a cell brought, and where the sheet goes through something else.
+    /// Takes note of what is shown now. The start becomes this where something else has changed
+    /// than the camera and what a cell brought, and where the sheet goes through something else.
     void follow(const Scene& shown, const Subject& subject, const Sheet& sheet);
 
-    /// A cell was taken, after which this is shown.
+    /// Takes note that a cell was taken, after which this is shown.
     void noteTaken(const Scene& shown);
 
     /// Tells whether this is the start or a cell that was taken, wherever the camera stands.
     bool holds(const Scene& shown) const;
 
-    /// Null before anything is followed; another one only where the start has changed.
+    /// Returns the start: null before anything is followed, and another object only where it has
+    /// changed.
     const std::shared_ptr<const Scene>& scene() const { return scene_; }
     std::size_t object() const { return subject_.object; }
 
@@ -40,7 +41,7 @@ class SheetStart {
     std::shared_ptr<const Scene> scene_;
     std::vector<Scene> taken_;
     Subject subject_;
-    std::vector<SheetAxis> axes_; ///< what the sheet goes through, without steps
+    std::vector<SheetAxis> axes_; ///< are what the sheet goes through, without steps
 };
 
 /// Returns the scene without what makes no difference to any picture of it: names and kept views.

@@ -35,12 +35,13 @@
 namespace patina {
 namespace {
 
-/// An edit is followed when nothing has changed for so long: a drag leaves the time to the views.
+/// An edit is followed when nothing has changed for this long, so that a drag leaves the time to
+/// the views.
 constexpr int settleMs = 120;
 
 constexpr int progressSteps = 1000;
 constexpr int progressWidth = 80;
-constexpr int longestName = 24; ///< letters, in what is said
+constexpr int longestName = 24; ///< letters of a name in a message
 
 } // namespace
 
@@ -146,7 +147,8 @@ void SheetsDock::hideEvent(QHideEvent* event) {
     QWidget::hideEvent(event);
 }
 
-/// What is being drawn is out of date. A panel that nobody sees follows when it is seen.
+/// Stops drawing what is out of date, and follows when edits have ended. A hidden panel follows
+/// when it is shown.
 void SheetsDock::followLater() {
     drawing_.cancel();
     if (isVisible()) {
@@ -175,7 +177,7 @@ void SheetsDock::follow() {
     drawing_.ask(request());
 }
 
-/// Chooses the first two numbers of the model that count.
+/// Chooses the first two numbers of the model that count; the first thing there is where none does.
 void SheetsDock::chooseAxes(const std::vector<AxisOffer>& offers) {
     std::vector<SheetAxis> axes;
     for (const AxisOffer& offer : offers) {
@@ -229,8 +231,8 @@ void SheetsDock::showPlan(const PlannedSheet& planned) {
     }
 }
 
-/// One button lets each axis that has lost what it was of go through the first thing there is that
-/// the other one does not go through.
+/// Says why there is no sheet. A button lets each axis that has lost what it was of go through the
+/// first thing there is that the other one does not go through.
 void SheetsDock::showRefusal(const SheetRefusal& why) {
     grid_->table().clear();
     xTitle_->tell({});
@@ -262,7 +264,8 @@ void SheetsDock::showRefusal(const SheetRefusal& why) {
                    tr("Go through %1 instead").arg(others), [this, mended] { setSheet(mended); }}});
 }
 
-/// The first thing that an axis may be of but the other one is not; null: there is none.
+/// Returns the first thing that an axis may be of but the other one is not; null where there is
+/// none.
 const AxisOffer* SheetsDock::freeOffer(const SheetAxis* other) const {
     const auto found = std::ranges::find_if(offers_, [other](const AxisOffer& each) {
         return other == nullptr || !isSameAxis(each.axis, *other);
@@ -330,8 +333,8 @@ void SheetsDock::showRunning() {
     stop_->setVisible(isRunning);
 }
 
-/// A cell that is out of date would take back what has changed since: it is taken when the sheet
-/// has followed.
+/// Takes a cell, at once or when the sheet has followed: one that is out of date would take back
+/// what has changed since.
 void SheetsDock::choose(const QModelIndex& cell) {
     const Scene shown = drawnScene(document_.ownScene(document_.selection().side()));
     if (grid_->table().sheet() == sheet_ && start_.holds(shown)) {
@@ -393,7 +396,7 @@ void SheetsDock::writeTo(const QString& file) {
     }
 }
 
-/// Follows what has changed; false where there is nothing to make a sheet of.
+/// Follows what has changed; returns false where there is nothing to make a sheet of.
 bool SheetsDock::isUpToDate() {
     if (settle_.isActive() || !start_.scene()) {
         settle_.stop();

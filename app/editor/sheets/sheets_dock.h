@@ -24,9 +24,9 @@ class SheetControls;
 class SheetGrid;
 class VerticalTitle;
 
-/// Represents a live contact sheet: what the active side shows, again and again along one or two
-/// axes. It follows the document while it is seen. A click on a cell, or Enter, gives the document
-/// its look.
+/// Shows a live contact sheet: what the active side shows, again and again along one or two axes.
+/// It follows the document while it is seen. A click on a cell, or Enter, gives the document its
+/// look.
 class SheetsDock : public QWidget {
     Q_OBJECT
 
@@ -44,7 +44,7 @@ class SheetsDock : public QWidget {
     /// Draws the sheet into a file as `patina sheet` does.
     void writeTo(const QString& file);
 
-    /// Neither is anything drawn nor about to be.
+    /// Tells whether nothing is drawn or written, or about to be.
     bool isIdle() const;
 
   Q_SIGNALS:
@@ -81,11 +81,11 @@ class SheetsDock : public QWidget {
     DockContext context_;
     Document& document_;
     Sheet sheet_;
-    bool hasAxes_ = false; ///< else they are chosen when the sheet is first seen
+    bool hasAxes_ = false; ///< is false until the axes are chosen
     SheetStart start_;
     std::vector<AxisOffer> offers_;
-    QPersistentModelIndex wished_; ///< a cell that was chosen while the sheet was out of date
-    int revision_ = 0;             ///< of the meshes and pictures that are there
+    QPersistentModelIndex wished_; ///< was chosen while the sheet was out of date
+    int revision_ = 0;             ///< counts changes of meshes and pictures
     SheetControls* controls_;
     NoticeBar* notice_;
     LongLine* xTitle_;
@@ -95,7 +95,7 @@ class SheetsDock : public QWidget {
     QProgressBar* progress_;
     QToolButton* stop_;
     QTimer settle_;
-    SheetDrawing drawing_; ///< goes first: it waits for its thread
+    SheetDrawing drawing_; ///< is destroyed first: it waits for its thread
 };
 
 } // namespace patina

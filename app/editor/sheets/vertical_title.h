@@ -5,8 +5,8 @@
 
 namespace patina {
 
-/// Represents a line of text that reads from bottom to top; no wider than a line is high, and
-/// nothing without a text.
+/// Shows a line of text that reads from bottom to top. It is no wider than a line is high, and
+/// hidden without a text.
 class VerticalTitle : public QWidget {
     Q_OBJECT
 

@@ -12,14 +12,14 @@ namespace {
 constexpr int digits = 3;
 constexpr int maxPlaces = 9;
 
-/// What is less than this share is said to be so, not how much.
+/// A share below this is written as "under" this one, without digits of its own.
 constexpr double minShare = 1e-7;
 
 QString tr(const char* text) {
     return QCoreApplication::translate("NumberText", text);
 }
 
-/// Two digits that count: "17", "0.031", "0.00001".
+/// Returns a number with two digits that count: "17", "0.031", "0.00001".
 QString twoDigits(double number) {
     constexpr double minWhole = 9.95; // above it whole numbers have as many
     if (number >= minWhole) {
@@ -34,7 +34,7 @@ QString twoDigits(double number) {
     return text.endsWith('0') ? text.chopped(1) : text;
 }
 
-/// Digits after the point, so that `digits` of the number count.
+/// Returns how many digits after the point make `digits` of the number count.
 int placesOf(double number) {
     if (number == 0.0 || !std::isfinite(number)) {
         return 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measured numbers as people read them, never with an exponent, and written as the fields of the
+// Writes measured numbers as people read them, never with an exponent, and as the fields of the
 // window write theirs: with a point in every language, as what is typed may have either mark.
 #pragma once
 
@@ -13,7 +13,8 @@ inline QLocale numberLocale() {
     return QLocale::c();
 }
 
-/// Three digits that count, and all of those before the point: "23.4", "0.0317", "9346".
+/// Returns a number with three digits that count, and all of those before the point: "23.4",
+/// "0.0317", "9346".
 QString digitsText(double number);
 
 /// Writes as many digits after the point as digitsText() gives another number.
@@ -25,7 +26,7 @@ QString roundText(double number);
 /// Returns large numbers in short: "2.5 k", "50 k", "1 M"; below a thousand as roundText().
 QString shortText(double number);
 
-/// "0.39 %" of a share, with as many digits as tell something.
+/// Returns a share in per cent, such as "0.39 %", with as many digits as tell something.
 QString shareText(double share);
 
 } // namespace patina

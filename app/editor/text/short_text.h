@@ -5,8 +5,8 @@
 
 namespace patina {
 
-/// Returns a name as it stands in a menu or a line of text: in full up to `most` letters, else its
-/// start and its end.
+/// Returns a name as it stands in a menu or a line of text: in full up to `maxLength` letters, else
+/// its start and its end around "…".
 QString shortened(const QString& name, int maxLength = 36);
 
 } // namespace patina
