@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "parameters/value_box.h"
 #include "parameters/value_steps.h"
+#include "parameters/value_box.h"
 
 namespace patina {
 
