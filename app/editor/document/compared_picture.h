@@ -22,7 +22,8 @@ struct SidePicture {
 
 /// Holds the settings of two pictures of one scene that are compared.
 struct ComparedPicture {
-    /// Is what side B was given: it shows the objects' own materials until its material is another.
+    /// Holds what side B was given: it shows the objects' own materials until its material is
+    /// another.
     Material material;
     std::optional<SidePicture> first; ///< is side A's; absent where the scene's own applies
     std::optional<SidePicture> second;

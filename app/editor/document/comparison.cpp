@@ -54,7 +54,8 @@ void Comparison::setSideCount(std::size_t count) {
     });
 }
 
-/// Side A gets its own material back, if another one was there just to be looked at.
+/// Stops comparing, as one step. Side A gets its own material back where it only previewed another
+/// one.
 void Comparison::end() {
     if (!document_.state().preview && !document_.state().picture) {
         setSecondMaterial(document_, std::nullopt);

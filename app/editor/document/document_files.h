@@ -18,8 +18,8 @@ struct DocumentFile {
     friend bool operator==(const DocumentFile&, const DocumentFile&) = default;
 };
 
-/// Knows which file a document is and what of it is saved there. What goes wrong, and what the
-/// reader has to tell, comes through message().
+/// Knows which file a document is and what of it is saved there. It reports errors, and what the
+/// reader has to tell, through message().
 class DocumentFiles : public QObject {
     Q_OBJECT
 
@@ -53,7 +53,7 @@ class DocumentFiles : public QObject {
     Scene sceneToRecover() const;
     bool saveScene(const std::filesystem::path& path);
     bool savePreset(const std::filesystem::path& path, Side side);
-    /// Says whether saved presets keep the values that only other models use. The document and
+    /// Sets whether saved presets keep the values that only other models use. The document and
     /// scene files always keep them.
     void setKeepsParked(bool keeps) { keepsParked_ = keeps; }
     /// Saves under a name, which the material in the document takes too unless the document is a
@@ -89,7 +89,7 @@ class DocumentFiles : public QObject {
     int presetObject_ = -1; ///< is the object whose material file_ holds, where that is a preset
     bool isRecovered_ = false;
     bool keepsParked_ = false;
-    /// Is the state as opened or saved, to know what saving a preset leaves out.
+    /// Holds the state as opened or saved, to know what saving a preset leaves out.
     DocumentState savedState_;
 };
 

@@ -47,15 +47,17 @@ struct Snapshot {
 /// Holds everything that an edit can change.
 struct DocumentState {
     Scene scene;
-    /// Is side B, shown on the current object; absent while nothing is compared.
+    /// Holds side B, shown on the current object; absent while nothing is compared.
     std::optional<Material> second;
     std::optional<MaterialPreview> preview = std::nullopt; ///< is absent where side A shows its own
-    /// Is absent where both sides draw as the scene says.
+    /// Holds the picture settings that are compared; absent where both sides draw as the scene
+    /// says.
     std::optional<ComparedPicture> picture = std::nullopt;
     /// Holds sides C and D, also shown on the current object; they are unused while nothing is
     /// compared.
     std::vector<Material> further{};
-    /// Are indexed by side; unused while nothing is compared.
+    /// Holds what each side's view has of its own, by index of the side; unused while nothing is
+    /// compared.
     std::array<OwnView, sides.size()> ownViews{};
     std::vector<Snapshot> snapshots{}; ///< are in the order in which they were taken
 

@@ -127,7 +127,7 @@ bool decidesByPlace(const DocumentState& state, const BlockPath& path, const Cat
     return mayHideFog(state, path) || mayMoveLight(state, path, catalog);
 }
 
-/// Returns one value for each program that a drag of the parameter may call for.
+/// Returns values that between them call for every program that a drag of the parameter may need.
 std::vector<Value> reachedValues(const Parameter& parameter) {
     const ParameterTypeInfo& info = infoOf(parameter.type);
     if (info.function != nullptr) {

@@ -11,7 +11,7 @@ namespace patina {
 
 /// Holds a JSON text that was copied, and says where it comes from.
 struct CopiedJson {
-    LocatedJson json; ///< has no file name
+    LocatedJson json; ///< comes from no file, so its name is empty
 
     /// Says that it comes from a window of Patina that reads the files it names. Other text may
     /// come from anyone.

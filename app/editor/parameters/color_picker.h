@@ -50,7 +50,7 @@ class ColorPicker : public QFrame {
     double hue_ = 0.0; ///< is kept while the colour is grey, which has no hue
     double saturation_ = 0.0;
     double brightness_ = 0.0;
-    /// Is the largest component of a colour brighter than the screen, else 1.
+    /// Holds the largest component of a colour brighter than the screen, else 1.
     double intensity_ = 1.0;
     bool isAreaDragged_ = false;
     SaturationField* field_;

@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// Is implemented by widgets that know the colours they show more exactly than the screen does.
+/// Is the interface of widgets that know the colours they show more exactly than the screen does.
 class ColorSource {
   public:
     virtual ~ColorSource() = default;

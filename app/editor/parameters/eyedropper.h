@@ -40,7 +40,7 @@ class Eyedropper : public QObject {
     QWidget* anchor_;
     bool isPicking_ = false;
     bool hadTracking_ = false;
-    /// Are taken once, because picking changes what the widgets show.
+    /// Holds the pictures of widgets, taken once each: picking changes what the widgets show.
     std::map<QWidget*, Image> stills_;
 };
 

@@ -6,7 +6,7 @@
 namespace patina {
 namespace {
 
-/// The oldest events go when there are more than anybody reads.
+/// At most this many events are kept, more than anybody reads; the oldest are dropped.
 constexpr std::size_t maxEvents = 500;
 
 bool holds(const Errors& messages, const Error& message) {

@@ -72,7 +72,7 @@ class AxisRow : public QWidget {
     std::optional<SheetAxis> axis_;
     std::vector<AxisOffer> offers_;
     std::optional<Parameter> number_; ///< is the one that the axis is of
-    std::vector<SheetStep> listed_;   ///< are all entries, where the axis has no range
+    std::vector<SheetStep> listed_;   ///< are the entries to choose from, where there is no range
 };
 
 } // namespace patina

@@ -16,7 +16,7 @@
 namespace patina {
 namespace {
 
-/// Are paired with the indices of their objects.
+/// Holds materials with the indices of the objects that get them.
 using Materials = std::vector<std::pair<int, Material>>;
 
 /// Returns the material that a cell gives an object: the cell's for the object of the sheet and in

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Dialogs ask where sheets are read from and written to; each returns a file, or an empty text
-// where it was closed without one.
+// Asks where sheets are read from and written to. Each function returns a file, or an empty text
+// where the dialog was closed without one.
 #pragma once
 
 #include <QString>

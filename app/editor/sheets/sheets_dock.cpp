@@ -273,7 +273,7 @@ const AxisOffer* SheetsDock::freeOffer(const SheetAxis* other) const {
     return found == offers_.end() ? nullptr : &*found;
 }
 
-/// Says that there is nothing an axis could be of.
+/// Returns the words for an axis that is of nothing that there is.
 QString SheetsDock::wordsFor(const SheetAxis& axis) const {
     const Material* material = document_.material(document_.selection().side());
     const Block* model =
