@@ -11,8 +11,7 @@
 namespace patina {
 namespace {
 
-/// Returns a value of the parameter's type with this number, kept in its range, in every component;
-/// the default where the type has no numbers.
+/// Returns a value of the parameter's type with this number in every component.
 Value filled(const Parameter& parameter, double number) {
     const double inside = std::clamp(number, parameter.min, parameter.max);
     const Value& type = parameter.defaultValue;
@@ -31,7 +30,7 @@ Value filled(const Parameter& parameter, double number) {
     return type;
 }
 
-/// Returns a value inside the slider's range that is not 0: there no value turns its effect off.
+/// Values never count as nothing in the inside of their range, except at 0.
 Value inside(const Parameter& parameter) {
     const auto between = [&parameter](double share) {
         return parameter.softMin + share * (parameter.softMax - parameter.softMin);
@@ -44,7 +43,7 @@ bool isCompared(const NeutralValue& value, const Parameter& one, const Parameter
            (value.id == other.id && value.word == one.id);
 }
 
-/// Tells whether the program, or a neutral case of the block, compares the two parameters.
+/// Tells whether the program, or what says when the block does nothing, compares the two.
 bool areCompared(const Block& block, const Parameter& one, const Parameter& other) {
     return one.equalTo == other.id || other.equalTo == one.id ||
            std::ranges::any_of(block.neutral, [&](const NeutralCase& neutral) {
@@ -54,7 +53,7 @@ bool areCompared(const Block& block, const Parameter& one, const Parameter& othe
            });
 }
 
-/// Returns the value of the parameter that counts as equal to the other parameter's value.
+/// Returns the value that the parameter has where it is the same as this one.
 Value equalTo(const Parameter& parameter, const Value& other) {
     const auto* number = std::get_if<double>(&other);
     const auto* triple = std::get_if<glm::dvec3>(&other);
@@ -65,8 +64,8 @@ Value equalTo(const Parameter& parameter, const Value& other) {
                       : other;
 }
 
-/// Returns the values at which a program may lose an effect: the ends of the slider, 0, and every
-/// value that this parameter is compared with.
+/// Returns values at which a program may lose an effect: the ends of the slider, 0, and every value
+/// that this one is compared with.
 std::vector<Value> edgesOf(const DocumentState& state, const BlockPath& path,
                            const Parameter& parameter, const Catalog& catalog) {
     std::vector<Value> edges{filled(parameter, 0.0), filled(parameter, parameter.softMin),
@@ -81,15 +80,14 @@ std::vector<Value> edgesOf(const DocumentState& state, const BlockPath& path,
     return edges;
 }
 
-/// Returns a value at which the effect is on: none of the edges.
+/// Returns a value where the effect is there: none of the edges.
 Value apart(const Parameter& parameter, const std::vector<Value>& edges) {
     const Value usual = inside(parameter);
     const bool isEdge = std::find(edges.begin(), edges.end(), usual) != edges.end();
     return isEdge ? filled(parameter, 0.3 * parameter.softMin + 0.7 * parameter.softMax) : usual;
 }
 
-/// Holds the keys of the scene, the material, the ground and the display, which decide about the
-/// programs.
+/// Holds the keys of the programs for the objects and the ground, and of the one behind them.
 using Keys = std::array<std::uint64_t, 4>;
 
 Keys keysOf(const DocumentState& state, const BlockPath& path, const Catalog& catalog) {
@@ -105,29 +103,7 @@ Keys keysOf(const DocumentState& state, const BlockPath& path, const Catalog& ca
             isSeen(state.scene.ground) ? 1u : 0u, EffectKey::ofDisplay(state.scene, catalog)};
 }
 
-/// Tells whether an edit may bring fog into the programs or take it out. That depends on how much
-/// of the fog is seen: on all its values, on the exposure and on the distances.
-bool mayHideFog(const DocumentState& state, const BlockPath& path) {
-    return state.scene.part(kinds::fog) &&
-           (path.isAt(kinds::fog) || path.isAt(settings::scene) || path.isAt(settings::object));
-}
-
-/// Tells whether an edit may change which objects a light of limited reach lights, and so whether
-/// it is in their programs.
-bool mayMoveLight(const DocumentState& state, const BlockPath& path, const Catalog& catalog) {
-    const bool moves = path.isAt(kinds::lights) || path.isAt(settings::object);
-    return moves && std::ranges::any_of(state.scene.lights, [&catalog](const Light& light) {
-               const Block* block = catalog.find(kinds::lights, light.block.id);
-               return block != nullptr && !reachOf(light, *block).isEverywhere();
-           });
-}
-
-/// Tells whether the programs depend on where things are as well as on the keys.
-bool decidesByPlace(const DocumentState& state, const BlockPath& path, const Catalog& catalog) {
-    return mayHideFog(state, path) || mayMoveLight(state, path, catalog);
-}
-
-/// Returns values that between them call for every program that a drag of the parameter may need.
+/// Returns what a drag of the parameter may come by, as far as it makes other programs.
 std::vector<Value> reachedValues(const Parameter& parameter) {
     const ParameterTypeInfo& info = infoOf(parameter.type);
     if (info.function != nullptr) {

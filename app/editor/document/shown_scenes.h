@@ -17,12 +17,12 @@ class ShownScenes {
     /// the state changes.
     const Scene& scene(const DocumentState& state, int object, Side side);
 
-    /// Updates the scenes after a value of the state has changed. It is changed in place: copying a
-    /// scene for a slider's tick would cost more than drawing it.
+    /// A value of the state has changed. It is changed in place: copying a scene for a slider's
+    /// tick would cost more than drawing it.
     void follow(const DocumentState& state, int object, const BlockPath& path,
                 std::string_view parameterId);
 
-    /// Drops the scenes after anything else has changed.
+    /// Something else has changed.
     void forget() { shown_ = {}; }
 
   private:
@@ -31,7 +31,8 @@ class ShownScenes {
     void update(Side side, const DocumentState& state, int object, const BlockPath& path,
                 std::string_view parameterId);
 
-    std::array<std::optional<Scene>, sides.size()> shown_; ///< is indexed by side
+    std::array<std::optional<Scene>, sides.size()> shown_; ///< by side
+    int object_ = -1;                                      ///< on which the sides' materials are
 };
 
 } // namespace patina

@@ -22,8 +22,9 @@ class TextureLine;
 class WarningMark;
 struct TexturePreview;
 
-/// Shows one line of a form: label, editor, and the marks of an unusual and of a changed value.
-/// While the parameter does not count it is grey and folded; it can be opened and set all the same.
+/// Represents one line of a form: label, editor, and the marks of an unusual and of a changed
+/// value. While the parameter does not count it is grey and folded; it can be opened and set all
+/// the same.
 class ParameterRow : public QWidget {
     Q_OBJECT
 
@@ -33,11 +34,10 @@ class ParameterRow : public QWidget {
     const Parameter& parameter() const;
     ParameterEditor* editor() const { return editor_; }
     ScrubLabel* label() const { return label_; }
-    QToolButton* foldButton() const { return foldButton_; }
-    /// Returns the line of the value's image; null before makeTextureLine() was called.
+    /// Returns the line of the value's image; null while the row was not told that it takes one.
     TextureLine* textureLine() const { return textureLine_; }
     TextureLine* makeTextureLine();
-    /// Puts a button behind the editor; the row then owns it.
+    /// Puts a button behind the editor, which the row takes.
     void addButton(QToolButton* button);
     bool isFolded() const;
     bool isChanged() const { return isChanged_; }
@@ -48,8 +48,7 @@ class ParameterRow : public QWidget {
     void reset();
 
     void present(const Value& value);
-    /// Shows the image of the value, or the button to choose one. Both are hidden where the value
-    /// `takes` none.
+    /// Shows the image of the value; none may be put there while nothing `takes` them.
     void presentTexture(bool takes, const std::optional<TextureUse>& use,
                         const TexturePreview& preview);
     /// Sets whether the parameter counts at present; `reason` says when it would.
@@ -57,20 +56,20 @@ class ParameterRow : public QWidget {
     /// Shows whether what sets a whole group leaves the value alone.
     void setLocked(bool isLocked);
     int labelWidthHint() const;
-    /// Returns the least width in pixels that the row needs beside its label, its marks included.
+    /// Returns the least that the row needs beside its label, its marks included.
     int widthBesideLabel() const;
     void setLabelWidth(int width);
     /// Returns what Tab goes through, in order.
     std::vector<QWidget*> focusChain() const;
 
   Q_SIGNALS:
-    void approached(); ///< the pointer or the focus came to the row
-    void left();       ///< the pointer left the row
+    void approached(); ///< by the pointer or the keyboard
+    void left();       ///< by the pointer
     void interactionBegan();
     void edited(const patina::Value& value);
     void interactionEnded();
     void imageDropped(const QString& file);
-    void menuWished(const QPoint& place); ///< `place` is on the screen
+    void menuWished(const QPoint& place); ///< on the screen
     void copyWished();
     void pasteWished();
     void unlockWished();
@@ -97,8 +96,8 @@ class ParameterRow : public QWidget {
     ParameterEditor* editor_;
     ScrubLabel* label_;
     QToolButton* foldButton_;
-    QWidget* both_;    ///< holds the editor and the image of its value
-    QBoxLayout* pair_; ///< arranges the two
+    QWidget* both_;    ///< the editor and the image of its value
+    QBoxLayout* pair_; ///< how they stand in it
     std::vector<QToolButton*> buttons_;
     TextureLine* textureLine_ = nullptr;
     bool takesTextures_ = false;
@@ -108,7 +107,7 @@ class ParameterRow : public QWidget {
     Value value_;
     QString reason_;
     bool isCounting_ = true;
-    bool isOpened_ = false; ///< says that the user opened it while it does not count
+    bool isOpened_ = false; ///< by hand, while it does not count
     bool isChanged_ = false;
 };
 

@@ -22,9 +22,8 @@ std::filesystem::path xdgFolder(const char* variable, const char* fallback) {
     return std::filesystem::path(base.toStdString()) / "patina";
 }
 
-/// Returns the file that holds the settings. Where something that is no ordinary file has its name,
-/// returns a name that no file can have, so that nothing is remembered longer than the program
-/// runs.
+/// Returns where what is remembered lies. In place of what is there and is no ordinary file comes a
+/// name that no file can have: nothing is then remembered longer than the program runs.
 QString settingsFile() {
     const std::filesystem::path file = configFolder() / "patina.ini";
     std::error_code ignored; // it is refused then
@@ -34,7 +33,28 @@ QString settingsFile() {
     return QString::fromStdString(isUsable ? file.string() : "/dev/null/patina.ini");
 }
 
-/// Encodes the path in the key, which may not have all characters of a path.
+constexpr const char* recentFilesKey = "files/recent";
+constexpr const char* environmentsKey = "files/environments";
+
+QStringList existingFiles(const QSettings& settings, const char* key) {
+    QStringList files = settings.value(key).toStringList();
+    files.removeIf([](const QString& file) { return !QFileInfo::exists(file); });
+    return files;
+}
+
+/// Returns the list with the newest first, at most so many.
+QStringList withNewest(QStringList files, const QString& newest, int maxFiles) {
+    files.removeAll(newest);
+    files.prepend(newest);
+    return files.mid(0, maxFiles);
+}
+
+void addFile(QSettings& settings, const char* key, const QString& file, int maxFiles) {
+    const QStringList files = settings.value(key).toStringList();
+    settings.setValue(key, withNewest(files, QFileInfo(file).absoluteFilePath(), maxFiles));
+}
+
+/// A path has characters that are none for a key.
 QString outsideKey(const QString& file, bool allowed) {
     const QByteArray name = file.toUtf8().toBase64(QByteArray::Base64UrlEncoding);
     return QStringLiteral("outside/%1/%2")

@@ -7,9 +7,9 @@
 
 namespace patina {
 
-/// Converts the engine's text, which is UTF-8.
-inline QString asText(const std::string& text) {
-    return QString::fromStdString(text);
+/// Converts the engine's UTF-8.
+inline QString asText(std::string_view text) {
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
 } // namespace patina

@@ -11,15 +11,14 @@ namespace patina {
 /// Does one undoable edit of a document.
 class DocumentCommand : public QUndoCommand {
   public:
-    /// Returns the same id for all commands of one interaction, which the undo stack merges; -1
-    /// outside one.
+    /// The undo stack merges commands of one id: those of one interaction.
     int id() const override { return interaction_ == 0 ? -1 : interaction_; }
 
     /// Tells whether another command changes the same thing, so that the two may merge.
     virtual bool isOfSameTarget(const DocumentCommand& /*other*/) const { return false; }
 
-    /// Returns the material that the edit brought to a place as a whole. Where it brought none,
-    /// returns null and sets `place` to where that material was before the edit.
+    /// Goes back over the edit: returns the material that it brought to a place as a whole. Where
+    /// it brought none, `place` is where that material was before.
     virtual const Material* origin(MaterialPlace& /*place*/) const { return nullptr; }
 
   protected:
@@ -29,13 +28,13 @@ class DocumentCommand : public QUndoCommand {
 
     Document& document() const { return document_; }
     DocumentState& state() const { return document_.state_; }
-    /// Makes the object on which an edit of side B, C or D was made current, as these sides are
-    /// shown on the current object only.
-    void showSidesOn(int object) const { document_.setCurrentObject(object); }
+    /// All sides but A are on the current object: an edit of them that is done again makes its own
+    /// current.
+    void showSidesOn(int object) const { document_.selection().setObject(object); }
 
   private:
     Document& document_;
-    int interaction_; ///< is 0 for an edit of its own
+    int interaction_; ///< 0: an edit of its own
 };
 
 } // namespace patina
