@@ -15,16 +15,18 @@ class Buffer {
   public:
     static Buffer create();
 
-    /// Gives the buffer this content, which rarely changes. `target` is a GL buffer target; the
-    /// buffer stays bound to it.
+    /// Replaces the content and the size; the driver is told that the content rarely changes.
+    /// `target` is a GL buffer target; the buffer stays bound to it.
     void fill(unsigned target, std::span<const std::byte> bytes);
 
     enum class Content { Lasting, Changing };
 
-    /// Makes room for `size` bytes; the content is undefined.
+    /// Allocates `size` bytes, whose content is undefined, and leaves the buffer bound to `target`.
+    /// `content` tells the driver how often they will be written.
     void reserve(unsigned target, std::size_t size, Content content = Content::Changing);
 
-    /// Overwrites bytes from `offset` on; the buffer has room for them.
+    /// Overwrites bytes from `offset` on, which must lie within size(). The buffer stays bound to
+    /// `target`.
     void write(unsigned target, std::span<const std::byte> bytes, std::size_t offset = 0);
 
     unsigned name() const { return name_.get(); }

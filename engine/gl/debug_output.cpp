@@ -6,7 +6,8 @@
 namespace patina::gl {
 namespace {
 
-/// What is wrong with a shader's text is in the shader's log and reported from there.
+/// Appends a message to `user`, a vector of strings. Messages of the shader compiler are dropped,
+/// since they are in the shader's log and reported from there.
 void APIENTRY collect(GLenum source, GLenum, GLuint, GLenum severity, GLsizei length,
                       const GLchar* message, const void* user) {
     if (severity == GL_DEBUG_SEVERITY_NOTIFICATION || source == GL_DEBUG_SOURCE_SHADER_COMPILER) {

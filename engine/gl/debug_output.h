@@ -6,17 +6,17 @@
 
 namespace patina::gl {
 
-/// Collects what the driver has to say about how it is used, while it exists. One per context.
+/// Collects the driver's debug messages while it exists. A context can have one at a time.
 class DebugOutput {
   public:
-    /// Starts listening in the current context, synchronously. Notifications are left
-    /// out, and so is what a shader's log says.
+    /// Starts listening in the current context, synchronously. Notifications and messages of the
+    /// shader compiler are left out; the latter are in the shader's log.
     DebugOutput();
     ~DebugOutput();
     DebugOutput(const DebugOutput&) = delete;
     DebugOutput& operator=(const DebugOutput&) = delete;
 
-    /// False when the driver cannot report anything.
+    /// Returns false when the driver has no debug output (OpenGL 4.3 or GL_KHR_debug).
     bool available() const { return available_; }
 
     const std::vector<std::string>& messages() const { return messages_; }

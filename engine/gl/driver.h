@@ -7,18 +7,18 @@
 
 namespace patina::gl {
 
-/// Returns version, renderer and vendor of the current context in one line: what a message shows
-/// and what tells one driver from another.
+/// Returns version, renderer and vendor of the current context in one line. Messages show it, and
+/// caches tell one driver from another by it.
 std::string driverText();
 
-/// True when the driver draws on the CPU, as far as its name tells.
+/// Returns true when the name of the renderer is that of a driver that draws on the CPU.
 bool isSoftware();
 
 /// Tells whether instances may begin elsewhere than at the first one (OpenGL 4.2, or its
 /// extension).
 bool hasBaseInstances();
 
-/// Bytes that one uniform block may hold here; at least 16 KiB.
+/// Returns how many bytes one uniform block may hold here; at least 16 KiB.
 int largestUniformBlock();
 
 /// Returns an error that says what was found when the current context is below OpenGL 4.1.

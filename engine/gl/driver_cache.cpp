@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* disableWord = "MESA_SHADER_CACHE_DISABLE";
 
-/// Follows util/disk_cache_os.c in Mesa: a counter of 8 bytes, then 65536 keys of 20.
+/// Is the size of the index in util/disk_cache_os.c of Mesa: a counter of 8 bytes, then 65536 keys
+/// of 20 bytes.
 constexpr off_t indexBytes = 8 + 65536 * 20;
 
 std::string_view variable(const char* name) {
@@ -27,13 +28,13 @@ std::string_view variable(const char* name) {
     return value == nullptr ? std::string_view() : std::string_view(value);
 }
 
-/// As Mesa reads a variable.
+/// Returns whether Mesa takes this value of a variable as true.
 bool isTrue(std::string_view value) {
     return value == "1" || value == "true" || value == "y" || value == "yes" || value == "TRUE" ||
            value == "True";
 }
 
-/// Returns the folder that Mesa takes; empty where it finds none.
+/// Returns the folder that Mesa uses, found by its rules; empty where it finds none.
 fs::path cacheFolder() {
     for (const char* name : {"MESA_SHADER_CACHE_DIR", "MESA_GLSL_CACHE_DIR", "XDG_CACHE_HOME"}) {
         if (!variable(name).empty()) {

@@ -11,15 +11,15 @@ namespace patina::gl {
 /// Mesa maps the index of its cache of programs as a sparse file, and the process ends with SIGBUS
 /// when a page of it finds no room on the disk. This gives the index its room before Mesa maps it,
 /// so that a disk may become full later; where it cannot have it, or the folder cannot be written
-/// to, Mesa is told to keep no cache. To be called before anything of OpenGL is; only the first
-/// call does anything.
+/// to, Mesa is told to keep no cache. It must be called before any other call to OpenGL; only the
+/// first call does anything.
 void prepareDriverCache();
 
-/// Why the driver keeps no cache, where prepareDriverCache() had to turn it off.
+/// Returns why the driver keeps no cache; nothing unless prepareDriverCache() had to turn it off.
 const std::optional<Error>& driverCacheNote();
 
-/// Returns the room for the index in a folder of Mesa's cache, which is made when it is not there.
-/// What else is in the index stays.
+/// Allocates disk space for the index in a folder of Mesa's cache; the folder is made when it is
+/// not there. The content of an existing index is kept.
 Result<void> reserveCacheIndex(const std::filesystem::path& folder);
 
 } // namespace patina::gl

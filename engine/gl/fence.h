@@ -6,11 +6,11 @@
 
 namespace patina::gl {
 
-/// Represents a mark behind the commands given so far: tells when the device has done them.
-/// Move-only; made and destroyed with its context current. An empty one is always passed.
+/// Tells when the device has done the commands that were given before it. It can only be moved, and
+/// must be made and destroyed with its context current. An empty one has always passed.
 class Fence {
   public:
-    /// Also sends the commands on their way.
+    /// Makes a fence after the commands given so far and flushes them, so that the device begins.
     static Fence afterCommandsSoFar();
 
     Fence() = default;
@@ -21,16 +21,16 @@ class Fence {
     }
     ~Fence();
 
-    /// Waits for at most `patience`; true when the device has come this far. A passed fence is
-    /// empty.
+    /// Waits for at most `patience` and returns true when the device has come this far or when
+    /// waiting failed. The fence is empty after that.
     bool passed(std::chrono::nanoseconds patience);
 
-    /// Has the device wait for it before it does what the current context is given from now on,
-    /// one that shares objects with the fence's own.
+    /// Makes the device wait for this fence before it runs later commands of the current context,
+    /// which must share objects with the fence's context.
     void holdBack() const;
 
   private:
-    void* sync_ = nullptr; ///< a GLsync
+    void* sync_ = nullptr; ///< is a GLsync; null when empty
 };
 
 } // namespace patina::gl

@@ -14,38 +14,38 @@ namespace patina::gl {
 
 void deleteFramebuffer(unsigned name);
 
-/// Returns where a program's output of this location goes: GL_COLOR_ATTACHMENT0 and what follows
-/// it.
+/// Returns the attachment for a program's output at this location: GL_COLOR_ATTACHMENT0 + location.
 unsigned colorAttachment(std::size_t location);
 
-/// Returns the texture that a framebuffer object of the current context is drawn into; 0 where that
-/// is none.
+/// Returns the name of the texture at the first color attachment of a framebuffer object of the
+/// current context; 0 where it is no texture.
 unsigned colorTextureOf(unsigned framebuffer);
 
-/// Represents a framebuffer object. What is attached must outlive it.
+/// Owns a framebuffer object. What is attached must outlive it.
 class Framebuffer {
   public:
     Framebuffer() = default;
     static Framebuffer create();
 
-    /// These bind the framebuffer for drawing and reading.
+    /// Attaches the texture as color attachment 0. Each of these functions leaves the framebuffer
+    /// bound for drawing and reading.
     void attachColor(const Texture& texture);
     void attachColor(const Renderbuffer& buffer);
-    /// Attaches a texture that somebody else owns, of this context or one that shares with it; it
-    /// may go and be replaced, but is drawn to only while it is there.
+    /// Attaches a texture that somebody else owns, of this context or one that shares with it. It
+    /// must exist whenever the framebuffer is drawn to.
     void attachColor(unsigned texture);
     void attachDepth(const Renderbuffer& buffer);
-    /// Attaches the colours that a program writes to `location`; those of all locations from 0 on
-    /// are drawn.
+    /// Attaches the texture for the colours that a program writes to `location` (0 or 1), and draws
+    /// all locations from 0 to this one.
     void attachColor(const TargetTexture& texture, unsigned location);
     void attachDepth(const TargetTexture& texture);
-    /// Attaches all layers, which a program writes to the locations from 0 on.
+    /// Attaches all layers, at most 8; a program writes layer i at location i.
     void attachColors(const TextureArray& texture);
-    /// Attaches a layer of depths; it may be attached again and again, and no colours are drawn
-    /// then.
+    /// Attaches one layer of depths and turns off the drawing and reading of colours. It may be
+    /// called again for another layer.
     void attachDepth(const TextureArray& texture, int layer);
 
-    /// Tells whether it can be drawn to; the error says what the driver does not like.
+    /// Checks that the framebuffer is complete; the error has the driver's status in hexadecimal.
     Result<void> check() const;
 
     unsigned name() const { return name_.get(); }

@@ -26,7 +26,8 @@ bool clientExtension(std::string_view name) {
     return all != nullptr && std::string_view(all).find(name) != std::string_view::npos;
 }
 
-/// Displays that nothing but contexts without a window are on, and how many on each.
+/// Counts the headless contexts on each EGL display, and terminates a display with its last one.
+/// Threads may share it.
 class OwnDisplays {
   public:
     bool open(EGLDisplay display) {
@@ -97,7 +98,7 @@ bool makeCurrent(EGLDisplay display, EGLContext context) {
            eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_TRUE;
 }
 
-/// Returns what the display offers when asked for any OpenGL at all.
+/// Returns a phrase for errors: which OpenGL the display offers when any version will do.
 std::string offered(EGLDisplay display) {
     const std::array<EGLint, 1> none{EGL_NONE};
     EGLContext any = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, none.data());

@@ -7,16 +7,17 @@
 
 namespace patina::gl {
 
-/// Represents an OpenGL 4.1 core context without a window or a display server, current on the
-/// thread that made it until it is destroyed there. What its driver does in threads of its own,
-/// such as writing programs to disk, is done when the last of such contexts is gone.
+/// Owns an OpenGL 4.1 core context without a window or a display server. It is current on the
+/// thread that made it until it is destroyed there. When the last such context is destroyed, the
+/// driver has finished the work of its own threads, such as writing programs to disk.
 class HeadlessContext {
   public:
     struct Options {
-        bool debug = false; ///< ask the driver for debug messages
+        bool debug = false; ///< asks the driver for debug messages
     };
 
-    /// The error says what was found instead (no EGL, only OpenGL 3.3 by this renderer, ...).
+    /// Makes a context on the first display that offers one. The error says what was found instead
+    /// (no EGL, only OpenGL 3.3 by this renderer, ...).
     static Result<std::unique_ptr<HeadlessContext>> create(const Options& options);
     static Result<std::unique_ptr<HeadlessContext>> create() { return create(Options{}); }
     ~HeadlessContext();

@@ -5,8 +5,8 @@
 
 namespace patina::gl {
 
-/// Holds the name of one GL object, deleted with its owner. Move-only; made and destroyed with the
-/// context current that it belongs to. 0 means that it owns nothing.
+/// Owns the name of one GL object and deletes the object with itself. It can only be moved, and
+/// must be destroyed while the object's context is current. 0 means that it owns nothing.
 template <void (*destroy)(unsigned)>
 class Name {
   public:

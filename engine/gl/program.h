@@ -24,24 +24,24 @@ struct ProgramBinary {
 /// Owns a linked program.
 class Program {
   public:
-    /// The error is the driver's log as it came. A geometry stage, where there is one, stands
-    /// between the two others.
+    /// Links the stages; `geometry` may be null. The error is the driver's log, unchanged.
     static tl::expected<Program, std::string> link(const Shader& vertex, const Shader& fragment,
                                                    const Shader* geometry = nullptr);
 
-    /// Nothing when the driver does not take the binary (any more).
+    /// Returns nothing when the driver does not accept the binary, for example after an update.
     static std::optional<Program> load(const ProgramBinary& binary);
 
-    /// Nothing when the driver offers no binaries.
+    /// Returns nothing when the driver offers no binaries.
     std::optional<ProgramBinary> binary() const;
 
-    /// Connects a uniform block to a binding point; nothing happens when the program lacks it.
+    /// Connects a uniform block to a binding point; does nothing when the program has no such
+    /// block.
     void bindBlock(const char* block, unsigned binding) const;
 
-    /// Connects a sampler to a texture unit; nothing happens when the program lacks it.
+    /// Connects a sampler to a texture unit; does nothing when the program has no such sampler.
     void bindSampler(const char* sampler, unsigned unit) const;
 
-    /// Is -1 when the program lacks it.
+    /// Returns the location of a uniform; -1 when the program has none of this name.
     int uniform(const char* uniformName) const;
 
     void use() const;

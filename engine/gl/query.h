@@ -9,8 +9,7 @@ namespace patina::gl {
 
 void deleteQuery(unsigned name);
 
-/// Asks for the time that passes on the device between begin and end. Others may begin and end in
-/// between.
+/// Measures the time that passes on the device between begin() and end(). Queries may overlap.
 class TimeQuery {
   public:
     static TimeQuery create();
@@ -18,10 +17,10 @@ class TimeQuery {
     void begin();
     void end();
 
-    /// True when the result can be had without waiting.
+    /// Returns true when nanoseconds() would not wait.
     bool ready() const;
 
-    /// Returns nanoseconds; waits for the device when it is not ready.
+    /// Returns the time, in nanoseconds; waits for the device when it is not ready.
     std::uint64_t nanoseconds() const;
 
   private:

@@ -9,12 +9,13 @@ namespace patina::gl {
 
 void deleteRenderbuffer(unsigned name);
 
-/// Storage that is drawn to and never sampled.
+/// Owns an image that is drawn to and never sampled.
 class Renderbuffer {
   public:
     Renderbuffer() = default;
 
-    /// `samples` 0 or 1 means one sample per pixel.
+    /// Allocates undefined content. `size` is in pixels, `internalFormat` a sized GL format; 0 or 1
+    /// `samples` mean one sample per pixel.
     static Renderbuffer create(glm::ivec2 size, unsigned internalFormat, int samples = 0);
 
     unsigned name() const { return name_.get(); }

@@ -6,8 +6,8 @@
 
 namespace patina::gl {
 
-/// A query whether anything that is drawn between begin and end passes the tests, and drawing that
-/// depends on the answer without waiting for it.
+/// Asks whether any sample drawn between begin() and end() passes the depth and stencil tests.
+/// Drawing can depend on the answer on the device, so that the CPU does not wait for it.
 class SampleQuery {
   public:
     static SampleQuery create();
@@ -15,7 +15,7 @@ class SampleQuery {
     void begin() const;
     static void end();
 
-    /// What is drawn from here on is only drawn if something had passed; ends with endCondition().
+    /// Makes the device skip what follows, up to endCondition(), if no sample had passed.
     void beginCondition() const;
     static void endCondition();
 

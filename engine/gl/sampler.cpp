@@ -12,7 +12,8 @@ namespace {
 
 constexpr float maxAnisotropy = 8.0f;
 
-/// What the driver can do; a device that is the CPU itself would take several times as long.
+/// Returns the degree of anisotropic filtering, 1 .. maxAnisotropy. It is 1 for a driver that draws
+/// on the CPU, where filtering would take several times as long.
 float anisotropy() {
     if (!epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic") || isSoftware()) {
         return 1.0f;

@@ -10,8 +10,8 @@ void deleteSampler(unsigned name);
 /// Tells how a texture is read, apart from the texture itself.
 class Sampler {
   public:
-    /// `wrap` is a GL constant for both directions. Smooth ones blend texels and smaller versions,
-    /// in the direction of the longer side of a pixel's footprint where the driver can.
+    /// Makes a sampler. `wrap` is a GL constant for both directions. A smooth one filters linearly
+    /// between texels and levels, and anisotropically where the driver can.
     static Sampler create(unsigned wrap, bool isSmooth);
 
     void bind(unsigned unit) const;

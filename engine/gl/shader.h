@@ -12,10 +12,11 @@ namespace patina::gl {
 
 void deleteShader(unsigned name);
 
-/// Represents one compiled stage. `stage` is GL_VERTEX_SHADER and the like.
+/// Owns one compiled stage of a program.
 class Shader {
   public:
-    /// The error is the driver's log as it came.
+    /// Compiles GLSL text. `stage` is GL_VERTEX_SHADER and the like. The error is the driver's log,
+    /// unchanged.
     static tl::expected<Shader, std::string> compile(unsigned stage, std::string_view source);
 
     unsigned name() const { return name_.get(); }

@@ -8,21 +8,21 @@
 
 namespace patina::gl {
 
-/// An image to draw into and to read texel by texel, of one or of several samples per pixel.
+/// Owns an image that is drawn to and then read texel by texel, with one or several samples per
+/// pixel.
 class TargetTexture {
   public:
     TargetTexture() = default;
 
-    /// `internalFormat` is a sized format of colours, or of depths alone. The samples lie where
-    /// those of a renderbuffer do. The content is undefined.
+    /// Allocates undefined content. `size` is in pixels; `internalFormat` is a sized format of
+    /// colours, or GL_DEPTH_COMPONENT32F. The samples lie where those of a renderbuffer do.
     static TargetTexture create(glm::ivec2 size, unsigned internalFormat, int samples);
 
     unsigned name() const { return name_.get(); }
 
-    /// GL_TEXTURE_2D, or GL_TEXTURE_2D_MULTISAMPLE where there are several samples.
+    /// Returns GL_TEXTURE_2D, or GL_TEXTURE_2D_MULTISAMPLE where there are several samples.
     unsigned target() const { return target_; }
 
-    /// Binds it to a texture unit.
     void bind(unsigned unit) const;
 
   private:

@@ -14,8 +14,9 @@ class Texture {
   public:
     Texture() = default;
 
-    /// `internalFormat` is a sized GL format; `format` and `type` say how `texels` lie in memory
-    /// (nullptr: undefined content).
+    /// Makes a texture that clamps at its edges and leaves it bound. `size` is in texels;
+    /// `internalFormat` is a sized GL format; `format` and `type` say how `texels` lie in memory.
+    /// Without `texels` the content is undefined.
     static Texture create(glm::ivec2 size, unsigned internalFormat, unsigned format, unsigned type,
                           const void* texels = nullptr);
 

@@ -7,15 +7,16 @@
 
 namespace patina::gl {
 
-/// Depths or colours in layers of one size, of one level, sampled as they are at texel centres.
+/// Owns an array texture of depths or colours with one level, sampled at texel centres.
 class TextureArray {
   public:
     TextureArray() = default;
 
-    /// `internalFormat` is a sized depth format; the content is undefined.
+    /// Allocates layers of depths with undefined content. `size` is in texels; `internalFormat` is
+    /// a sized depth format.
     static TextureArray create(glm::ivec2 size, int layers, unsigned internalFormat);
 
-    /// Returns the same for a sized format of colours.
+    /// Does the same for colours; `internalFormat` is a sized color format.
     static TextureArray createColors(glm::ivec2 size, int layers, unsigned internalFormat);
 
     unsigned name() const { return name_.get(); }

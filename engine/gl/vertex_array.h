@@ -10,22 +10,25 @@ namespace patina::gl {
 
 void deleteVertexArray(unsigned name);
 
-/// Tells how vertices lie in buffers.
+/// Owns a vertex array object, which says how vertices lie in buffers.
 class VertexArray {
   public:
     static VertexArray create();
 
     void bind() const;
 
-    /// A float attribute of `components` read from `buffer`; leaves the vertex array bound.
+    /// Reads an attribute of `components` floats from `buffer`; `stride` and `offset` are in bytes.
+    /// Leaves the vertex array bound.
     void attribute(unsigned location, const Buffer& buffer, int components, std::size_t stride,
                    std::size_t offset);
 
-    /// Feeds four 16-bit whole numbers as floats of the same value; leaves the vertex array bound.
+    /// Reads four 16-bit integers per vertex as floats of the same value. Leaves the vertex array
+    /// bound.
     void shorts(unsigned location, const Buffer& buffer);
 
-    /// `count` attributes of four floats from `location` on, one behind the other in `buffer`, that
-    /// advance once per instance; leaves the vertex array bound.
+    /// Reads `count` attributes of four floats each into the locations from `location` on. They lie
+    /// one behind the other in `buffer` from `offset` bytes on and advance once per instance.
+    /// Leaves the vertex array bound.
     void instanced(unsigned location, const Buffer& buffer, unsigned count,
                    std::size_t offset) const;
 
