@@ -34,7 +34,8 @@ class MappedMesh final : public SharedMesh {
     std::string remarks_;
 };
 
-/// Returns where the program lies in a build folder and where it is installed.
+/// Returns the path of `patina-files`: beside this program, as in a build folder, or where it is
+/// installed.
 fs::path programBesideThisOne() {
     std::error_code ignored;
     const fs::path here = fs::read_symlink("/proc/self/exe", ignored).parent_path();
@@ -50,7 +51,7 @@ AssetClient::Options completed(AssetClient::Options options) {
     return options;
 }
 
-/// The process has its own working folder in general, so it is always given full paths.
+/// Returns an absolute path, since the working folder of the process may be another one.
 std::string fullPath(const fs::path& file) {
     std::error_code failed;
     const fs::path full = fs::absolute(file, failed);
@@ -80,8 +81,9 @@ class AssetClient::Implementation {
   public:
     explicit Implementation(Options options) : session_(completed(std::move(options))) {}
 
-    /// Asks on the queue's own thread, the one whose end also ends the process, and turns the
-    /// answer into what the caller wants there.
+    /// Sends the request on the queue's thread, because the process ends with the thread that
+    /// started it. There `interpret` turns the answer into a Result<Answer>; its error ends the
+    /// process.
     template <class Answer>
     Result<Answer> ask(const FilesSession::Request& request, auto interpret) {
         Result<Answer> result =
@@ -140,7 +142,7 @@ class AssetClient::Implementation {
     }
 
   private:
-    mutable std::mutex mutex_; // of the rights and of what was refused
+    mutable std::mutex mutex_; // guards rights_ and refusedLinks_
     FileRights rights_;
     std::map<fs::path, std::vector<std::string>> refusedLinks_;
     FilesSession session_;

@@ -12,13 +12,13 @@
 
 namespace patina {
 
-/// Represents one end of the local socket between the client and the files process. Messages keep
-/// their boundaries; each may carry one file descriptor, the shared block with the bulk data.
+/// Owns one end of the local socket between the client and the files process. Messages keep their
+/// boundaries; each may carry one file descriptor, that of a shared block with the bulk data.
 class Channel {
   public:
     struct Delivery {
         Message message;
-        FileHandle attachment; ///< empty when nothing was attached
+        FileHandle attachment; ///< is empty when nothing was attached
     };
 
     enum class Fault {
@@ -29,13 +29,16 @@ class Channel {
     Channel() = default;
     explicit Channel(FileHandle socket) : socket_(std::move(socket)) {}
 
-    /// Two connected ends, both closed on exec; empty handles when the system has none left.
+    /// Makes two connected ends, which are closed on exec; the handles are empty when the system
+    /// has none left.
     static std::pair<FileHandle, FileHandle> pair();
 
-    /// False when the other side is gone.
+    /// Returns false when the message could not be sent, as when the other side is gone.
+    /// `attachment` is a descriptor, -1 for none; it stays the caller's.
     bool send(const Message& message, int attachment = -1) const;
 
-    /// Waits for a message for at most `patience` (negative: for ever); nothing when none came.
+    /// Waits for a message for at most `patience` (for ever where that is negative) and returns
+    /// nothing when none came.
     tl::expected<std::optional<Delivery>, Fault> receive(std::chrono::milliseconds patience) const;
 
   private:

@@ -8,7 +8,7 @@
 namespace patina {
 namespace {
 
-/// Encodes as RFC 4648, section 4, says.
+/// Encodes bytes as RFC 4648, section 4, says.
 std::string base64(const std::string& bytes) {
     static constexpr char digits[] =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

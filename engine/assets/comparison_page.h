@@ -6,9 +6,9 @@
 
 namespace patina {
 
-/// Represents a picture on a page of comparison.
+/// Is one picture of a comparison page.
 struct PagePicture {
-    std::string letter; ///< that marks it
+    std::string letter; ///< names it in short
     std::string name;
     std::string colour; ///< that marks it, "#rrggbb"
     std::string png;    ///< the bytes of the file

@@ -17,7 +17,8 @@ namespace patina {
 namespace {
 
 #if defined(__SANITIZE_ADDRESS__) || PATINA_HAS_FEATURE(address_sanitizer)
-constexpr bool underSanitizer = true; // its shadow memory alone takes terabytes of address space
+constexpr bool underSanitizer = true; // then no limit is set: shadow memory alone takes terabytes
+                                      // of addresses
 #else
 constexpr bool underSanitizer = false;
 #endif

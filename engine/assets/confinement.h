@@ -8,18 +8,20 @@
 
 namespace patina {
 
-/// Holds what a process may have that works on files of strangers, in bytes; nothing: as much as
-/// this one.
+/// Holds the limits, in bytes, of a process that works on untrusted files. A limit that is empty is
+/// inherited from this process.
 struct Confinement {
     std::optional<std::size_t> addressSpace{};
-    /// Memory that only it may write. Drivers reserve far more addresses than they ever use.
+    /// Limits private writable memory. It suits graphics drivers, which reserve far more addresses
+    /// than they ever use.
     std::optional<std::size_t> data{};
     std::optional<std::size_t> stack{};
-    bool isQuiet = false; ///< standard error leads to standard output; a sanitizer's stays
+    bool isQuiet = false; ///< sends standard error to standard output, except under a sanitizer
 };
 
-/// Runs in the new process before its program starts: it dies with its parent's thread, leaves no
-/// core, and takes no open file along but its standard ones. Calls only what is safe after a fork.
+/// Limits the new process before its program starts. The process dies with the thread of `parent`
+/// that started it, writes no core file, and inherits no open file but the standard ones. It calls
+/// only functions that are safe after a fork.
 void confine(const Confinement& limits, pid_t parent);
 
 } // namespace patina

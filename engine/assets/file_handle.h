@@ -7,13 +7,12 @@
 
 namespace patina {
 
-/// Owns a POSIX file descriptor. Move-only; -1 when empty.
+/// Owns a POSIX file descriptor and closes it. It can only be moved; it is -1 when empty.
 class FileHandle {
   public:
     FileHandle() = default;
     explicit FileHandle(int descriptor) : descriptor_(descriptor) {}
-    FileHandle(FileHandle&& other) noexcept
-        : descriptor_(std::exchange(other.descriptor_, -1)) {}
+    FileHandle(FileHandle&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
     FileHandle& operator=(FileHandle&& other) noexcept {
         std::swap(descriptor_, other.descriptor_);
         return *this;

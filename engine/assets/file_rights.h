@@ -6,14 +6,16 @@
 
 namespace patina {
 
-using FileSet = std::set<std::string, std::less<>>; ///< full paths with forward slashes
+using FileSet = std::set<std::string, std::less<>>; ///< holds full paths with forward slashes
 
-/// Holds what is read of that which files name rather than the user.
+/// Says which files may be read that other files name, and that the user did not name.
 struct FileRights {
-    /// Meshes and pictures that are not read: somebody named them who may not. Of images on
-    /// surfaces each says so itself (`TextureUse::outside`).
+    /// Lists meshes and environment images that must not be read, because they lie outside the
+    /// folder of the file that names them. Images on surfaces have a flag of their own
+    /// (`TextureUse::outside`).
     FileSet withheld{};
-    /// Links, which lie outside the folders of the meshes that name them, and are read.
+    /// Lists files that meshes link to and that are read although they lie outside the mesh's
+    /// folder.
     FileSet links{};
     bool allowsEveryLink = false;
 

@@ -10,11 +10,11 @@
 
 namespace patina {
 
-/// Represents a running `patina-files`, its standard input being one end of a channel. It dies with
-/// the thread that started it, with this object, and with its memory limit.
+/// Owns a running `patina-files`, whose standard input is one end of a channel. The process dies
+/// with the thread that started it, with this object, and when it passes its memory limit.
 class FilesProcess {
   public:
-    /// Fails where the program is missing or cannot be run.
+    /// Starts the program; fails when it is missing or cannot be run.
     static Result<FilesProcess> start(const std::filesystem::path& program,
                                       std::size_t memoryLimitBytes);
 

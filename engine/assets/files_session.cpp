@@ -45,9 +45,8 @@ Error FilesSession::ended(const Request& request, std::string problem) {
 }
 
 Error FilesSession::refuse(const Request& request, const std::string& why) {
-    return ended(request,
-                 fmt::format("the files process gave a wrong answer while {} ({})", request.doing,
-                             why));
+    return ended(request, fmt::format("the files process gave a wrong answer while {} ({})",
+                                      request.doing, why));
 }
 
 void FilesSession::warmUp(bool images) {
@@ -61,8 +60,8 @@ void FilesSession::warmUp(bool images) {
     }
 }
 
-/// Sends the request. A warm process may have died since the last answer; then a new one is
-/// started, once.
+/// Sends the request. The process may have died since the last answer; then a new one is started,
+/// once.
 Result<void> FilesSession::begin(const Request& request) {
     const auto sent = [&] {
         return process_ && process_->channel().send(request.message, request.attachment.get());
@@ -97,14 +96,15 @@ Result<FilesSession::Answer> FilesSession::ask(const Request& request) {
     return answer;
 }
 
-/// How long an answer may take: work is counted rather than time, since others may need the
-/// machine as well. Work on several processors counts once.
+/// Says when an answer takes too long. It counts the process' CPU time rather than time by the
+/// clock, since other programs may need the machine. Work on several processors counts once: an
+/// answer may always take the limit by the clock.
 class FilesSession::Patience {
   public:
     Patience(const AssetClient::Options& options, const FilesProcess& process)
         : options_(options), process_(process) {}
 
-    /// Returns the limit that is over, in seconds.
+    /// Returns the limit that is exceeded, in seconds; nothing before that.
     std::optional<double> end() const {
         const double waited = std::chrono::duration<double>(Clock::now() - begin_).count();
         if (waited > options_.waitLimitSeconds) {
@@ -134,8 +134,8 @@ Result<FilesSession::Answer> FilesSession::await(const Request& request) {
         }
         auto received = process_->channel().receive(pollInterval);
         if (!received && received.error() == Channel::Fault::closed) {
-            return tl::unexpected(ended(
-                request, "the files process stopped unexpectedly while " + request.doing));
+            return tl::unexpected(
+                ended(request, "the files process stopped unexpectedly while " + request.doing));
         }
         if (!received) {
             return tl::unexpected(refuse(request, "not a message"));

@@ -20,8 +20,8 @@ class FilesSession {
 
     struct Request {
         Message message;
-        std::filesystem::path file; ///< for errors
-        std::string doing;          ///< for errors: "reading", "writing"
+        std::filesystem::path file; ///< is named in errors
+        std::string doing;          ///< names the work in errors: "reading", "writing"
         FileHandle attachment;
         Progress* progress = nullptr;
     };
@@ -33,13 +33,14 @@ class FilesSession {
 
     Result<Answer> ask(const Request& request);
 
-    /// The links of a mesh that the process did not read in its last answer, an error or not.
+    /// Returns the paths that a mesh links to and that the process was not allowed to read for its
+    /// last answer, whether that was an error or not.
     const std::vector<std::string>& refusedLinks() const { return refusedLinks_; }
 
-    /// Starts the process when there is none, and has it load the image formats if told so.
+    /// Starts the process when there is none; if `images`, makes it load the image formats.
     void warmUp(bool images);
 
-    /// Says that the answer made no sense: ends the process and says so.
+    /// Ends the process after a wrong answer and returns the error for it; `why` is named in it.
     Error refuse(const Request& request, const std::string& why);
 
   private:

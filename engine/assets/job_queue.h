@@ -11,17 +11,17 @@
 
 namespace patina {
 
-/// Represents one thread that does jobs in the order they came. It lives as long as the queue.
+/// Runs jobs on one thread in the order they came. The thread lives as long as the queue.
 class JobQueue {
   public:
     JobQueue();
     ~JobQueue(); ///< waits for the job that runs; drops those that have not started
 
-    /// Does the job and waits for its end. A job that has not started when `cancelled` becomes
-    /// true is dropped, and false returned.
+    /// Runs the job and waits for its end. Returns false, without running it, when `cancelled`
+    /// becomes true before it has started; `cancelled` may be null.
     bool run(std::function<void()> work, const std::atomic<bool>* cancelled);
 
-    /// Does the job some time, without waiting.
+    /// Adds the job and returns at once.
     void post(std::function<void()> work);
 
   private:

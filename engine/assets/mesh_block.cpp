@@ -20,7 +20,7 @@ struct MeshHeader {
 static_assert(sizeof(MeshHeader) == 64);
 static_assert(sizeof(Vertex) == 48);
 
-/// True when no float has all exponent bits set (infinity or not a number).
+/// Returns true when no float has all exponent bits set (infinity or not a number).
 bool allFinite(std::span<const Vertex> vertices) {
     constexpr std::uint32_t exponent = 0x7f800000;
     bool bad = false;

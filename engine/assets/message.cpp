@@ -11,7 +11,7 @@ constexpr std::uint32_t messageMagic = 0x4d544150; // "PATM"
 constexpr std::uint32_t messageVersion = 1;
 constexpr std::size_t maxNumbers = 16;
 constexpr std::size_t maxTexts = 4;
-/// Is longer than any path (4096) or useful sentence.
+/// Is more than any path (4096) or useful sentence needs; 4 texts of it fit in a message.
 constexpr std::size_t maxTextBytes = std::size_t(12) * 1024;
 
 constexpr char pathEnd = '\0';
@@ -29,7 +29,8 @@ void append(std::string& bytes, const T& value) {
     bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-/// Takes values from the front of a byte range; every take says whether there was enough.
+/// Takes values from the front of a byte range; each take() returns false when too few bytes are
+/// left.
 class ByteReader {
   public:
     explicit ByteReader(std::span<const std::byte> bytes) : rest_(bytes) {}

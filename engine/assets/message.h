@@ -11,7 +11,7 @@
 
 namespace patina {
 
-/// Tells what a message between the client and the files process says.
+/// Names what a message between the client and the files process asks or answers, and its content.
 enum class MessageKind : std::uint32_t {
     warmImages = 1, ///< client: load the image formats in the background
     readMesh,       ///< client: texts {file, paths of links that may be read}; numbers {scale,
@@ -34,14 +34,15 @@ struct Message {
     friend bool operator==(const Message&, const Message&) = default;
 };
 
-/// Returns many paths as one text; where it is cut, whole paths are missing.
+/// Joins paths into one text, each with an end mark, so that splitPaths() drops a path that was
+/// cut.
 std::string joinedPaths(std::span<const std::string> paths);
 std::vector<std::string> splitPaths(std::string_view joined);
 
-/// No encoded message is longer, in bytes.
+/// bytes
 inline constexpr std::size_t maxMessageBytes = std::size_t(64) * 1024;
 
-/// Returns the bytes that travel. Texts are cut so that the whole stays within maxMessageBytes.
+/// Returns the bytes to send. Long texts are cut, so that the whole stays within maxMessageBytes.
 std::string encoded(const Message& message);
 
 /// Returns the message in these bytes; nothing when they are not exactly one valid message.

@@ -17,7 +17,7 @@ bool isSealed(int descriptor) {
     return seals >= 0 && (seals & allSeals) == allSeals;
 }
 
-/// Says what mapped_region asks of something that can be mapped.
+/// Gives mapped_region the one function that it needs of an object to map.
 class Mappable {
   public:
     explicit Mappable(int descriptor) : descriptor_(descriptor) {}
@@ -55,8 +55,8 @@ Result<SharedBlock> SharedBlock::create(std::size_t size) {
 
 Result<SharedBlock> SharedBlock::open(FileHandle handle) {
     struct stat facts {};
-    if (!handle || !isSealed(handle.get()) ||
-        ::fstat(handle.get(), &facts) != 0 || facts.st_size <= 0) {
+    if (!handle || !isSealed(handle.get()) || ::fstat(handle.get(), &facts) != 0 ||
+        facts.st_size <= 0) {
         return failure("the shared memory is missing or can still be changed");
     }
     // Private: Linux before 6.7 refuses to map sealed memory as shared, even for reading.

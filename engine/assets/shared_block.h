@@ -11,9 +11,9 @@
 
 namespace patina {
 
-/// Is memory shared between two processes. It has no name, so nothing is left behind
-/// whichever process dies when. Once sealed nobody can write or shrink it, so what was checked
-/// stays true.
+/// Owns memory that two processes share. It has no name, so nothing is left behind when either
+/// process dies. Once it is sealed nobody can write or shrink it, so that what was checked stays
+/// true.
 class SharedBlock {
   public:
     /// Returns new zeroed memory of this size, writable until sealed.

@@ -10,7 +10,7 @@
 
 namespace patina {
 
-/// Tells how plain bytes (an encoded picture) lie in a shared block: a 16-byte header, then the
+/// Defines how plain bytes (an encoded picture) lie in a shared block: a 16-byte header, then the
 /// bytes.
 class TextBlock {
   public:
@@ -19,7 +19,8 @@ class TextBlock {
     /// Writes the text into a block of sizeFor(...) bytes.
     static void write(std::span<std::byte> block, std::string_view text);
 
-    /// Returns the bytes another process wrote; their number is checked against the block's length.
+    /// Copies the bytes that another process wrote. Fails when the header or their number does not
+    /// match the block.
     static Result<std::string> checked(std::span<const std::byte> block);
 };
 

@@ -16,7 +16,7 @@
 namespace patina {
 namespace {
 
-constexpr float maxHalf = 65504.0f; ///< of a half float; sums of these stay finite
+constexpr float maxHalf = 65504.0f; ///< is the largest half float; sums of such floats stay finite
 
 const SrgbTable& srgb() {
     static const SrgbTable table;
@@ -75,15 +75,16 @@ class Texels {
     std::size_t bytes_;
 };
 
-/// Holds the texels of a row or column that make one of the next smaller version, with their
-/// shares.
+/// Says which texels of a row or column make one texel of the next smaller level, and their
+/// weights.
 struct Taps {
     int first = 0;
     int count = 1;
     std::array<float, 3> shares{1.0f, 0.0f, 0.0f};
 };
 
-/// Half as many, each the mean over its own length: two texels, or three where the number is odd.
+/// Returns the texels that make texel `index` of a level half as long as `length` (rounded down):
+/// two texels, or three with weights where `length` is odd.
 Taps tapsOf(int index, int length) {
     if (length == 1) {
         return {};
@@ -124,7 +125,8 @@ void reduce(TexturePicture& picture, std::size_t level) {
     }
 }
 
-/// Returns a grey image whose codes and whose light both count has these apart.
+/// Chooses the format of the texels. A grey image that `keepsCodes` needs four channels, because
+/// its alpha holds a number other than its color.
 TexelFormat formatFor(const FileImage& source, bool decodes, bool keepsCodes) {
     const bool grey = source.image.channels == 1;
     if (source.bits != 8) {
@@ -165,13 +167,13 @@ glm::vec4 decoded(glm::vec4 texel, int bits) {
     return texel;
 }
 
-/// Returns the luminance of Rec. 709; of a grey the number itself.
+/// Returns the luminance of Rec. 709; for a grey exactly the number itself.
 float greyOf(const glm::vec4& texel) {
     return texel.g + 0.2126f * (texel.r - texel.g) + 0.0722f * (texel.b - texel.g);
 }
 
-/// Fills in the image itself, from the bottom row up. Where it has no alpha its grey stands there:
-/// that of its numbers, but where they are said to be encoded that of the light.
+/// Writes level 0, from the bottom row up. Where the image has no alpha, the alpha of the texel is
+/// its grey: that of the file's numbers if `keepsCodes`, else that of the texel itself.
 void fill(TexturePicture& picture, const FileImage& source, bool decodes, bool keepsCodes) {
     const Image& image = source.image;
     const Texels texels(picture.format);

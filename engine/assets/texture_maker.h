@@ -8,21 +8,23 @@
 
 namespace patina {
 
-/// Tells how the numbers of an image file become light or data.
+/// Says how the numbers of an image file become light or data.
 enum class TextureDecoding {
-    Linear, ///< the numbers themselves
-    Srgb,   ///< encoded in sRGB
-    Color,  ///< encoded where the file holds whole numbers, linear where it holds floats
+    Linear, ///< takes the numbers as they are
+    Srgb,   ///< decodes them from sRGB
+    Color,  ///< decodes integers from sRGB and takes floats as linear
 };
 
-/// Represents an image with the numbers that its file holds: whole ones are divided by the largest.
+/// Holds an image with the numbers of its file, not decoded; integers are divided by the largest
+/// one.
 struct FileImage {
     Image image;
-    int bits = 0; ///< of each whole number; 0: the file holds floats
+    int bits = 0; ///< is the size of each integer in the file; 0 when it holds floats
 };
 
-/// Returns the texture of an image. What is not finite is 0, and nothing is beyond +-65504. Smaller
-/// versions are means of light, not of codes. Stops early, with fewer of them, when `cancelled`.
+/// Makes the texture of an image. Numbers that are not finite become 0, the others are clamped to
+/// +-65504. Smaller mip levels are means of linear light, not of encoded values. Returns early with
+/// fewer levels when `cancelled` returns true.
 TexturePicture madeTexture(const FileImage& source, TextureDecoding decoding,
                            const std::function<bool()>& cancelled = {});
 
