@@ -30,7 +30,8 @@ constexpr std::string_view pictureFolder = "pictures/";
 constexpr std::array imageSuffixes{".png",  ".jpg", ".jpeg", ".exr", ".hdr", ".tif",
                                    ".tiff", ".dds", ".tga",  ".bmp", ".webp"};
 constexpr std::uintmax_t maxBundleBytes = std::uintmax_t(2) << 30;
-constexpr int unixHost = 3; ///< the system of "version made by" whose attributes have a mode
+constexpr int unixHost = 3; ///< is the system in "version made by" for which the attributes have a
+                            ///< file mode
 
 struct CloseUnzip {
     void operator()(void* file) const { unzClose(file); }
@@ -64,7 +65,7 @@ bool add(void* zip, const std::string& name, std::string_view bytes) {
            zipCloseFileInZip(zip) == ZIP_OK;
 }
 
-/// Puts presets into an open zip; images that several of them name are in it once.
+/// Writes presets into an open zip; an image that several of them name is written once.
 class BundleWriter {
   public:
     explicit BundleWriter(void* zip) : zip_(zip) {}
@@ -88,7 +89,7 @@ class BundleWriter {
     }
 
   private:
-    /// Returns the path of an image in the bundle.
+    /// Writes an image unless it is there already, and returns its path in the bundle.
     Result<std::string> addImage(const std::string& file) {
         const auto [known, isNew] = images_.try_emplace(file);
         if (isNew) {
@@ -107,7 +108,8 @@ class BundleWriter {
         return known->second;
     }
 
-    /// Returns a file's name that none of the others has.
+    /// Returns `stem`, with a number where `others` has it already, and adds the result to
+    /// `others`.
     static std::string unused(std::string stem, std::set<std::string>& others) {
         std::ranges::replace(stem, '/', '-');
         std::string name = stem;
@@ -118,12 +120,12 @@ class BundleWriter {
     }
 
     void* zip_;
-    std::map<std::string, std::string> images_; ///< by the file they came from
+    std::map<std::string, std::string> images_; ///< maps a file to its path in the bundle
     std::set<std::string> imageStems_;
     std::set<std::string> presets_;
 };
 
-/// Unpacks the entries of a zip into a folder.
+/// Unpacks the entries of a zip into a folder and keeps an outcome for each.
 class BundleReader {
   public:
     BundleReader(void* zip, fs::path folder, const BundleLimits& limits)
@@ -217,7 +219,8 @@ class BundleReader {
         return {};
     }
 
-    /// What comes out counts, whatever the zip says of it. False: it is damaged.
+    /// Unpacks the current entry and returns false when it is damaged. Fails when the bytes that
+    /// come out exceed a limit, whatever size the zip declares.
     Result<bool> copyCurrent(const std::string& entry, std::ofstream& out) {
         std::array<char, 65536> bytes{};
         std::uint64_t size = 0;
@@ -242,7 +245,7 @@ class BundleReader {
     std::vector<BundleOutcome> outcomes_;
 };
 
-/// Returns a folder that is not there yet, called as the bundle.
+/// Returns the path of a folder that does not exist yet, named after the bundle.
 fs::path newFolder(const fs::path& bundle, const fs::path& folder) {
     const std::string stem = bundle.stem().empty() ? "presets" : bundle.stem().string();
     fs::path place = folder / stem;
