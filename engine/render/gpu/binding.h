@@ -3,41 +3,41 @@
 
 namespace patina::binding {
 
-/// Binding points of the uniform blocks.
+/// These are the binding points of the uniform blocks.
 inline constexpr unsigned view = 0;
 inline constexpr unsigned scene = 1;
 inline constexpr unsigned object = 2;
 inline constexpr unsigned environment = 3;
 
-/// Texture units, of the 16 that every driver has. Passes that draw no surface use the first ones.
-/// Transparent layers: what was drawn of them.
+/// These are texture units, of the 16 that every driver has. Passes that draw no surface use the
+/// first ones. A blended layer reads here what was drawn of the layers before it.
 inline constexpr unsigned layerSum = 0;
 inline constexpr unsigned layerShare = 1;
 inline constexpr unsigned nearerLayer = 2;
 
-/// Refracting surfaces, which are no such layers: the farthest surface of the body, and what was
-/// drawn before it.
+/// A refracting surface, which is never such a layer, reads the farthest surface of its body here,
+/// and the color and depth of what was drawn before it.
 inline constexpr unsigned refractionBack = 0;
 inline constexpr unsigned behindColor = 1;
 inline constexpr unsigned behindDepth = 2;
 
-/// Are the tables that a material's blocks read in place of computing.
+/// Holds the tables of a material's blocks, which they read instead of computing.
 inline constexpr unsigned blockTables = 3;
 
-/// Is an environment: where it is bright, its picture, and that in small.
+/// An environment has its sampling table, its picture and its small picture here.
 inline constexpr unsigned environmentTable = 4;
 inline constexpr unsigned environmentImage = 5;
 inline constexpr unsigned environmentSmall = 6;
 
-/// In place of the first and the last of these, where a material's light is fitted: its lobes, and
-/// the environment in steps of blur.
+/// Where a material's light is fitted to lobes, two of these units hold its lobes and the blurred
+/// levels of the environment instead.
 inline constexpr unsigned lobeTable = environmentTable;
 inline constexpr unsigned environmentBlurred = environmentSmall;
 
-/// Has the shadow maps.
+/// Holds the shadow maps.
 inline constexpr unsigned shadowMaps = 7;
 
-/// Begins a material's images, one unit for each.
+/// Is the first unit for a material's images, which have one unit each.
 inline constexpr unsigned firstTexture = 8;
 
 } // namespace patina::binding

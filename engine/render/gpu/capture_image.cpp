@@ -19,7 +19,7 @@ Image imageOf(glm::ivec2 size) {
     return {size.x, size.y, channels, std::vector<float>(count)};
 }
 
-/// GL counts rows from the bottom.
+/// Reverses the order of rows, since GL counts them from the bottom.
 void flipRows(Image& image) {
     const std::size_t row = std::size_t(image.width) * channels;
     for (int top = 0, bottom = image.height - 1; top < bottom; ++top, --bottom) {

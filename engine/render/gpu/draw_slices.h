@@ -8,12 +8,13 @@
 
 namespace patina {
 
-/// Knows where drawing many objects of one mesh goes on: in slices of whole objects, or of one
-/// object's triangles where those are many.
+/// Remembers how much is drawn of many objects of one mesh. It cuts them into slices of whole
+/// objects, or of one object's triangles where there are many.
 class DrawSlices {
   public:
-    /// The next slice, of about `most` triangles, of objects of `triangles` each, `count` of them
-    /// from `first` on in an InstanceBuffer.
+    /// Returns the next slice and counts it as drawn. It has about `maxTriangles` triangles, at
+    /// least one. The `count` objects have `triangles` each and begin at `first` in an
+    /// InstanceBuffer.
     DrawRange next(int triangles, std::size_t first, std::size_t count, std::int64_t maxTriangles) {
         DrawRange range{triangle_, triangles - triangle_, first + instance_, 1};
         if (maxTriangles < range.triangles) {
@@ -30,10 +31,10 @@ class DrawSlices {
         return range;
     }
 
-    /// Nothing is drawn yet.
+    /// Returns true when nothing is drawn yet.
     bool isAtStart() const { return instance_ == 0 && triangle_ == 0; }
 
-    /// All `count` objects are drawn.
+    /// Returns true when all `count` objects are drawn.
     bool isDone(std::size_t count) const { return instance_ == count; }
 
   private:

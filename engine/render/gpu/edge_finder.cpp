@@ -7,19 +7,20 @@
 namespace patina {
 namespace {
 
-/// Slots for `items`, of which at least a third stay free: a power of two.
+/// Returns the size of a hash table for `items`: a power of two, of which at least a third stays
+/// free.
 std::size_t slotsFor(std::size_t items) {
     return std::bit_ceil(items + items / 2 + 1);
 }
 
-/// SplitMix64's last step (Steele, Lea, Flood 2014).
+/// Is the last step of SplitMix64 (Steele, Lea and Flood 2014).
 std::size_t mixed(std::uint64_t x) {
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
     x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
     return static_cast<std::size_t>(x ^ (x >> 31));
 }
 
-/// Returns the bits of the number, the same ones for 0 and -0.
+/// Returns the bits of the number; 0 and -0 give the same ones.
 std::uint64_t bitsOf(float x) {
     return std::bit_cast<std::uint32_t>(x + 0.0f);
 }
@@ -59,8 +60,7 @@ void EdgeFinder::joinVertex(const MeshView& mesh, std::uint32_t vertex) {
     const glm::vec3& place = mesh.vertices[vertex].position;
     const std::size_t last = vertexTable_.size() - 1;
     std::size_t slot = hashOf(place) & last;
-    while (vertexTable_[slot] != 0 &&
-           mesh.vertices[vertexTable_[slot] - 1].position != place) {
+    while (vertexTable_[slot] != 0 && mesh.vertices[vertexTable_[slot] - 1].position != place) {
         slot = (slot + 1) & last;
     }
     if (vertexTable_[slot] == 0) {

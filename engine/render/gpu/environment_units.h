@@ -5,7 +5,7 @@
 
 namespace patina::environment {
 
-/// Tells a program that has been linked where it finds the environment (binding.h).
+/// Sets the texture units of the environment's samplers in a linked program (binding.h).
 void assignUnits(const gl::Program& program);
 
 } // namespace patina::environment

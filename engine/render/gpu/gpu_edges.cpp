@@ -12,7 +12,7 @@
 namespace patina {
 namespace {
 
-/// Is what takes some milliseconds.
+/// Each of these amounts takes some milliseconds.
 constexpr std::size_t itemsAtOnce = 32768;
 constexpr std::size_t bytesAtOnce = std::size_t(4) << 20;
 
@@ -32,7 +32,7 @@ void GpuEdges::proceed(const MeshView& mesh) {
     }
     const auto bytes = std::as_bytes(finder_->edges());
     if (uploaded_ == 0) {
-        // A target that no vertex array remembers.
+        // A vertex array does not record this target.
         indices_.reserve(GL_COPY_WRITE_BUFFER, bytes.size(), gl::Buffer::Content::Lasting);
     }
     const auto slice = bytes.subspan(uploaded_, std::min(bytesAtOnce, bytes.size() - uploaded_));

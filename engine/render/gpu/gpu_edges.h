@@ -12,8 +12,8 @@ namespace patina {
 
 class EdgeFinder;
 
-/// Holds the edges of a mesh in the GPU's memory: four numbers of vertices each, as lines with
-/// adjacency (MeshEdge), 16 bytes for an edge.
+/// Holds the edges of a mesh in the GPU's memory as lines with adjacency (MeshEdge); an edge takes
+/// 16 bytes.
 class GpuEdges {
   public:
     explicit GpuEdges(const MeshView& mesh);
@@ -21,14 +21,15 @@ class GpuEdges {
     GpuEdges(GpuEdges&&) noexcept;
     GpuEdges& operator=(GpuEdges&&) noexcept;
 
-    /// Some milliseconds of what there is to do before they can be drawn.
+    /// Finds or uploads some more edges, which takes some milliseconds. It is called until
+    /// isComplete().
     void proceed(const MeshView& mesh);
     bool isComplete() const { return finder_ == nullptr; }
 
     /// Returns how many edges there are, once they are complete.
     int count() const { return static_cast<int>(indices_.size() / bytesPerEdge); }
 
-    /// Draws complete ones; a range counts edges as triangles.
+    /// Draws edges that are complete; `range` counts edges where it says triangles.
     void draw(const gl::Buffer& vertices, const InstanceBuffer& instances,
               const DrawRange& range) const;
 
@@ -37,7 +38,7 @@ class GpuEdges {
 
     gl::VertexArray makeArray(const gl::Buffer& vertices) const;
 
-    std::unique_ptr<EdgeFinder> finder_; ///< until all are in the GPU's memory
+    std::unique_ptr<EdgeFinder> finder_; ///< is null once all are in the GPU's memory
     gl::Buffer indices_ = gl::Buffer::create();
     std::size_t uploaded_ = 0; ///< bytes
     mutable InstancedArrays arrays_;

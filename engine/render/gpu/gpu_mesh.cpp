@@ -14,10 +14,10 @@
 namespace patina {
 namespace {
 
-/// As passes/openness.vert has it, behind those of Instance.
+/// Follows the attributes of Instance, as in passes/openness.vert.
 constexpr unsigned opennessAttribute = Instance::firstAttribute + Instance::attributes;
 
-/// Writes the bytes from `offset` on, at most `bytes` of them, and says how many.
+/// Writes the bytes from `offset` on, at most `bytes` of them, and returns how many.
 std::size_t writeSlice(gl::Buffer& target, std::span<const std::byte> content, std::size_t offset,
                        std::size_t bytes) {
     const auto slice = content.subspan(offset, std::min(bytes, content.size() - offset));
@@ -25,7 +25,7 @@ std::size_t writeSlice(gl::Buffer& target, std::span<const std::byte> content, s
     return slice.size();
 }
 
-/// Returns the same of vertices, whose normals arrive valid whatever the mesh has.
+/// Does the same for vertices, and makes their normals valid on the way.
 std::size_t writeVertices(gl::Buffer& target, std::span<const Vertex> vertices, std::size_t offset,
                           std::size_t bytes) {
     const std::size_t end = offset + std::min(bytes, vertices.size_bytes() - offset);
@@ -46,7 +46,7 @@ std::size_t writeVertices(gl::Buffer& target, std::span<const Vertex> vertices, 
 
 GpuMesh::GpuMesh(const MeshView& mesh, std::uint64_t serial)
     : triangles_(static_cast<int>(mesh.indices.size() / 3)), serial_(serial) {
-    // A target that no vertex array remembers.
+    // A vertex array does not record this target.
     vertices_.reserve(GL_COPY_WRITE_BUFFER, mesh.vertices.size_bytes(),
                       gl::Buffer::Content::Lasting);
     indices_.reserve(GL_COPY_WRITE_BUFFER, mesh.indices.size_bytes(), gl::Buffer::Content::Lasting);
@@ -75,7 +75,7 @@ void GpuMesh::upload(const MeshView& mesh, std::size_t bytes) {
                      : writeSlice(indices_, std::as_bytes(mesh.indices), uploaded_ - split, bytes);
 }
 
-/// The arrays are made again, with one attribute more.
+/// Drops the vertex arrays too, since new ones have one attribute more.
 void GpuMesh::takeOpenness(const MeshView& mesh) {
     if (openness_ || mesh.openness.empty() || mesh.openness.size() != mesh.vertices.size()) {
         return;

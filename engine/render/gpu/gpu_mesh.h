@@ -12,31 +12,31 @@
 
 namespace patina {
 
-/// Represents a mesh in the GPU's memory. Attributes: 0 position, 1 normal, 2 tangent, 3 texture
-/// coordinates, 4 on which side the bitangent is; then those of Instance; 11 openness, once it is
-/// there: without it nothing is hidden.
+/// Holds a mesh in the GPU's memory. Its attributes are 0 position, 1 normal, 2 tangent, 3 texture
+/// coordinates, 4 the sign of the bitangent, then those of Instance, and 11 openness. While
+/// openness is missing, nothing counts as hidden.
 class GpuMesh {
   public:
-    /// Makes room for this mesh; upload() brings the content. `serial` tells it from every other
-    /// one.
+    /// Allocates buffers for this mesh; upload() fills them. `serial` must differ from that of any
+    /// other mesh.
     explicit GpuMesh(const MeshView& mesh, std::uint64_t serial = 0);
 
-    /// Takes in at most `bytes` more of the mesh it was made for, and at least one.
+    /// Uploads at most `bytes` more of the mesh that it was made for; `bytes` is at least 1.
     void upload(const MeshView& mesh, std::size_t bytes);
     bool isComplete() const { return uploaded_ == vertices_.size() + indices_.size(); }
 
-    /// Takes in the openness of the mesh it was made for, where that is there and new.
+    /// Uploads the openness of the mesh that it was made for, unless that is still missing or
+    /// already uploaded.
     void takeOpenness(const MeshView& mesh);
 
-    /// Draws a complete mesh.
+    /// Draws a range of a mesh that is complete.
     void draw(const InstanceBuffer& instances, const DrawRange& range) const;
-    /// Draws all of it once.
+    /// Draws all triangles of a complete mesh for one object.
     void draw(const SingleInstance& instance) const { draw(instance.buffer(), {0, triangles_}); }
     int triangles() const { return triangles_; }
     std::uint64_t serial() const { return serial_; }
 
-    /// Its edges, which may not be there yet: for the frame of this number, after which they are
-    /// kept for a while.
+    /// Returns the edges, which may be incomplete, and notes that frame number `frame` uses them.
     GpuEdges& edges(const MeshView& mesh, std::uint64_t frame);
     void drawEdges(const InstanceBuffer& instances, const DrawRange& range) const {
         edges_->draw(vertices_, instances, range);
@@ -44,7 +44,7 @@ class GpuMesh {
     bool hasEdges() const { return edges_ && edges_->isComplete(); }
     int edgeCount() const { return edges_->count(); }
 
-    /// Forgets edges that no frame since this one has asked for.
+    /// Deletes the edges unless frame number `frame` or a later one has asked for them.
     void forgetEdges(std::uint64_t frame);
 
   private:
@@ -54,11 +54,11 @@ class GpuMesh {
     gl::Buffer vertices_ = gl::Buffer::create();
     gl::Buffer indices_ = gl::Buffer::create();
     std::optional<gl::Buffer> openness_;
-    std::size_t uploaded_ = 0; ///< bytes: of the vertices, then of the indices
+    std::size_t uploaded_ = 0; ///< bytes of the vertices, then of the indices
     int triangles_ = 0;
     std::uint64_t serial_ = 0;
     std::optional<GpuEdges> edges_;
-    std::uint64_t edgesFrame_ = 0; ///< the last one that asked for them
+    std::uint64_t edgesFrame_ = 0; ///< is the last frame that asked for the edges
 };
 
 } // namespace patina

@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint64_t meshesKept = 120;
 constexpr std::size_t sampledItems = 64;
 
-/// Returns FNV-1a's hash of 64 items spread evenly.
+/// Hashes at most 64 items, spread evenly, by FNV-1a.
 template <class Item>
 std::uint64_t sampleOf(std::span<const Item> items, std::uint64_t hash) {
     const std::size_t count = std::min(items.size(), sampledItems);

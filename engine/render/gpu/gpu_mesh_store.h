@@ -11,26 +11,24 @@
 
 namespace patina {
 
-/// Holds the meshes that are in the GPU's memory. They are told apart by where they lie in memory,
-/// their sizes and a sample of their content, so that a new mesh at an old address is seen.
+/// Owns the meshes in the GPU's memory. It knows a mesh by its address, its sizes and a sample of
+/// its content, so that a new mesh at an old address is noticed.
 class GpuMeshStore {
   public:
-    /// Returns the mesh, and uploads it when it is not there yet.
+    /// Returns the complete mesh; uploads what is missing of it.
     const GpuMesh& get(const MeshView& mesh);
 
-    /// Returns the mesh, with room for its content when it is new; it may be incomplete. It stays
-    /// for as long as somebody holds it.
+    /// Returns the mesh, which is empty when it is new and may be incomplete. It is kept as long as
+    /// somebody holds the pointer.
     const std::shared_ptr<GpuMesh>& prepare(const MeshView& mesh);
 
     /// Returns the edges of a mesh that prepare() gave; they may be incomplete.
-    GpuEdges& prepareEdges(GpuMesh& mesh, const MeshView& view) {
-        return mesh.edges(view, frame_);
-    }
+    GpuEdges& prepareEdges(GpuMesh& mesh, const MeshView& view) { return mesh.edges(view, frame_); }
 
-    /// Call once per frame: contents are looked at once between its two ends.
+    /// Begins a frame. Each mesh's content is sampled once between beginFrame() and endFrame().
     void beginFrame();
 
-    /// Call once per frame: forgets what was not drawn for a while and nobody holds.
+    /// Ends a frame and deletes meshes that were not drawn for 120 frames and that nobody holds.
     void endFrame();
 
   private:
@@ -38,12 +36,12 @@ class GpuMeshStore {
     struct Entry {
         std::shared_ptr<GpuMesh> mesh;
         std::uint64_t sample = 0;
-        std::uint64_t looked = 0; ///< in which frame that was made
+        std::uint64_t looked = 0; ///< is the value of look_ when `sample` was taken
         std::uint64_t lastFrame = 0;
     };
 
     std::map<Key, Entry> meshes_;
-    Key last_; ///< objects of the same mesh often follow each other
+    Key last_; ///< is the last key asked for, since objects of one mesh often follow each other
     Entry* lastEntry_ = nullptr;
     std::uint64_t frame_ = 0;
     std::uint64_t look_ = 1;

@@ -15,7 +15,7 @@
 namespace patina {
 namespace {
 
-/// A version of no more bytes is taken in at once.
+/// Is the size, in bytes, up to which a level is uploaded at once.
 constexpr std::size_t smallBytes = std::size_t(1) << 16;
 
 struct GlFormat {
@@ -24,7 +24,8 @@ struct GlFormat {
     GLenum type;
 };
 
-/// llvmpipe decodes sRGB by a polynomial that is off by 1e-3; others have the exact values.
+/// Returns true for sRGB on a software driver: llvmpipe decodes it by a polynomial with an error of
+/// 1e-3, where other drivers are exact.
 bool decodesBadly(TexelFormat format) {
     return format == TexelFormat::Srgb8 && gl::isSoftware();
 }
@@ -47,7 +48,7 @@ GlFormat formatOf(TexelFormat format, bool decodes) {
     }
 }
 
-/// Returns linear numbers of 16 bits for sRGB codes and alpha.
+/// Returns linear RGBA of 16 bits for sRGB colors with alpha of 8 bits.
 std::vector<std::uint16_t> decoded(std::span<const std::byte> codes) {
     static const SrgbTable table;
     const auto whole = [](float x) { return static_cast<std::uint16_t>(x * 65535.0f + 0.5f); };

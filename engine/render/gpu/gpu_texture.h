@@ -9,16 +9,16 @@
 
 namespace patina {
 
-/// Represents an image in the GPU's memory. Its small versions come first, and are shown until it
-/// is whole.
+/// Holds an image in the GPU's memory. Its small mip levels are uploaded first and shown until the
+/// larger ones are complete.
 class GpuTexture {
   public:
-    /// Makes room for this picture. What is larger than the driver takes is left out. `isOpaque`:
-    /// its alpha is 1 everywhere, whatever stands there.
+    /// Allocates the levels of this picture, without those that are too large for the driver. If
+    /// `isOpaque`, shaders read an alpha of 1 everywhere.
     explicit GpuTexture(const TexturePicture& picture, bool isOpaque = false);
 
-    /// Takes in about as many bytes more of the picture it was made for; at least those of its
-    /// small versions. Gives the number of bytes. Binds the texture.
+    /// Uploads about `bytes` more of the picture that it was made for, at least its small levels,
+    /// and returns how many bytes that were. Leaves the texture bound.
     std::size_t upload(const TexturePicture& picture, std::size_t bytes);
     bool isComplete() const { return level_ == first_ && row_ == 0; }
 
@@ -29,10 +29,11 @@ class GpuTexture {
     void sendRows(const TexturePicture& picture, std::size_t level, int rows) const;
 
     gl::Name<gl::deleteTexture> name_;
-    bool decodes_ = false;  ///< sRGB is decoded here, because the driver does it badly
-    std::size_t first_ = 0; ///< level that is the largest here
-    std::size_t level_ = 0; ///< the largest that is whole
-    int row_ = 0;           ///< so many rows of the next larger one are there
+    bool decodes_ = false;  ///< is true where sRGB is decoded on the CPU, because the driver does
+                            ///< it inexactly
+    std::size_t first_ = 0; ///< is the largest level of the picture that the driver takes
+    std::size_t level_ = 0; ///< is the largest level that is complete
+    int row_ = 0;           ///< is how many rows of the next larger level are uploaded
 };
 
 } // namespace patina

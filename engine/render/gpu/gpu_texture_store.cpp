@@ -13,10 +13,10 @@ namespace {
 
 constexpr std::uint64_t texturesKept = 120;
 
-/// Represents a texel of four numbers.
+/// RGBA, 0 .. 1
 using Texel = std::array<float, 4>;
 
-/// Eight by eight fields that nobody takes for a real look.
+/// Makes a checker of eight by eight fields, which nobody takes for a real image.
 std::shared_ptr<const TexturePicture> checker(const Texel& light, const Texel& dark) {
     constexpr int fields = 8;
     constexpr int texelsPerField = 8;
@@ -30,8 +30,8 @@ std::shared_ptr<const TexturePicture> checker(const Texel& light, const Texel& d
     return std::make_shared<const TexturePicture>(madeTexture(image, TextureDecoding::Linear));
 }
 
-/// Returns the placeholder of an image that cannot be had: colours; fields that lean to the left
-/// and to the right; steps; and holes in half of the fields.
+/// Returns the placeholder of an image that cannot be read: two colours; normals that lean to the
+/// left and to the right; or heights or opacities of 0 and 1.
 const std::shared_ptr<const TexturePicture>& placeholder(TextureRole role) {
     static const auto colors = checker({1.0f, 0.0f, 1.0f, 1.0f}, {0.1f, 0.1f, 0.1f, 1.0f});
     static const auto slopes = checker({0.75f, 0.5f, 0.9f, 1.0f}, {0.25f, 0.5f, 0.9f, 1.0f});
@@ -47,7 +47,8 @@ const std::shared_ptr<const TexturePicture>& placeholder(TextureRole role) {
     }
 }
 
-/// Tells whether the alpha itself is meant, of an image that has none. Else its grey counts there.
+/// Returns true where a use reads the alpha of an image that has none: it must be 1 there. For
+/// other uses the alpha of such an image holds its grey.
 bool showsOpaque(const TexturePicture& picture, const TextureUse& use) {
     return !picture.hasAlpha && use.channel == TextureChannel::Alpha;
 }
@@ -93,7 +94,8 @@ std::uint64_t GpuTextureStore::stateOf(const BoundTexture& image, const Material
            (isComplete ? 1 : 0);
 }
 
-/// A relief keeps its own strength; of anything else the placeholder is all that is seen.
+/// Binds one image or its placeholder. A placeholder of a relief keeps the relief's strength; any
+/// other has full weight, so that it is seen.
 void GpuTextureStore::bindOne(const BoundTexture& image, const Material& material, glm::vec4& data,
                               TextureBudget& budget, ShownTextures& shown) {
     const TextureUse* use = image.in(material);

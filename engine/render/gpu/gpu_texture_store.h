@@ -20,8 +20,8 @@
 
 namespace patina {
 
-/// Says how many bytes of images a frame still takes into the GPU's memory, and whether some are
-/// not whole yet, so that another frame shows more of them.
+/// Says how many bytes of images a frame may still upload. `isWaiting` is true when some image is
+/// incomplete, so that another frame will show more of it.
 struct TextureBudget {
     static constexpr std::size_t everything = std::numeric_limits<std::size_t>::max();
 
@@ -32,31 +32,33 @@ struct TextureBudget {
 /// Holds images for as long as a view shows them.
 using ShownTextures = std::vector<std::shared_ptr<const GpuTexture>>;
 
-/// The images that are in the GPU's memory, each once however many materials show it.
+/// Owns the images in the GPU's memory; each is there once for all materials that show it.
 class GpuTextureStore {
   public:
     void setSource(TextureSource source) { source_ = std::move(source); }
 
-    /// Binds what the program shows of a material's images. One that is not there yet counts for
-    /// nothing in `data`, the object's; one that is missing is a checker. Leaves texture unit 0
-    /// active.
+    /// Binds the images of a material that the program shows. While an image is still loading, the
+    /// object's `data` give it no weight; one that cannot be read is shown as a checker. Leaves
+    /// texture unit 0 active.
     void bind(std::span<glm::vec4> data, const Pipeline& pipeline, const Material& material,
               TextureBudget& budget, ShownTextures& shown);
 
-    /// A number that changes when bind() would show another state of one image of the material.
+    /// Returns a number that changes when bind() would show another state of one image of the
+    /// material.
     std::uint64_t stateOf(const BoundTexture& image, const Material& material) const;
 
-    /// Forgets what was not drawn for a while and no view shows.
+    /// Ends a frame and deletes images that were not drawn for 120 frames and that no view shows.
     void endFrame();
 
   private:
     struct Entry {
-        std::shared_ptr<const TexturePicture> picture; ///< kept, so that its address stays its own
+        std::shared_ptr<const TexturePicture> picture; ///< is held so that no other picture gets
+                                                       ///< its address
         std::shared_ptr<GpuTexture> texture;
         std::uint64_t lastFrame = 0;
     };
 
-    /// A picture, and whether it is shown as an opaque one.
+    /// Is a picture, and whether it is shown as opaque.
     using EntryKey = std::pair<const TexturePicture*, bool>;
 
     void bindOne(const BoundTexture& image, const Material& material, glm::vec4& data,
@@ -67,13 +69,15 @@ class GpuTextureStore {
 
     TextureSource source_;
     std::map<EntryKey, Entry> entries_;
-    std::array<std::optional<gl::Sampler>, 6> samplers_; ///< by wrap and filter
+    std::array<std::optional<gl::Sampler>, 6> samplers_; ///< holds one for each wrap and filter,
+                                                         ///< made when first used
     std::uint64_t frame_ = 0;
 };
 
-/// The images of one view's frames, whatever others take and forget in between.
+/// Holds the images and the upload budget of one view's frames, since other views use the same
+/// store in between.
 struct FrameTextures {
-    /// Begins a frame that takes at most so many bytes.
+    /// Begins a frame that uploads at most `bytes`.
     void begin(std::size_t bytes = TextureBudget::everything) {
         budget = {bytes};
         shown.clear();

@@ -3,10 +3,10 @@
 
 namespace patina {
 
-/// Tells how fine the numbers of a linear picture are.
+/// Says how precise the numbers of a linear picture are.
 enum class HdrNumbers {
-    Half, ///< 16 bits per channel: a rounding of 0.05 % that nobody sees
-    Full, ///< 32 bits, where they are measured
+    Half, ///< has 16 bits per channel, whose rounding of 0.05 % is invisible
+    Full, ///< has 32 bits per channel, for pictures that are measured
 };
 
 } // namespace patina

@@ -11,7 +11,7 @@
 namespace patina {
 namespace {
 
-/// 8K UHD: with four samples that is 1.7 GB of graphics memory.
+/// Is 8K UHD, which takes 1.7 GB of graphics memory with four samples.
 constexpr std::int64_t maxPixels = std::int64_t(7680) * 4320;
 
 int driverLimit(GLenum name) {
@@ -25,7 +25,8 @@ void forgetErrors() {
     }
 }
 
-/// As many pixels per side as make at most `samples` per resolved pixel and fit into the limits.
+/// Returns 2 where four drawn pixels per averaged pixel are no more than `samples` and the driver
+/// can draw such an image, else 1.
 int finenessFor(glm::ivec2 size, int samples) {
     const int maxSide =
         std::min(driverLimit(GL_MAX_TEXTURE_SIZE), driverLimit(GL_MAX_RENDERBUFFER_SIZE));

@@ -10,28 +10,29 @@
 
 namespace patina {
 
-/// Tells whether the device of the current context draws pictures of this size; else the sizes it
-/// does.
+/// Succeeds when the device of the current context can draw pictures of this size, in pixels; the
+/// error says which sizes it can draw.
 Result<void> checkPictureSize(glm::ivec2 size);
 
-/// Is where a frame is summed up: RGBA16F (or RGBA32F) with several samples per pixel and depth,
-/// and its resolved image, which may be drawn smaller than it is and stretched.
+/// Owns the images that a frame is drawn into: RGBA16F (or RGBA32F) with depth and several samples
+/// per pixel, and the resolved image. The frame may be drawn smaller and then stretched to the
+/// resolved image.
 class HdrTarget {
   public:
-    /// Makes the target fit; nothing happens when it does already. Fewer samples are used where
-    /// the driver offers fewer. True where it was made anew. The error says which sizes are
-    /// possible.
+    /// Allocates the images unless they fit already, and returns true where it did. Fewer samples
+    /// are used where the driver offers fewer. The error says which sizes are possible, or that
+    /// memory is too small.
     ///
-    /// `dense`: there are more triangles than pixels. Then each sample is a pixel of a finer image
-    /// instead of a share of one that is shaded once (MSAA): hardly two samples belong to the same
-    /// triangle, so this shades no more often, shades each at its own place, and spares software
-    /// drivers the sorting of samples, which takes them twice as long.
+    /// `dense` says that there are more triangles than pixels. Then each sample is a pixel of a
+    /// finer image instead of a part of a pixel that is shaded once (MSAA). Two samples hardly ever
+    /// belong to the same triangle, so this shades no more often, and software drivers need not
+    /// sort samples, which takes them twice as long.
     ///
-    /// `scale`: as much of the size, along each side, is drawn and then stretched; 0 .. 1.
+    /// `scale`, 0 .. 1, is the fraction of each side that is drawn and then stretched.
     ///
-    /// With one sample per pixel the averaged image is what is drawn into: it is in memory once and
-    /// resolve() copies nothing. `isReadBetween`: it is read while there is more to draw, and so
-    /// has to be another one.
+    /// With one sample per pixel the frame is drawn into the averaged image itself, so that
+    /// resolve() copies nothing. `isReadBetween` says that the averaged image is read while there
+    /// is more to draw, which needs a second image.
     Result<bool> fit(glm::ivec2 size, int samples, bool dense,
                      HdrNumbers numbers = HdrNumbers::Half, double scale = 1.0,
                      bool isReadBetween = false);
@@ -39,24 +40,24 @@ class HdrTarget {
     /// Binds it for drawing, with its whole area as the viewport.
     void bind() const;
 
-    /// Returns the size of the image that is drawn.
+    /// Returns the size of the image that is drawn, in its own pixels or samples.
     glm::ivec2 drawnSize() const { return built_.fineness * built_.scaled; }
 
-    /// Returns what the device made of what was asked for.
+    /// Returns the samples that the device really has, which may be fewer than fit() asked for.
     PixelSampling sampling() const;
 
-    /// Averages the samples into averaged(): what has been drawn until now, not yet stretched.
+    /// Averages the samples drawn so far into averaged(), which is not stretched.
     void resolve() const;
     const gl::Texture& averaged() const { return resolvedImage_; }
     glm::ivec2 averagedSize() const { return built_.scaled; }
 
-    /// Stretches what resolve() has averaged to the resolved image, where it is smaller.
+    /// Stretches averaged() to the resolved image; does nothing where both have one size.
     void stretch() const;
 
     /// Returns how wide a pixel that is drawn is in pixels of the resolved image.
     double pixelWidth() const { return double(built_.size.x) / drawnSize().x; }
 
-    /// Returns what is drawn into: its framebuffer and the depths in it.
+    /// Returns the framebuffer that is drawn into; depth() is attached to it.
     unsigned framebuffer() const { return framebuffer_.name(); }
     const gl::Renderbuffer& depth() const { return depth_; }
 
@@ -70,9 +71,9 @@ class HdrTarget {
   private:
     struct Shape {
         glm::ivec2 size{0};
-        glm::ivec2 scaled{0}; ///< before it is stretched
-        int samples = 0;      ///< per pixel of the image that is drawn
-        int fineness = 1;     ///< that image's pixels per side of one before it is stretched
+        glm::ivec2 scaled{0}; ///< is the size before stretching
+        int samples = 0;      ///< counts per pixel of the image that is drawn
+        int fineness = 1;     ///< is the drawn image's pixels per side of an averaged pixel, 1 or 2
         HdrNumbers numbers = HdrNumbers::Half;
         bool isReadBetween = false;
 

@@ -19,8 +19,8 @@ std::array<glm::vec4, 3> rowsOf(const glm::dmat4& matrix) {
     return rows;
 }
 
-/// The inverse transpose times the determinant (the cofactors), which is there for every scale,
-/// also 0; scaled so that the largest entry is 1.
+/// Returns the cofactors, which are the inverse transpose times the determinant and exist for every
+/// scale, also 0. The largest entry is scaled to 1; the result for a zero matrix is the identity.
 glm::dmat4 normalMatrix(const glm::dmat4& world) {
     const glm::dmat3 m(world);
     glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));

@@ -11,18 +11,18 @@
 
 namespace patina {
 
-/// Holds where objects are, in the GPU's memory; only what changed is written there.
+/// Holds the transforms of objects in the GPU's memory and writes only what changed.
 class InstanceBuffer {
   public:
-    /// The next content is put together anew.
+    /// Begins new content; add() appends to it and upload() sends it.
     void clear() { staged_.clear(); }
     void add(const Instance& instance) { staged_.push_back(instance); }
     std::size_t size() const { return staged_.size(); }
 
-    /// Sends what differs from what was sent; true if something did.
+    /// Sends what differs from the last upload and returns true if anything did.
     bool upload();
 
-    /// Stays the same; it has room for what was sent.
+    /// Returns the buffer, which is the same one for the life of this object.
     const std::shared_ptr<const gl::Buffer>& buffer() const { return shared_; }
 
     /// See gl::hasBaseInstances().
@@ -35,11 +35,11 @@ class InstanceBuffer {
     std::shared_ptr<const gl::Buffer> shared_ = buffer_;
     bool hasBase_ = gl::hasBaseInstances();
     std::vector<Instance> staged_;
-    std::vector<Instance> sent_; ///< as many as the buffer has room for
+    std::vector<Instance> sent_; ///< is as long as the buffer's room
     std::size_t sentCount_ = 0;
 };
 
-/// Holds one object alone.
+/// Holds the transform of one object in a buffer of its own.
 class SingleInstance {
   public:
     bool place(const glm::dmat4& world) {

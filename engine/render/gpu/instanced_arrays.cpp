@@ -14,7 +14,7 @@ InstancedArrays::Array& InstancedArrays::arrayFor(const InstanceBuffer& instance
     if (known != arrays_.end()) {
         return *known;
     }
-    // Buffers that nobody fills any more.
+    // These buffers have no other owner left.
     std::erase_if(arrays_, [](const Array& array) { return array.instances.use_count() == 1; });
     arrays_.push_back({instances.buffer(), 0, make()});
     Array& made = arrays_.back();
@@ -22,7 +22,8 @@ InstancedArrays::Array& InstancedArrays::arrayFor(const InstanceBuffer& instance
     return made;
 }
 
-/// Without base instances it is the attributes that begin at the first instance.
+/// Where the driver has no base instances, the attributes are set to begin at the first instance
+/// instead.
 void InstancedArrays::draw(unsigned mode, int corners, const InstanceBuffer& instances,
                            const DrawRange& range, const Make& make) {
     Array& held = arrayFor(instances, make);
@@ -34,8 +35,8 @@ void InstancedArrays::draw(unsigned mode, int corners, const InstanceBuffer& ins
         held.offset = start;
     }
     const int count = corners * range.triangles;
-    const std::size_t before = static_cast<std::size_t>(corners) *
-                               static_cast<std::size_t>(range.firstTriangle);
+    const std::size_t before =
+        static_cast<std::size_t>(corners) * static_cast<std::size_t>(range.firstTriangle);
     const auto* first = reinterpret_cast<const void*>( // NOLINT: GL passes offsets so
         sizeof(std::uint32_t) * before);
     const auto objects = static_cast<GLsizei>(range.instances);

@@ -12,8 +12,7 @@
 
 namespace patina {
 
-/// Says which part of what a mesh is made of (triangles, or its edges), for some of the objects in
-/// an InstanceBuffer.
+/// Selects some triangles (or edges) of a mesh and some of the objects in an InstanceBuffer.
 struct DrawRange {
     int firstTriangle = 0;
     int triangles = 0;
@@ -23,14 +22,14 @@ struct DrawRange {
     std::int64_t total() const { return std::int64_t(triangles) * std::int64_t(instances); }
 };
 
-/// Tells how the vertices of a mesh lie, together with the instances of one buffer or of several.
-/// Drivers take a vertex array that changes for another one, and may compile for it.
+/// Keeps a vertex array of a mesh for each buffer of instances. A driver may compile again for a
+/// vertex array that changes, so none is shared between buffers.
 class InstancedArrays {
   public:
-    /// Makes an array that has the vertices and the indices.
+    /// Makes a vertex array with the mesh's vertices and indices, without instances.
     using Make = std::function<gl::VertexArray()>;
 
-    /// Draws primitives of `corners` indices each, from where the range begins.
+    /// Draws the primitives of a range, of GL mode `mode` with `corners` indices each.
     void draw(unsigned mode, int corners, const InstanceBuffer& instances, const DrawRange& range,
               const Make& make);
 
@@ -43,7 +42,7 @@ class InstancedArrays {
 
     Array& arrayFor(const InstanceBuffer& instances, const Make& make);
 
-    std::vector<Array> arrays_; ///< by buffer; made when they are first drawn
+    std::vector<Array> arrays_; ///< has one for each buffer, made when it is first drawn
 };
 
 } // namespace patina

@@ -8,11 +8,10 @@
 
 namespace patina {
 
-/// Holds numbers that were given to keys. Keeps its memory, so that filling it anew allocates
-/// nothing.
+/// Maps keys to numbers. It keeps its memory, so that filling it again allocates nothing.
 class KeyTable {
   public:
-    /// Forgets all keys; at most `most` new ones follow.
+    /// Forgets all keys and makes room for `maxKeys` new ones, which must not be exceeded.
     void clear(std::size_t maxKeys) {
         const std::size_t places = std::bit_ceil(2 * maxKeys + 2);
         if (places > places_.size() || ++round_ == 0) {
@@ -21,7 +20,7 @@ class KeyTable {
         }
     }
 
-    /// Returns the key's number: `next` when it is new.
+    /// Returns the key's number; a new key gets `next`.
     std::size_t find(std::uint64_t key, std::size_t next) {
         const std::size_t mask = places_.size() - 1;
         std::size_t at = (key * 0x9e3779b97f4a7c15u >> 32) & mask;
@@ -38,7 +37,7 @@ class KeyTable {
     struct Place {
         std::uint64_t key = 0;
         std::uint32_t number = 0;
-        std::uint32_t round = 0; ///< that of the last clear(), or what is here is forgotten
+        std::uint32_t round = 0; ///< must be round_, else this place is free
     };
 
     std::vector<Place> places_;

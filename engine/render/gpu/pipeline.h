@@ -11,8 +11,8 @@
 
 namespace patina {
 
-/// Represents a program (two where there are outlines) with what is needed to feed it. It keeps the
-/// catalogue it was made from, so that it can be drawn with after the blocks have changed.
+/// Holds the programs of a material with the layouts of their data. It keeps the catalogue that it
+/// was made from, so that it can still draw after the blocks have changed.
 struct Pipeline {
     std::shared_ptr<const Catalog> catalog;
     EffectSet effects;
@@ -20,11 +20,14 @@ struct Pipeline {
     SceneLayout scene;
     std::uint64_t sceneKey = 0;
     std::shared_ptr<const gl::Program> program;
-    std::shared_ptr<const gl::Program> tableProgram; ///< fills the tables that it reads, if any
-    std::shared_ptr<const gl::Program> lobeSamples;  ///< what its lobes are fitted to, if they are
-    std::shared_ptr<const gl::Program> lobeFit;      ///< what fits them,
-    std::shared_ptr<const gl::Program> lobeTable;    ///< and what makes the table of them
-    std::optional<OutlineLayout> outline; ///< of the program that draws its lines, where it has any
+    std::shared_ptr<const gl::Program> tableProgram; ///< fills the tables that `program` reads;
+                                                     ///< null without any
+    std::shared_ptr<const gl::Program> lobeSamples;  ///< draws what the lobes are fitted to; null
+                                                     ///< without a fit
+    std::shared_ptr<const gl::Program> lobeFit;      ///< fits the lobes; null without a fit
+    std::shared_ptr<const gl::Program> lobeTable;    ///< makes the table of the lobes; null without
+                                                     ///< a fit
+    std::optional<OutlineLayout> outline; ///< is that of outlineProgram; empty without outlines
     std::shared_ptr<const gl::Program> outlineProgram;
 };
 

@@ -3,10 +3,10 @@
 
 namespace patina {
 
-/// Says how the edges in a frame were looked for: what the device did, not what was asked for.
+/// Says how a frame was antialiased: what the device did, not what was asked for.
 struct PixelSampling {
-    int samples = 1;  ///< of each pixel that is drawn
-    int fineness = 1; ///< pixels that are drawn for one of the picture, along each side
+    int samples = 1;  ///< counts for each pixel that is drawn
+    int fineness = 1; ///< is the number of drawn pixels per pixel of the picture, along each side
 
     friend bool operator==(const PixelSampling&, const PixelSampling&) = default;
 };

@@ -8,12 +8,13 @@
 namespace patina {
 namespace {
 
-constexpr double longestMs = 100.0; ///< that a window may stand still
+constexpr double longestMs = 100.0; ///< is how long a window may stand still
 constexpr double tileMs = 15.0;
-constexpr double firstRows = 4.0; ///< before it is known how long they take
-constexpr int minRows = 4;        ///< and a multiple of it: no quad of pixels is cut
+constexpr double firstRows = 4.0; ///< is the height of a tile while the time is unknown
+constexpr int minRows = 4;        ///< also divides each height, so that no quad of pixels is cut
 constexpr double maxRows = 65536.0;
-constexpr double maxGrowth = 4.0; ///< from tile to tile: what is below may take longer
+constexpr double maxGrowth = 4.0; ///< limits the growth from tile to tile, since the next rows may
+                                  ///< take longer
 
 int whole(double rows) {
     return static_cast<int>(std::clamp(rows, 1.0 * minRows, maxRows)) / minRows * minRows;

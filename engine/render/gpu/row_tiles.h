@@ -11,35 +11,36 @@
 
 namespace patina {
 
-/// Cuts a frame whose pixels take long into tiles of rows, each as high as a step may take, and
-/// knows which frames that are: those that took long the last time. One whose programs, size,
-/// triangles or rounds were not the last one's is watched until its time is known.
+/// Cuts a frame whose pixels take long into tiles of rows, each of which takes about one step's
+/// time. A frame takes long if the last one with the same programs, size, triangles and rounds did;
+/// any other frame counts as unknown until its time is noted.
 class RowTiles {
   public:
     using Clock = std::chrono::steady_clock;
 
     enum class Pace {
-        Quick,   ///< took little the last time
-        Unknown, ///< may take little
-        Slow     ///< took more than a window should wait
+        Quick,   ///< took little time when it was last drawn
+        Unknown, ///< has not been drawn with these programs and sizes before
+        Slow     ///< took longer than a window may stand still
     };
 
-    /// Begins a new frame: what it is made of, the rows of the image that it is drawn in, and how
-    /// many times over an environment's light is looked at.
+    /// Begins a frame with these programs and triangles, drawn in an image of this size, in pixels.
+    /// `rounds` is how often the light of an environment is sampled.
     void begin(std::span<const void* const> programs, glm::ivec2 drawn, std::int64_t triangles,
                int rounds = 0);
     Pace pace() const;
 
-    /// Notes what the frame that was begun has taken, from its beginning to its end.
+    /// Notes the time that the current frame has taken from its beginning to its end.
     void noteTime(double milliseconds);
 
     bool isDone() const { return row_ >= work_.drawn.y; }
 
-    /// Lets only the next tile be drawn; leave() lets everything be drawn again.
+    /// Limits drawing to the next tile by the scissor test, until leave() removes the limit.
     void enter(Clock::time_point now);
     static void leave();
 
-    /// The device is done with the tiles so far.
+    /// Notes that the device has finished the tile that enter() began, and fits the height of the
+    /// next one.
     void passed(Clock::time_point now);
 
   private:
@@ -53,11 +54,11 @@ class RowTiles {
     bool isKnown() const;
 
     Work work_;
-    Work known_; ///< what milliseconds_ are of
+    Work known_; ///< is the frame that milliseconds_ belong to
     double milliseconds_ = 0.0;
-    int row_ = 0;                              ///< the first one that was not drawn
-    int rows_ = 0;                             ///< of the next tile
-    std::optional<Clock::time_point> entered_; ///< the tile that is being drawn
+    int row_ = 0;                              ///< is the first row that was not drawn
+    int rows_ = 0;                             ///< is the height of the next tile
+    std::optional<Clock::time_point> entered_; ///< is when the tile that is being drawn was begun
 };
 
 } // namespace patina

@@ -8,13 +8,13 @@
 
 namespace patina {
 
-/// Decides how many triangles a step of a frame draws at once: as many as took some milliseconds.
+/// Decides how many triangles a step of a frame draws at once, so that they take about 15 ms.
 class SlicePace {
   public:
     using Clock = std::chrono::steady_clock;
 
-    /// Begins a new frame. Triangles of one that has many are small; of others the pixels may take
-    /// long.
+    /// Begins a frame. One with many triangles (`isLarge`) has small ones and begins with many at
+    /// once; another one begins with a single triangle, whose pixels may take long.
     void begin(bool isLarge) {
         maxTriangles_ = isLarge ? maxAtOnce : 1;
         drawn_ = 0;
@@ -31,7 +31,8 @@ class SlicePace {
     /// Tells whether it is time to look at the clock.
     bool isDue() const { return drawn_ >= maxTriangles_; }
 
-    /// The device is done with what was added.
+    /// Notes that the device has finished the triangles that were added, and fits maxTriangles() to
+    /// the time.
     void passed(Clock::time_point now) {
         if (!began_) {
             return;
@@ -48,10 +49,11 @@ class SlicePace {
   private:
     static constexpr std::int64_t maxAtOnce = 16384;
     static constexpr double sliceMs = 15.0;
-    static constexpr double maxGrowth = 4.0; ///< from slice to slice: the next may be larger
+    static constexpr double maxGrowth = 4.0; ///< limits the growth from slice to slice, since the
+                                             ///< next triangles may be larger
 
     std::int64_t maxTriangles_ = 1;
-    std::int64_t drawn_ = 0; ///< since passed()
+    std::int64_t drawn_ = 0; ///< counts since passed()
     std::optional<Clock::time_point> began_;
 };
 

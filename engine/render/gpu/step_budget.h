@@ -10,45 +10,45 @@
 
 namespace patina {
 
-/// Counts how long a step of a frame may take, and how far the device is with what the steps so far
-/// have given it.
+/// Decides when a step of a frame must end, and knows whether the device has finished the work of
+/// the steps so far.
 class StepBudget {
   public:
     using Clock = std::chrono::steady_clock;
     using Deadline = Clock::time_point;
     static constexpr Deadline never = Deadline::max();
 
-    /// Has no end until a step begins with one. `isSoftware`: the device is the CPU itself.
+    /// Starts without a deadline. `isSoftware` says that the device is the CPU itself.
     explicit StepBudget(bool isSoftware = false) : isSoftware_(isSoftware) {}
 
-    /// Begins a frame, which nothing of the last one is waited for.
+    /// Begins a frame; it does not wait for what the device still draws of the last one.
     void beginFrame();
 
-    /// Begins to draw a frame. Triangles of one that has many are small; of others the pixels may
-    /// take long.
+    /// Begins to draw a frame, see SlicePace::begin().
     void beginDrawing(bool hasManyTriangles) { pace_.begin(hasManyTriangles); }
 
-    /// Begins a step. False where the device is at the last one's work beyond the deadline.
+    /// Begins a step. Returns false when the device has not finished the last step by the deadline.
     bool beginStep(Deadline deadline);
 
-    /// Tells whether the step draws all there is.
+    /// Returns true when the step has no deadline and draws the whole rest.
     bool isEndless() const { return deadline_ == never; }
     bool isOver() const { return Clock::now() >= deadline_; }
 
-    /// The most triangles to draw before the clock is asked.
+    /// Returns how many triangles may be drawn before isDue() is called.
     std::int64_t maxTriangles() const {
         return isEndless() ? std::numeric_limits<std::int64_t>::max() : pace_.maxTriangles();
     }
     void addTriangles(std::int64_t triangles);
 
-    /// Tells whether so much was drawn that it is time to look at the clock, and that says so.
+    /// Returns true when enough was drawn to ask the clock, and the step must stop.
     bool isDue() { return !isEndless() && pace_.isDue() && mustStop(); }
 
-    /// Asks the clock. A device that is the CPU works in the background, and what the window
-    /// draws has to wait behind that: it gets the next slice when it has done the last one.
+    /// Returns true when the step must stop: the deadline is over, or the device is still busy. A
+    /// software driver works in the background and delays what the window draws, so it gets the
+    /// next slice only when it has finished the last one.
     bool mustStop();
 
-    /// What was given to the device so far is what deviceIsDone() waits for.
+    /// Makes deviceIsDone() wait for all commands given so far.
     void mark();
     bool deviceIsDone() { return fence_.passed(deadline_ - Clock::now()); }
 
@@ -56,7 +56,7 @@ class StepBudget {
     bool isSoftware_;
     Deadline deadline_ = never;
     SlicePace pace_;
-    gl::Fence fence_; ///< behind the last commands of a frame that is drawn in steps
+    gl::Fence fence_; ///< is passed when the device has done the commands before the last mark()
 };
 
 } // namespace patina

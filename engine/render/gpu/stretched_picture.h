@@ -8,19 +8,19 @@
 
 namespace patina {
 
-/// Represents a finished picture that stands in, stretched, for one of another size that is not
-/// drawn yet. Used with one context current.
+/// Keeps a finished picture, which is shown stretched while one of another size is not drawn yet.
+/// All calls need the same context to be current.
 class StretchedPicture {
   public:
     explicit StretchedPicture(glm::ivec2 size);
 
-    /// Returns where it is drawn.
+    /// Returns the framebuffer that holds the picture; it may be drawn into.
     unsigned framebuffer() const { return kept_.name(); }
 
-    /// Copies what a framebuffer of its size shows.
+    /// Copies the picture from a framebuffer of the same size.
     void take(unsigned framebuffer);
 
-    /// Fills a framebuffer of that size with it.
+    /// Draws the picture, stretched, into a framebuffer of `size` pixels and leaves that bound.
     void show(unsigned framebuffer, glm::ivec2 size) const;
 
   private:

@@ -11,17 +11,17 @@
 
 namespace patina {
 
-/// Represents images for pictures that nobody waits for in front of a window: each is read when it
-/// is first asked for, and what cannot be read is remembered with its reason.
+/// Loads images where no window waits, as for the command line. Each image is read when it is first
+/// asked for, in the call itself; a failure is remembered with its reason.
 class TextureLoader {
   public:
-    /// The client outlives it.
+    /// Keeps a reference to the client, which must outlive it.
     explicit TextureLoader(AssetClient& client) : client_(client) {}
 
     TextureLookup find(const TextureUse& use, TextureDecoding decoding);
     TextureSource source();
 
-    /// Why images are missing, each once.
+    /// Returns why images are missing, each reason once.
     Errors takeProblems() { return std::exchange(problems_, {}); }
 
   private:

@@ -9,19 +9,20 @@
 
 namespace patina {
 
-/// Holds what there is of an image now.
+/// Holds an image, or whether it will never come; neither is set while it is being loaded.
 struct TextureLookup {
     std::shared_ptr<const TexturePicture> picture;
-    bool isMissing = false; ///< and will not come: a placeholder is drawn
+    bool isMissing = false; ///< is true when it cannot be read: a placeholder is drawn
 };
 
-/// Gives the image of a use. While there is none and it is not missing either, the surface is drawn
-/// without it. Called for each frame; must not allocate for what is known.
+/// Returns the image of a use. While it is being loaded the surface is drawn without it. It is
+/// called for each frame and must not allocate for an image that it knows.
 using TextureSource = std::function<TextureLookup(const TextureUse&, TextureDecoding)>;
 
 struct BoundTexture;
 
-/// Returns how the numbers of the use's file are taken, for what it does in a program.
+/// Returns how to decode the file of a use: as its color space says, else by its role in the
+/// program.
 TextureDecoding decodingOf(const TextureUse& use, const BoundTexture& image);
 
 } // namespace patina

@@ -10,16 +10,17 @@
 
 namespace patina {
 
-/// Represents a uniform block of vec4s that is written to the GPU only when its content changed.
+/// Owns a uniform block of vec4s, which is written to the GPU only when its content changed.
 class UniformBuffer {
   public:
-    /// Makes room for at least `vec4s`; grows when asked for more, never shrinks.
+    /// Makes room for at least `vec4s`; the block never shrinks.
     void reserve(std::size_t vec4s);
 
-    /// Returns where the next content is put together.
+    /// Returns the memory for the next content; it still holds the last one.
     std::span<glm::vec4> staging() { return staged_; }
 
-    /// Sends the first `vec4s` of the staging area if they differ from what was sent; true if so.
+    /// Sends the first `vec4s` of the staging area and returns true if they differ from what was
+    /// sent.
     bool upload(std::size_t vec4s);
 
     void bind(unsigned bindingPoint) const;

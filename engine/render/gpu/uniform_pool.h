@@ -11,28 +11,28 @@
 
 namespace patina {
 
-/// Keeps many uniform blocks of vec4s in one buffer. What did not change is not written to the
-/// GPU again.
+/// Owns many uniform blocks of vec4s in one buffer. A block that did not change is not written to
+/// the GPU again.
 class UniformPool {
   public:
-    /// Represents a block's place, which holds until the next clear().
+    /// Is a block's place in the buffer, in vec4s; it is valid until the next clear().
     struct Place {
         std::size_t first = 0;
         std::size_t vec4s = 0;
     };
 
-    /// The next blocks are placed from the start again; equal ones in an equal order are found
-    /// where they were.
+    /// Places the next blocks from the start again. Blocks of the same sizes in the same order get
+    /// their old places, so that equal content is not sent again.
     void clear() { used_ = 0; }
     Place add(std::size_t vec4s);
 
-    /// Memory for all blocks that were added; before staging() and upload().
+    /// Makes room for all blocks that were added. It must be called before staging() and upload().
     void makeRoom();
 
-    /// Returns where a block's content is put together.
+    /// Returns the memory for a block's content; it still holds the last one.
     std::span<glm::vec4> staging(const Place& place);
 
-    /// Sends the block if it differs from what was sent; true if so.
+    /// Sends the block and returns true if it differs from what was sent.
     bool upload(const Place& place);
 
     void bind(unsigned bindingPoint, const Place& place) const;

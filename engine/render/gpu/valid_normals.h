@@ -8,13 +8,13 @@
 
 namespace patina {
 
-/// Tells whether each normal is zero or has a length from 1/2 to 2, which no rounding of a unit
-/// normal leaves. Shaders scale normals and make them unit, and look for nothing else.
+/// Returns true when each normal is zero or has a length from 1/2 to 2, as any rounded unit normal
+/// has. Shaders normalize such normals without further checks.
 bool haveValidNormals(std::span<const Vertex> vertices);
 
-/// Returns the same vertices with such normals. Of others those that have a direction keep it and
-/// become unit; those that have none (a component is infinite or not a number) become zero. A
-/// surface without a normal is shaded as if it faced the viewer.
+/// Returns the vertices with valid normals. Another normal is normalized if it has a direction, and
+/// becomes zero if a component is infinite or not a number. A surface with a zero normal is shaded
+/// as if it faced the viewer.
 std::vector<Vertex> withValidNormals(std::span<const Vertex> vertices);
 
 } // namespace patina
