@@ -14,21 +14,23 @@ namespace {
 
 using Layout = OctahedralLayout;
 
-/// Is what a texel of level 0 blurs: it is a box whose variance along either axis, a twelfth of its
-/// area in steradians, is 1 / kappa.
+/// Is the kappa of the blur by a texel of level 0: its box has a variance along either axis, a
+/// twelfth of its area in steradians, of 1 / kappa.
 constexpr double texelKappa = 12.0 * Layout::texels * Layout::texels / (4.0 * std::numbers::pi);
 
-/// Returns how far a level is out of focus: kappa falls to a quarter from one to the next.
+/// Returns the concentration kappa of a level's lobe, which falls to a quarter from one level to
+/// the next.
 double kappaOf(int level) {
     return level == 0 ? texelKappa : std::exp2(Layout::log2Kappa - 2.0 * level);
 }
 
-/// The length of the mean direction of a lobe.
+/// Returns the length of the mean direction of a lobe, coth(kappa) - 1 / kappa; 0 .. 1.
 double meanOf(double kappa) {
     return kappa > 20.0 ? 1.0 - 1.0 / kappa : 1.0 / std::tanh(kappa) - 1.0 / kappa;
 }
 
-/// Returns the lobe that makes one of `to` of one of `from`: the lengths of their means multiply.
+/// Returns the kappa of the lobe that turns a lobe of kappa `from` into one of `to` by convolution.
+/// It is found by bisection, since the lengths of the mean directions multiply.
 double kappaBetween(double from, double to) {
     const double wanted = meanOf(to) / meanOf(from);
     double low = 0.0; // of log2
@@ -44,7 +46,7 @@ int widthOf(int level) {
     return Layout::texels >> level;
 }
 
-/// Returns where a level lies among all, as octahedralOrigin() in shaders has it.
+/// Returns the lower left texel of a level in levels_, as octahedralOrigin() in the shaders does.
 glm::ivec2 originOf(int level) {
     return level == 0 ? glm::ivec2(0)
                       : glm::ivec2(Layout::texels, Layout::texels - widthOf(level - 1));

@@ -10,13 +10,13 @@
 
 namespace patina {
 
-/// Represents an environment as lobes of von Mises' and Fisher's form see it: an octahedral picture
-/// whose levels are more and more out of focus, and what matte surfaces show
-/// (shaders/passes/environment_out_of_focus.glsl).
+/// Holds an environment convolved with von Mises-Fisher lobes: an octahedral picture in levels of
+/// increasing blur, and one for matte surfaces (shaders/passes/environment_out_of_focus.glsl).
 class BlurredEnvironment {
   public:
-    /// Draws it with programs of EnvironmentOutput::Octahedral and Matte, whose data are bound, and
-    /// of environmentBlurProgram(). Changes what is drawn to.
+    /// Draws all levels. `sharp` and `matte` are programs of EnvironmentOutput::Octahedral and
+    /// Matte, whose data must be bound; `blur` is one of environmentBlurProgram(). Leaves another
+    /// framebuffer and viewport.
     void draw(const gl::Program& sharp, const gl::Program& matte, const gl::Program& blur);
 
     bool isThere() const { return levels_.size().x > 0; }
@@ -26,8 +26,8 @@ class BlurredEnvironment {
     void makeRoom();
     void drawAt(glm::ivec2 origin, int width);
 
-    gl::Texture levels_; ///< beside and upon each other
-    gl::Texture drawn_;  ///< a level, before it is copied to its place
+    gl::Texture levels_; ///< holds all levels in one image
+    gl::Texture drawn_;  ///< holds one level before it is copied into levels_
     gl::Framebuffer framebuffer_;
     gl::VertexArray noVertices_ = gl::VertexArray::create();
 };

@@ -26,8 +26,8 @@ Basis basisAt(const glm::dvec3& d) {
             d.x * d.x - d.y * d.y};
 }
 
-/// Is the squared norms' inverse of each, times what the cosine leaves of its order: 1, 2/3 and
-/// 1/4.
+/// Each factor is the squared normalization of a function times the factor of its order in a
+/// convolution with the cosine over pi: 1, 2/3 and 1/4.
 constexpr Basis factors{1.0 / (4.0 * pi),
                         2.0 / 3.0 * 3.0 / (4.0 * pi),
                         2.0 / 3.0 * 3.0 / (4.0 * pi),

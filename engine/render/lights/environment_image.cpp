@@ -31,7 +31,7 @@ Colors colorsOf(const Image& image) {
     return colors;
 }
 
-/// Returns where part `index` of `parts` begins.
+/// Returns where part `index` of `parts` equal parts of `length` begins.
 int borderAt(int index, int parts, int length) {
     return static_cast<int>(std::int64_t(index) * length / parts);
 }
@@ -55,8 +55,7 @@ Colors reduced(const Colors& colors, glm::ivec2 size, glm::ivec2 wanted) {
     for (int y = 0; y < wanted.y; ++y) {
         for (int x = 0; x < wanted.x; ++x) {
             out.push_back(meanOf(
-                colors, size.x,
-                {borderAt(x, wanted.x, size.x), borderAt(y, wanted.y, size.y)},
+                colors, size.x, {borderAt(x, wanted.x, size.x), borderAt(y, wanted.y, size.y)},
                 {borderAt(x + 1, wanted.x, size.x), borderAt(y + 1, wanted.y, size.y)}));
         }
     }
@@ -74,7 +73,7 @@ EnvironmentTexels texelsOf(const Colors& colors, glm::ivec2 size) {
     return texels;
 }
 
-/// Limits it to `widest` wide and half as high, in each direction.
+/// Limits the width to `widest` and the height to half of `widest`; both are at least 1.
 glm::ivec2 limited(glm::ivec2 size, int widest) {
     return glm::max(glm::min(size, glm::ivec2(widest, widest / 2)), glm::ivec2(1));
 }

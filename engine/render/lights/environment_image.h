@@ -19,19 +19,20 @@ struct EnvironmentTexels {
     friend bool operator==(const EnvironmentTexels&, const EnvironmentTexels&) = default;
 };
 
-/// Represents an environment's picture as the renderer takes it.
+/// Holds an environment's picture as the renderer takes it, in two sizes.
 struct EnvironmentImage {
-    EnvironmentTexels whole; ///< at most 4096 wide
-    EnvironmentTexels small; ///< means over equal parts of it, at most 512 wide: where it is bright
-    bool isMissing = false;  ///< a placeholder, see missing()
+    EnvironmentTexels whole; ///< is at most 4096 wide
+    EnvironmentTexels small; ///< holds means over equal parts of `whole`, at most 512 wide, for
+                             ///< sampling by brightness
+    bool isMissing = false;  ///< is true for a placeholder, see missing()
 
-    /// Makes one from a panorama of any size. NaN becomes black; what is beyond a half float's
-    /// range becomes its largest number. Takes a while for a large one: not for a window's own
-    /// thread.
+    /// Makes one from a panorama of any size. NaN and negative numbers become black; larger numbers
+    /// than a half float holds become its largest one. A panorama without pixels gives one black
+    /// texel. A large one takes a while, so it should not run on a window's thread.
     static std::shared_ptr<const EnvironmentImage> from(const Image& panorama);
 
-    /// In place of a picture that cannot be read: a checker that nobody takes for a real place,
-    /// about as bright as one.
+    /// Returns a placeholder for a picture that cannot be read: a checker that nobody takes for a
+    /// real place, about as bright as one.
     static std::shared_ptr<const EnvironmentImage> missing();
 
     friend bool operator==(const EnvironmentImage&, const EnvironmentImage&) = default;

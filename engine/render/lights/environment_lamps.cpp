@@ -19,23 +19,24 @@ using std::numbers::pi;
 
 constexpr std::size_t maxLamps = 4;
 
-/// The limit is looked for from twice the brightness that three quarters of all directions stay
-/// below, in steps of this factor.
+/// These constants define the search for the limit. It begins at `firstFactor` times the brightness
+/// that `usualShare` of all directions stay below, and grows by `stepFactor` in each step.
 constexpr double usualShare = 0.75;
 constexpr double firstFactor = 2.0;
 constexpr double stepFactor = 1.25;
 constexpr int steps = 60;
 
-/// A lamp's light comes from about one direction: the length of its mean is no less.
+/// Is the least length of the mean direction of a lamp's light, where 1 means a single direction.
 constexpr double compactness = 0.92;
 
-/// What has less of the light above the limit is no lamp; the nearest one takes it in.
+/// A part with a smaller share of the light above the limit is no lamp; its light goes to the
+/// nearest lamp.
 constexpr double minShare = 0.02;
 
-/// Less of all the light is not worth a lamp.
+/// Lamps with a smaller share of all the light are dropped.
 constexpr double minShareOfAll = 0.01;
 
-/// Holds the directions of a small picture.
+/// Gives the brightness, direction and solid angle of each texel of a small picture.
 class Sky {
   public:
     explicit Sky(const EnvironmentRadiance& environment) : environment_(environment) {
@@ -73,7 +74,7 @@ class Sky {
         return sum;
     }
 
-    /// Returns the brightness that this share of all directions stays below.
+    /// Returns the luminance that `share` of all directions stays below.
     double below(double share) const {
         std::vector<std::size_t> order(count());
         std::iota(order.begin(), order.end(), std::size_t(0));
@@ -93,12 +94,12 @@ class Sky {
     std::vector<double> brightness_;
 };
 
-/// Represents a connected part of the sky, and what it sends above a limit.
+/// Holds the sums over a connected part of the sky, of its light above a limit.
 struct Part {
-    double flux = 0.0;       ///< luminance
-    double square = 0.0;     ///< the same of squared luminance
-    glm::dvec3 mean{0.0};    ///< directions, by luminance
-    glm::dvec3 moments[3]{}; ///< the same of each channel
+    double flux = 0.0;       ///< is the integral of the luminance
+    double square = 0.0;     ///< is the integral of the squared luminance
+    glm::dvec3 mean{0.0};    ///< is the integral of the direction, weighted by luminance
+    glm::dvec3 moments[3]{}; ///< are the same integral for each color channel
 
     void add(const Sky& sky, std::size_t i, double limit) {
         const double excess = sky.brightness(i) - limit;
@@ -124,8 +125,8 @@ struct Part {
     bool isCompact() const { return glm::length(mean) >= compactness * flux; }
 };
 
-/// Returns the parts above a limit. Neighbours share an edge or a corner, also over the left and
-/// right end.
+/// Returns the connected parts of the sky that are brighter than a limit, the strongest first.
+/// Neighbours share an edge or a corner, also across the left and right end.
 std::vector<Part> partsAbove(const Sky& sky, double limit) {
     std::vector<Part> parts;
     std::vector<bool> isTaken(sky.count(), false);
@@ -160,8 +161,8 @@ std::vector<Part> partsAbove(const Sky& sky, double limit) {
     return parts;
 }
 
-/// Returns the lamps where all parts that matter are compact and few enough; the others go to the
-/// nearest.
+/// Returns the lamps, or nothing when a part that is strong enough is not compact, or when there
+/// are more than maxLamps. The light of weak parts is added to the nearest lamp.
 std::optional<std::vector<Part>> lampsAmong(const std::vector<Part>& parts) {
     double all = 0.0;
     for (const Part& part : parts) {
@@ -193,7 +194,8 @@ EnvironmentLamp lampOf(const Part& part) {
         lamp.radiance[channel] =
             std::max(glm::dot(part.moments[channel], lamp.direction), 0.0) / pi;
     }
-    const double solidAngle = part.flux * part.flux / part.square; // of a disc as bright all over
+    const double solidAngle = part.flux * part.flux / part.square; // is that of a disc with uniform
+                                                                   // brightness
     lamp.width = 2.0 * std::acos(std::clamp(1.0 - solidAngle / (2.0 * pi), -1.0, 1.0));
     return lamp;
 }

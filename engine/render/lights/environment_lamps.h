@@ -9,23 +9,24 @@
 
 namespace patina {
 
-/// Represents a lamp in an environment: what a small part of all directions sends above a limit.
+/// Is a lamp in an environment: the light above a limit from a small part of all directions.
 struct EnvironmentLamp {
-    glm::dvec3 direction{0.0}; ///< unit, towards it, in the environment's own space
-    glm::dvec3 radiance{0.0};  ///< E / pi on a surface that faces it, linear
-    double width = 0.0;        ///< radians: how wide a disc of its size looks
+    glm::dvec3 direction{0.0}; ///< is a unit vector towards the lamp, in the environment's own
+                               ///< space
+    glm::dvec3 radiance{0.0};  ///< is E / pi on a surface that faces it, linear
+    double width = 0.0;        ///< radians: the angle across a disc of the same solid angle
 };
 
-/// Holds the lamps of an environment, the strongest first, and the limit above which its light is
-/// theirs. Without lamps the limit is 0.
+/// Holds the lamps of an environment, the strongest first. The light above `limit` comes from the
+/// lamps; without lamps the limit is 0.
 struct EnvironmentLamps {
     double limit = 0.0; ///< luminance
     std::vector<EnvironmentLamp> lamps;
 };
 
-/// Finds the sun and the lamps: compact parts that are brighter than what is around them, at most
-/// four, which together have all the light above the limit. The lowest such limit is taken, so that
-/// most of their light is theirs.
+/// Finds the sun and other lamps: at most four compact parts of the sky that together send all the
+/// light above a limit. The lowest such limit is taken, so that the lamps have as much of the light
+/// as possible.
 EnvironmentLamps environmentLamps(const EnvironmentRadiance& environment);
 
 } // namespace patina

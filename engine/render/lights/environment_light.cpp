@@ -22,10 +22,11 @@
 namespace patina {
 namespace {
 
-/// Pixels of the small picture of an environment without an image.
+/// pixels of the small picture of an environment without an image
 constexpr glm::ivec2 plainSize{256, 128};
 
-/// Is what does not change where the environment is bright, seen from within.
+/// Values with these roles do not change the brightness in the environment's own space, so the
+/// table is kept.
 constexpr std::array<std::string_view, 3> otherRoles{roles::rotate, roles::background, roles::blur};
 
 } // namespace
@@ -41,7 +42,8 @@ EnvironmentLight::Known& EnvironmentLight::known(std::uint64_t key, const Scene&
     return known_.emplace(key, std::move(made)).first->second;
 }
 
-/// A block that does not compile is reported by the programs of the surfaces, which hold it too.
+/// Returns a program of the block; null while it is being built or when it does not compile. Errors
+/// are not reported here, since programs of surfaces contain the block too and report them.
 const gl::Program* EnvironmentLight::program(Known& known, EnvironmentOutput output,
                                              const Catalog& catalog, ProgramCache& cache) {
     const auto found = known.programs.find(output);
@@ -131,7 +133,7 @@ void EnvironmentLight::pack(const BlockValues& values) {
     }
 }
 
-/// Takes another picture, or the next part of it. False where all of it is there.
+/// Changes the picture or uploads the next part of it. Returns false when all of it is uploaded.
 bool EnvironmentLight::takeImage(const Subject& subject) {
     static const std::shared_ptr<const EnvironmentImage> none;
     const auto& image = pictureParameter(current_->use.block()) != nullptr ? subject.image : none;
@@ -173,7 +175,8 @@ void EnvironmentLight::makeTable(const gl::Program* program) {
     tableTexture_.fill(table_);
 }
 
-/// The steps of blur, once their programs are there. False when nothing was made.
+/// Makes the blurred levels, or one of the programs for them. Returns false when it could do
+/// neither.
 bool EnvironmentLight::makeBlurred(const Catalog& catalog, ProgramCache& cache) {
     const int built = cache.builtCount();
     const gl::Program* sharp = program(*current_, EnvironmentOutput::Octahedral, catalog, cache);
@@ -197,7 +200,7 @@ bool EnvironmentLight::makeBlurred(const Catalog& catalog, ProgramCache& cache) 
     return true;
 }
 
-/// The harmonics stand behind the block's values.
+/// Sends the uniform block; the harmonics follow the values of the environment's block.
 void EnvironmentLight::upload() {
     const std::size_t end = EnvironmentLayout::fixed + current_->layout.floats / 4;
     for (std::size_t i = 0; i < harmonics_.size(); ++i) {
@@ -222,7 +225,7 @@ void EnvironmentLight::bind() const {
     tableTexture_.bind(binding::environmentTable);
     picture_->whole.bind(binding::environmentImage);
     if (isFitted_ && blurred_.isThere()) {
-        blurred_.bind(binding::environmentBlurred); // the same unit
+        blurred_.bind(binding::environmentBlurred); // has the unit of environmentSmall
     } else {
         baked_.bind(binding::environmentSmall);
     }

@@ -18,70 +18,75 @@
 
 namespace patina {
 
-/// Holds the light of an environment from all around, in its own space: rows from straight up,
+/// Holds the light of an environment from all directions, in its own space: rows from straight up,
 /// columns from -z over +x; alpha is 1.
 struct EnvironmentRadiance {
-    glm::ivec2 size{0}; ///< 0 where there is none
+    glm::ivec2 size{0}; ///< is 0 where there is no environment
     std::span<const glm::vec4> texels;
 };
 
-/// Holds what the frames of a scene know of its environment: its values, its picture, and where it
-/// is bright. Programs read it at the places of binding.h.
+/// Holds the GPU data of a scene's environment: its values, its picture, and a table for sampling
+/// it by brightness. Programs read them at the units of binding.h.
 class EnvironmentLight {
   public:
-    /// Holds what is followed.
+    /// Names the scene and the picture to follow.
     struct Subject {
-        const Scene& effects; ///< whose effects the programs have
+        const Scene& effects; ///< is the scene whose effects the programs have
         const Scene& scene;
-        /// Without a picture that is there an environment that needs one is black.
+        /// Is null while there is no picture; an environment that needs one is black then.
         const std::shared_ptr<const EnvironmentImage>& image;
-        EnvironmentPictures& pictures; ///< of which its own one is
-        bool isFitted = false;         ///< programs look it up out of focus
+        EnvironmentPictures& pictures; ///< shares the pictures between views
+        bool isFitted = false;         ///< says that programs read the blurred levels
     };
 
-    /// Follows the scene. Allocates nothing while only values change.
+    /// Brings all data up to date with the scene. It allocates nothing while only values change.
     void follow(const Subject& subject, const Catalog& catalog, ProgramCache& cache);
 
-    /// Returns the same up to and with the first thing that takes long, a part of the picture, a
-    /// program or the table: true as long as there may be more, and the next call goes on.
+    /// Does the same in steps, each up to the first long piece of work: a part of the picture, a
+    /// program or the table. Returns true while there may be more to do.
     bool followSome(const Subject& subject, const Catalog& catalog, ProgramCache& cache);
 
-    /// Tells whether programs look at an environment.
+    /// Returns true when programs have an environment to read.
     bool isIn() const { return current_ != nullptr; }
 
-    /// Returns what a white matte surface that faces up reflects.
+    /// Returns the linear radiance that a white matte surface facing up reflects.
     glm::dvec3 upward() const { return table_.upward(); }
 
-    /// Returns the small picture that its table was made from, which stays until the next frame.
+    /// Returns the small picture that the table was made from; empty while there is none. The
+    /// texels are valid until the next frame.
     EnvironmentRadiance radiance() const {
         return isIn() && madeFor_ == current_
                    ? EnvironmentRadiance{table_.size(), baked_.radiance()}
                    : EnvironmentRadiance();
     }
 
-    /// Says which samples programs draw.
+    /// Says which samples of the environment programs take.
     struct Samples {
         int firstRound = 0;
-        int count = 0;  ///< whole rounds or a part of one
+        int count = 0;  ///< is a multiple of roundSamples, or less than one round
         int series = 0; ///< see View::environmentSeries
     };
     void setSamples(const Samples& samples);
 
-    static constexpr int roundSamples = 4; ///< as in shaders/passes/environment_light.glsl
+    static constexpr int roundSamples = 4; ///< is the same as in
+                                           ///< shaders/passes/environment_light.glsl
 
-    /// Binds it for the programs that are used next.
+    /// Binds the values, the table and the pictures for the programs that are used next.
     void bind() const;
 
-    /// Returns the program for what is seen behind the objects; null where the environment is
-    /// hidden or the block does not compile.
+    /// Returns the program that draws the environment behind the objects; null where it is hidden
+    /// or its block does not compile.
     const gl::Program* background() const { return background_; }
-    double backgroundBlur() const { return blur_; } ///< half the width of the disc, in radians
+    double backgroundBlur() const {
+        return blur_;
+    } ///< radians: half the angle across the blurring
+      ///< disc
 
-    /// Shaders may have changed.
+    /// Drops all programs and what was made with them, because shaders may have changed.
     void forget();
 
   private:
-    /// Holds what is kept of a block as long as its text stays.
+    /// Holds the layout and the programs of a block while its text does not change.
     struct Known {
         BlockUse use;
         ParameterLayout layout;
@@ -98,12 +103,12 @@ class EnvironmentLight {
     bool makeBlurred(const Catalog& catalog, ProgramCache& cache);
     void upload();
 
-    std::map<std::uint64_t, Known> known_; ///< by EffectKey
+    std::map<std::uint64_t, Known> known_; ///< maps an EffectKey
     Known* current_ = nullptr;
     const gl::Program* background_ = nullptr;
     double blur_ = 0.0;
     UniformBuffer values_;
-    std::vector<glm::vec4> look_; ///< the values that the table was made from
+    std::vector<glm::vec4> look_; ///< holds the values that the table was made from
     std::vector<glm::vec4> wantedLook_;
     const Known* madeFor_ = nullptr;
     std::shared_ptr<EnvironmentPicture> picture_;
@@ -113,8 +118,9 @@ class EnvironmentLight {
     std::array<glm::vec3, 9> harmonics_{};
     std::shared_ptr<const gl::Program> blurProgram_;
     BlurredEnvironment blurred_;
-    bool isFitted_ = false;             ///< Subject::isFitted
-    const Known* blurredFor_ = nullptr; ///< null: it is to be drawn anew, if anyone asks for it
+    bool isFitted_ = false;             ///< is Subject::isFitted of the last call
+    const Known* blurredFor_ = nullptr; ///< is null when the blurred levels must be drawn again
+                                        ///< before use
 };
 
 } // namespace patina

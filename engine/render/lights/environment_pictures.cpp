@@ -4,8 +4,9 @@
 namespace patina {
 namespace {
 
-/// In place of a picture that is on its way. A software driver compiles programs anew where one
-/// with coarser versions, or with sides that are powers of two, takes the place of one without.
+/// Returns the black picture for use while the real one is missing. It has one level and sides that
+/// are powers of two, like real pictures, because a software driver compiles programs again for
+/// another kind of texture.
 const EnvironmentTexels& blackTexels() {
     static const EnvironmentTexels black{glm::ivec2(4), std::vector<std::uint16_t>(64)};
     return black;

@@ -12,19 +12,20 @@ namespace patina {
 
 /// Holds an environment's picture in the GPU's memory.
 struct EnvironmentPicture {
-    /// Takes in some megabytes more of the whole picture; false where there was nothing left of it.
+    /// Uploads some megabytes more of the whole picture; returns false when nothing was left.
     bool fillSome();
 
-    std::shared_ptr<const EnvironmentImage> image; ///< null: black, in place of what is on its way
+    std::shared_ptr<const EnvironmentImage> image; ///< is null for the black picture that is used
+                                                   ///< while the real one is missing
     EnvironmentTexture whole;
     EnvironmentTexture small;
 };
 
-/// The pictures of environments that are in the GPU's memory, each once however many views show it.
+/// Knows the environments' pictures in the GPU's memory, so that views share one picture.
 class EnvironmentPictures {
   public:
-    /// Returns the picture of an image, or the black one, and whether room was made for it now. It
-    /// stays for as long as somebody holds it.
+    /// Returns the picture of an image (the black one for null), and whether it was allocated by
+    /// this call. The picture lives as long as somebody holds it.
     std::pair<std::shared_ptr<EnvironmentPicture>, bool>
     of(const std::shared_ptr<const EnvironmentImage>& image);
 

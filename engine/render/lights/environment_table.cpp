@@ -18,7 +18,8 @@ double finiteLuminance(const glm::vec4& color) {
     return std::isfinite(sum) ? std::max(sum, 0.0) : 0.0;
 }
 
-/// Running shares of `weights` into the red of `out`, the last one exactly 1.
+/// Writes the cumulative distribution of `weights` into the red of `out`; the last number is
+/// exactly 1.
 void accumulate(std::span<const double> weights, std::span<glm::vec2> out) {
     const double all = std::accumulate(weights.begin(), weights.end(), 0.0);
     double sum = 0.0;
@@ -70,8 +71,8 @@ void EnvironmentTable::build(glm::ivec2 size, std::span<const glm::vec4> radianc
     gatherUpward(radiance);
 }
 
-/// A row of directions between the angles a and b from straight up has the share
-/// sin^2 b - sin^2 a of all light on the surface, where the light is even.
+/// Computes upward(). Under uniform light, the directions between the angles a and b from straight
+/// up give the share sin^2 b - sin^2 a of the light on the surface.
 void EnvironmentTable::gatherUpward(std::span<const glm::vec4> radiance) {
     upward_ = glm::dvec3(0.0);
     const std::size_t count = std::min(weights_.size(), radiance.size());
@@ -83,7 +84,7 @@ void EnvironmentTable::gatherUpward(std::span<const glm::vec4> radiance) {
     upward_ /= double(size_.x);
 }
 
-/// Returns the luminances, and their sum.
+/// Fills weights_ with luminances and returns their sum.
 double EnvironmentTable::weigh(std::span<const glm::vec4> radiance) {
     double sum = 0.0;
     for (std::size_t i = 0; i < std::min(weights_.size(), radiance.size()); ++i) {

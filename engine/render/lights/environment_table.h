@@ -10,23 +10,24 @@
 
 namespace patina {
 
-/// Holds what directions are drawn from by the brightness of an environment, as
+/// Holds the distribution from which directions are sampled by the brightness of an environment, as
 /// shaders/passes/environment_light.glsl reads it: a texture with a row for each row of directions
-/// and one more. Red holds running shares, which end at 1: of a row's light up to a column, and in
-/// the last row of all light up to a row. Green holds the density of each place over the unit
-/// square, computed from the shares as they are stored, so that it is the one that is drawn from.
+/// and one more. Red holds cumulative distributions, which end at 1: of a row's light over its
+/// columns, and in the last row of all light over the rows. Green holds the density of each texel
+/// over the unit square, computed from the rounded red numbers, so that it is exactly the density
+/// of the samples.
 class EnvironmentTable {
   public:
-    /// Builds the table from the light of a panorama, rows from the top. Allocates only when the
-    /// size is new. A hundredth of the directions is drawn evenly, so that no light between two
-    /// texels is missed; all of them are where there is no light.
+    /// Builds the table from the light of a panorama, rows from the top. It allocates only when the
+    /// size is new. A hundredth of the samples is uniform, so that no light between two texels is
+    /// missed; without any light all of them are.
     void build(glm::ivec2 size, std::span<const glm::vec4> radiance);
 
-    /// The mean of the light from above, each direction counted by how upright it is: what a white
-    /// matte surface that faces up shows.
+    /// Returns the cosine-weighted mean of the light from above, which a white matte surface facing
+    /// up shows; linear.
     glm::dvec3 upward() const { return upward_; }
 
-    glm::ivec2 size() const { return size_; } ///< columns and rows of directions
+    glm::ivec2 size() const { return size_; } ///< is in columns and rows of directions
     glm::ivec2 textureSize() const;
     std::span<const glm::vec2> texels() const { return texels_; }
 
@@ -37,8 +38,8 @@ class EnvironmentTable {
     void gatherUpward(std::span<const glm::vec4> radiance);
 
     glm::ivec2 size_{0};
-    std::vector<double> weights_; ///< of each place
-    std::vector<double> rows_;    ///< of each row together
+    std::vector<double> weights_; ///< has the weight of each texel
+    std::vector<double> rows_;    ///< has the sum of the weights of each row
     std::vector<glm::vec2> texels_;
     glm::dvec3 upward_{0.0};
 };

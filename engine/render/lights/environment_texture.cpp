@@ -22,7 +22,7 @@ std::size_t area(glm::ivec2 size) {
     return std::size_t(size.x) * std::size_t(size.y);
 }
 
-/// 8 MiB of a picture: a few milliseconds.
+/// half floats: 8 MiB of a picture, which take a few milliseconds
 constexpr std::size_t halvesAtOnce = std::size_t(4) << 20;
 
 /// Returns the size of the next coarser level.
@@ -30,7 +30,8 @@ glm::ivec2 halved(glm::ivec2 size) {
     return glm::max(size / 2, glm::ivec2(1));
 }
 
-/// Each texel of `coarse` is the mean of the four of `fine` over it, or of the two in a row.
+/// Makes each texel of `coarse` the mean of the four (or two, in a single row) texels of `fine`
+/// under it.
 void halve(std::span<const glm::vec4> fine, glm::ivec2 fineSize, std::span<glm::vec4> coarse,
            glm::ivec2 size) {
     for (int y = 0; y < size.y; ++y) {
@@ -45,7 +46,8 @@ void halve(std::span<const glm::vec4> fine, glm::ivec2 fineSize, std::span<glm::
     }
 }
 
-/// Round the horizon and smooth; of the texture that is bound.
+/// Makes the bound texture repeat around the horizon and filter linearly; `smallest` is the
+/// minification filter.
 void makePanorama(GLint smallest) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, smallest);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -135,8 +137,8 @@ void SmallEnvironment::draw(const gl::Program& program, glm::ivec2 size) {
     fillCoarserLevels();
 }
 
-/// Computes them from what has been read back anyway: drivers that make levels by drawing compile
-/// programs for it.
+/// Computes the levels on the CPU, from what has been read back anyway: drivers that make levels by
+/// drawing compile programs for it.
 void SmallEnvironment::fillCoarserLevels() {
     glBindTexture(GL_TEXTURE_2D, texture_.name());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);

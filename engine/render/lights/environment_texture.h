@@ -14,18 +14,18 @@
 
 namespace patina {
 
-/// Represents a texture of the environment whose content is replaced now and then.
+/// Owns a texture of an environment, whose content can be replaced.
 class EnvironmentTexture {
   public:
-    /// A picture, which goes on over its left and right edges and is smooth between texels.
+    /// Uploads a picture, which repeats over its left and right edges and is filtered linearly.
     void fill(const EnvironmentTexels& texels);
 
-    /// Does the same bit by bit: room for a picture, and then some megabytes of it for each call,
-    /// from where the last one came to. False where there was nothing left of it.
+    /// Allocates a picture of `size` texels, which fillSome() uploads in steps of some megabytes.
+    /// fillSome() returns false when nothing was left to upload.
     void begin(glm::ivec2 size);
     bool fillSome(const EnvironmentTexels& texels);
 
-    /// A table, whose texels are read one by one.
+    /// Uploads a table, whose texels are read without a filter.
     void fill(const EnvironmentTable& table);
 
     void bind(unsigned unit) const;
@@ -33,14 +33,14 @@ class EnvironmentTexture {
 
   private:
     gl::Texture texture_;
-    int rows_ = 0; ///< of a picture that are filled
+    int rows_ = 0; ///< is how many rows of a picture are uploaded
 };
 
-/// Holds the small picture of an environment that its own program draws.
+/// Owns the small picture of an environment, which the environment's program draws.
 class SmallEnvironment {
   public:
-    /// Draws it with the program, with what that reads in place, and reads it back; its coarser
-    /// levels are made too.
+    /// Draws the picture and its coarser levels and reads it back. What the program reads must be
+    /// bound.
     void draw(const gl::Program& program, glm::ivec2 size);
 
     std::span<const glm::vec4> radiance() const { return radiance_; }
@@ -54,7 +54,7 @@ class SmallEnvironment {
     gl::Framebuffer framebuffer_;
     gl::VertexArray noVertices_ = gl::VertexArray::create();
     std::vector<glm::vec4> radiance_;
-    std::vector<glm::vec4> coarser_; ///< one level after the other
+    std::vector<glm::vec4> coarser_; ///< holds one level after the other
 };
 
 } // namespace patina

@@ -15,15 +15,15 @@
 namespace patina {
 namespace {
 
-/// Lines lie beside the shape and the shader rounds: the box counts as larger by this share of the
-/// way to what is drawn.
+/// The box counts as larger by this share of the distance to what is drawn, because outlines extend
+/// beyond a shape and shaders round.
 constexpr double margin = 0.01;
 
 constexpr std::array<glm::dvec3, 3> axes{glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(0.0, 1.0, 0.0),
                                          glm::dvec3(0.0, 0.0, 1.0)};
 
-/// Tells whether a box and the body that the eye and eight corners span lie apart along a
-/// direction. Both are taken from the middle of the box.
+/// Tells whether a box and the convex hull of the eye and eight corners are separate. Coordinates
+/// are relative to the middle of the box.
 class Apart {
   public:
     Apart(const glm::dvec3& half, const glm::dvec3& eye, const FogReach::Corners& corners)
@@ -41,8 +41,8 @@ class Apart {
         return minPlace > reach || maxPlace < -reach;
     }
 
-    /// Two such bodies are apart when they are along the normal of a face of either, or across an
-    /// edge of each (the theorem of separating axes).
+    /// Returns true when some axis separates the two: a normal of a face, or the cross product of
+    /// two edges (the separating axis theorem).
     bool anywhere() const {
         const std::array<glm::dvec3, 3> edges{corners_[1] - corners_[0], corners_[2] - corners_[0],
                                               corners_[4] - corners_[0]};
@@ -119,7 +119,7 @@ void FogReach::addHeights(const Corners& corners) {
     lowest_ = std::min(lowest_, lowest - margin * farthest);
 }
 
-/// The density nowhere rises with height: a way that ends lower has more of it on the mean.
+/// The density never rises with height, so a path to the lowest point has the highest mean density.
 double FogReach::thickness() const {
     if (!layer_ || !std::isfinite(lowest_)) {
         return 1.0;

@@ -18,28 +18,29 @@
 namespace patina {
 
 /// Decides whether rays from the eye to what is drawn may meet the box that a scene's fog fills,
-/// and how much of fog that gets thinner with height. Where nobody knows they meet all of it.
+/// and how thick fog that gets thinner with height can be along them. In doubt it assumes the most
+/// fog.
 class FogReach {
   public:
-    /// Holds the eight corners of a box, numbered as by cornerOf().
+    /// Has the eight corners of a box in world space, numbered as by cornerOf().
     using Corners = std::array<glm::dvec3, 8>;
 
-    /// `eye` is in world space.
+    /// Takes the fog of `scene`; `eye` is in world space.
     FogReach(const Scene& scene, const Catalog& catalog, const glm::dvec3& eye);
 
-    /// Tells whether it matters what is drawn.
+    /// Returns true when what is drawn matters: the fog has a box or gets thinner with height.
     bool asks() const { return box_ || layer_; }
 
-    /// Adds a box of world space, which need not stand along its axes. Of more than `most` the rest
-    /// counts as met. Allocates nothing.
+    /// Adds a box of world space, which may be rotated. Boxes beyond `maxCount` count as met by the
+    /// fog. It allocates nothing.
     void add(const Corners& corners);
     void add(const Bounds& bounds, const glm::dmat4& world);
     static constexpr int maxCount = 1000;
 
-    /// No ray to what was added meets the box.
+    /// Returns true when no ray to what was added meets the box of the fog.
     bool misses() const { return box_ && !isMet_; }
 
-    /// See EffectView::fogThickness.
+    /// Returns EffectView::fogThickness; 1 when nothing is known.
     double thickness() const;
 
   private:
@@ -52,10 +53,11 @@ class FogReach {
     glm::dvec3 eye_;
     int count_ = 0;
     bool isMet_ = false;
-    double lowest_ = std::numeric_limits<double>::infinity(); ///< what is drawn
+    double lowest_ = std::numeric_limits<double>::infinity(); ///< is the lowest height of what was
+                                                              ///< added
 };
 
-/// Returns what depths and fog say to the choice of effects.
+/// Returns what the choice of effects needs to know of depths and fog.
 EffectView effectView(const DepthRange& depths, const FogReach& fog);
 
 } // namespace patina

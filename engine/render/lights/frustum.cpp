@@ -11,8 +11,9 @@
 namespace patina {
 namespace {
 
-constexpr double minDepthShare = 0.99; ///< that the nearest depth is of the farthest, at most
-constexpr double minThickness = 1e-4;  ///< of what lies between two planes, as a share
+constexpr double minDepthShare = 0.99; ///< limits the near plane to this share of the far one
+constexpr double minThickness = 1e-4;  ///< is the least distance between the planes, as a share of
+                                       ///< the near one
 
 } // namespace
 

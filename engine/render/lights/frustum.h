@@ -11,7 +11,7 @@
 
 namespace patina {
 
-/// Measures how deep what is drawn reaches, seen from the camera.
+/// Collects the depths of what is drawn, in metres from the camera.
 class DepthRange {
   public:
     /// Adds a box of object space.
@@ -20,19 +20,19 @@ class DepthRange {
     /// Adds points of world space.
     void add(std::span<const glm::dvec3> points, const glm::dmat4& worldToCamera);
 
-    /// Adds a distance along the view.
+    /// Adds a depth, the distance along the direction of view; ignores one that is not finite.
     void add(double depth);
 
-    /// Adds a distance from the eye.
+    /// Adds a distance from the eye; ignores one that is not finite.
     void addReach(double distance);
 
-    /// Returns distances of the near and the far plane: around everything that was added, the near
-    /// one at least a ten-thousandth of the far one so that depths stay apart. 0.1 and 100 for
-    /// nothing.
+    /// Returns the distance of the near plane. Both planes enclose everything that was added; they
+    /// are 0.1 and 100 without anything. The near one is at least a ten-thousandth of the far one,
+    /// so that depths keep their precision.
     double near() const;
     double far() const;
 
-    /// Returns the distance from the eye to the farthest point; 0 for nothing.
+    /// Returns the distance from the eye to the farthest point; 0 without any.
     double farthest() const { return farthestPoint_; }
 
   private:
@@ -41,9 +41,9 @@ class DepthRange {
     double farthest_ = 0.0;
 };
 
-/// Returns the perspective of a camera whose image is `aspect` times as wide as high. The
-/// (vertical) field of view is brought into 1 .. 170 degrees. What the camera's own planes cut away
-/// is not in it; without them all depths are.
+/// Returns the perspective of a camera whose image is `aspect` times as wide as high. The vertical
+/// field of view is clamped to 1 .. 170 degrees. The planes are the camera's own where it has them,
+/// else they enclose all depths.
 glm::dmat4 projection(const Camera& camera, double aspect, const DepthRange& depths);
 
 } // namespace patina

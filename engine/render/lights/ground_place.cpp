@@ -11,13 +11,13 @@
 namespace patina {
 namespace {
 
-/// The ground reaches so many times as far as the objects.
+/// The radius of the ground is this many times half the diagonal of the objects.
 constexpr double groundReach = 12.0;
 
-/// So much of the objects' size the ground lies below their lowest point.
+/// The ground lies below the lowest point of the objects by this share of their size.
 constexpr double lieBelow = 5e-4;
 
-/// Metres; a ground under larger scenes would have no usable depths.
+/// metres; a ground under a larger scene would leave no usable precision of depths
 constexpr double largestScene = 1e9;
 
 } // namespace
@@ -85,8 +85,8 @@ double lowestPoint(const MeshView& mesh, const glm::dmat4& world) {
     double lowest = 0.0;
     if ((up.x != 0.0) + (up.y != 0.0) + (up.z != 0.0) <= 1) {
         for (int axis = 0; axis < 3; ++axis) {
-            lowest += std::min(up[axis] * mesh.bounds.lower[axis],
-                               up[axis] * mesh.bounds.upper[axis]);
+            lowest +=
+                std::min(up[axis] * mesh.bounds.lower[axis], up[axis] * mesh.bounds.upper[axis]);
         }
         return lowest + world[3][1];
     }

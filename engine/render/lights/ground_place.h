@@ -13,19 +13,21 @@
 
 namespace patina {
 
-/// Says where the ground's disk lies.
+/// Says where the ground's disk lies in world space.
 struct GroundPlace {
     glm::dvec3 middle{0.0};
     double radius = 1.0; ///< metres
 };
 
-/// Finds what stands on the ground, and so where it lies.
+/// Collects the objects that stand on the ground, to place the ground under them.
 class GroundUnder {
   public:
-    /// Adds an object: a box of its own space, its way into the world, its lowest height there.
+    /// Adds an object: a box of its own space, its transform into the world, and its lowest height
+    /// in the world.
     void add(const Bounds& bounds, const glm::dmat4& world, double lowest);
 
-    /// Nothing where there is no ground, nothing on it, or it is not seen because the eye is below.
+    /// Returns where the ground lies; nothing when it is off, when no object (or too large a scene)
+    /// stands on it, or when the eye is below it.
     std::optional<GroundPlace> place(const Ground& ground, const glm::dvec3& eye) const;
 
   private:
@@ -34,18 +36,18 @@ class GroundUnder {
     double lowest_ = std::numeric_limits<double>::infinity();
 };
 
-/// Adds what the ground needs to the depths of what is drawn.
+/// Adds the depths of the ground to those of what is drawn.
 void addGround(DepthRange& depths, const GroundPlace& place, const Camera& camera);
 
-/// Leads from a square of two metres a side, level at the origin, into the world.
+/// Returns the transform of groundMesh() into the world.
 glm::dmat4 worldMatrix(const GroundPlace& place);
 
-/// Returns that square, and its box.
+/// Returns a level square of two metres a side around the origin; groundBounds() is its box.
 Mesh groundMesh();
 Bounds groundBounds();
 
-/// Returns the lowest height of a mesh in the world. Exact: a box's corners lie lower than what is
-/// in it when it is turned.
+/// Returns the lowest height of a mesh in the world. It looks at all vertices of a rotated mesh,
+/// because the corners of a rotated box lie lower than the mesh.
 double lowestPoint(const MeshView& mesh, const glm::dmat4& world);
 
 } // namespace patina

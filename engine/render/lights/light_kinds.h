@@ -12,32 +12,35 @@
 
 namespace patina {
 
-/// Knows which kinds of lights reach the objects of a list: what no light of reaches them is not in
-/// their programs. Lists in which lights but no kinds are missing have the same programs. Keeps its
-/// memory from frame to frame.
+/// Knows which kinds of lights reach the objects of a list of LightLists. The code of a kind that
+/// does not reach them is left out of their programs. Lists with different lights of the same kinds
+/// share their programs. It keeps its memory from frame to frame.
 class LightKinds {
   public:
-    /// Begins a new frame. `effects` has the effects that the programs are to have.
+    /// Begins a frame. `effects` is the scene whose effects the programs have.
     void begin(const Scene& effects, const Catalog& catalog);
 
-    /// Returns the number of the kinds that are missing in a list, the same for lists in which the
-    /// same are; 0: none.
+    /// Returns a number for the set of kinds that are missing in a list; lists with equal sets have
+    /// equal numbers, and 0 means that none is missing.
     std::size_t missingKinds(const LightLists& lists, std::size_t list);
 
-    /// Returns the lights of the kinds that are missing, as EffectView::unreached; null for 0.
+    /// Returns the lights of the missing kinds, for EffectView::unreached; null for 0.
     std::shared_ptr<const LightSet> lights(std::size_t missing) const;
 
   private:
     std::size_t find(const LightLists& lists, std::size_t list);
 
-    std::vector<std::uint64_t> keys_;       ///< by kind: EffectKey::ofLight of its lights
-    std::vector<std::size_t> kindOf_;       ///< by light: its kind + 1; 0: it is in no program
-    std::vector<std::size_t> missingKinds_; ///< by list: missingKinds() + 1; 0: not known yet
-    std::vector<char> isThere_;             ///< by kind
+    std::vector<std::uint64_t> keys_;       ///< has for each kind EffectKey::ofLight of its lights
+    std::vector<std::size_t> kindOf_;       ///< has for each light its kind + 1; 0 for one that is
+                                            ///< in no program
+    std::vector<std::size_t> missingKinds_; ///< has for each list missingKinds() + 1; 0 while that
+                                            ///< is unknown
+    std::vector<char> isThere_;             ///< says for each kind whether the list has a light of
+                                            ///< it
     LightSet found_;
     std::size_t missingCount_ = 0;
-    std::vector<std::shared_ptr<LightSet>>
-        lights_; ///< by missingKinds() - 1; those from missingCount_ on are spare
+    std::vector<std::shared_ptr<LightSet>> lights_; ///< has the lights for each missingKinds() - 1;
+                                                    ///< those from missingCount_ on are unused
 };
 
 } // namespace patina

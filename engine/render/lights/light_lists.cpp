@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::size_t wordBits = 64;
 
-/// Directions and distances are rounded in the shader: a light that just misses counts as a hit.
+/// Directions and distances are rounded in the shader, so a light that misses by this much, in
+/// radians or as a share of the range, counts as a hit.
 constexpr double rangeMargin = 1e-4;
 
 } // namespace
@@ -54,7 +55,8 @@ void LightLists::add(std::size_t index, const Light& light, const Block& block) 
     }
 }
 
-/// In the cone is what is seen from its tip under no more than its angle and half the ball's own.
+/// A ball meets the cone when the angle between its middle and the axis is at most the cone's angle
+/// plus half the angle that the ball fills, seen from the tip.
 bool LightLists::reaches(const LightReach& light, const Ball& ball) {
     const glm::dvec3 way = ball.center - light.from;
     const double distance = glm::length(way);

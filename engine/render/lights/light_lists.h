@@ -15,28 +15,28 @@
 
 namespace patina {
 
-/// Represents a ball that holds an object or the ground, in world space.
+/// Is a bounding sphere of an object or of the ground, in world space.
 struct Ball {
     glm::dvec3 center{0.0};
     double radius = 0.0;
 };
 
-/// Returns the ball around a box of object space.
+/// Returns the bounding sphere of a box of object space.
 Ball ballAround(const Bounds& bounds, const glm::dmat4& world);
 
-/// Returns the ball around the ground's square.
+/// Returns the bounding sphere of the ground's square.
 Ball ballAround(const GroundPlace& ground);
 
-/// Knows which of a scene's lights reach which objects, by what the lights' descriptors say of
-/// their reach: a light is on the list of every object that it may reach. Objects that are reached
-/// by the same lights share a list. Keeps its memory from frame to frame.
+/// Knows which lights of a scene reach which objects, from the reach in the lights' descriptors: a
+/// light is on the list of every object that it may reach. Objects that the same lights reach share
+/// a list. It keeps its memory from frame to frame.
 class LightLists {
   public:
-    /// Begins a new frame: only the list with all lights is there, number 0.
+    /// Begins a frame with one list, number 0, which has all lights.
     void begin(const Scene& scene, const Catalog& catalog);
 
-    /// Returns the number of the list for an object. There are at most `most` of them; objects
-    /// beyond get the list with all lights.
+    /// Returns the number of the list for an object. There are at most `maxCount` lists besides
+    /// number 0; when they are used up, an object gets number 0.
     std::size_t listFor(const Ball& ball);
     static constexpr std::size_t maxCount = 64;
 
@@ -45,13 +45,13 @@ class LightLists {
     /// Returns the lights that are not on the list.
     LightSet unreached(std::size_t list) const;
 
-    /// Tells whether every object has all lights.
+    /// Returns true when every object has all lights.
     bool isOne() const { return bounded_.empty(); }
 
     std::size_t count() const { return words_ == 0 ? 1 : bits_.size() / words_; }
 
   private:
-    /// A light that does not reach everything.
+    /// Is a light that does not reach everything.
     struct Bounded {
         std::size_t light = 0;
         LightReach reach;
@@ -61,9 +61,11 @@ class LightLists {
     static bool reaches(const LightReach& light, const Ball& ball);
 
     std::vector<Bounded> bounded_;
-    std::vector<std::size_t> places_; ///< by light: its place in bounded_ + 1, or 0
-    std::size_t words_ = 0;           ///< per list
-    std::vector<std::uint64_t> bits_; ///< of all lists: whether a bounded light is on it
+    std::vector<std::size_t> places_; ///< has for each light its index in bounded_ + 1; 0 if it is
+                                      ///< not there
+    std::size_t words_ = 0;           ///< is the number of words per list in bits_
+    std::vector<std::uint64_t> bits_; ///< has a bit for each list and bounded light, 1 if the light
+                                      ///< is on the list
 };
 
 } // namespace patina

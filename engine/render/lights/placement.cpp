@@ -6,7 +6,7 @@
 namespace patina {
 namespace {
 
-/// Places are rounded on their way to the screen.
+/// Allows for the rounding of positions on their way to the screen.
 constexpr double planeMargin = 1e-5;
 
 } // namespace
@@ -14,8 +14,7 @@ constexpr double planeMargin = 1e-5;
 Placement placementOf(const Object& object, const Bounds& bounds) {
     Placement placement;
     placement.world = worldMatrix(object);
-    placement.middle =
-        glm::dvec3(placement.world * glm::dvec4(glm::dvec3(bounds.center()), 1.0));
+    placement.middle = glm::dvec3(placement.world * glm::dvec4(glm::dvec3(bounds.center()), 1.0));
     for (int corner = 0; corner < 8; ++corner) {
         placement.corners[static_cast<std::size_t>(corner)] =
             glm::dvec3(placement.world * cornerOf(bounds, corner));
@@ -51,8 +50,7 @@ void PlacementStore::makeRoom(std::size_t objects) {
     }
 }
 
-const Placement& PlacementStore::of(std::size_t index, const Object& object,
-                                    const Bounds& bounds) {
+const Placement& PlacementStore::of(std::size_t index, const Object& object, const Bounds& bounds) {
     Entry& entry = entries_[index];
     if (!entry.isOf(object, bounds)) {
         entry.translation = object.translation;

@@ -14,25 +14,26 @@
 
 namespace patina {
 
-/// Says where an object is, in world space: what follows from its transform and its mesh's box.
+/// Holds where an object is, in world space, computed from its transform and its mesh's box.
 struct Placement {
     glm::dmat4 world{1.0};
     glm::dvec3 middle{0.0};              ///< of the box
     std::array<glm::dvec3, 8> corners{}; ///< of the box
-    Ball ball;                           ///< around the box
+    Ball ball;                           ///< encloses the box
     Instance instance;
 };
 
 Placement placementOf(const Object& object, const Bounds& bounds);
 
-/// Tells whether nothing of the box can be in the picture. `worldToClip` is a perspective whose
+/// Returns true when nothing of the box can be in the picture. `worldToClip` is a perspective; its
 /// near and far plane do not matter.
 bool isOutside(const Placement& placement, const glm::dmat4& worldToClip);
 
-/// Holds the placements of a scene's objects, computed again only when one has changed.
+/// Keeps the placements of a scene's objects and computes one again only when it has changed.
 class PlacementStore {
   public:
-    /// Placements of the same frame stay where they are.
+    /// Makes room for this many objects, so that references to placements stay valid during the
+    /// frame.
     void makeRoom(std::size_t objects);
     const Placement& of(std::size_t index, const Object& object, const Bounds& bounds);
 

@@ -14,17 +14,18 @@
 namespace patina {
 namespace {
 
-/// Wider cones get the six faces of a light that shines everywhere: a plane has no such angle.
+/// A wider cone gets the six faces of a light that shines everywhere, since one face cannot cover
+/// it.
 constexpr double widestCone = glm::radians(75.0);
 
-/// Is the share of the farthest depth that the nearest has at least, so that depths stay apart.
+/// Is the least ratio of the nearest to the farthest depth, which keeps the precision of depths.
 constexpr double nearestShare = 1e-3;
 
-/// Says what the light's descriptor says of its place, in the world.
+/// Holds the position, direction and angle of a light in world space, as its descriptor gives them.
 struct LightFrame {
     glm::dvec3 position{0.0};
     glm::dvec3 direction{0.0, -1.0, 0.0}; ///< unit
-    double angle = 0.0;                   ///< radians: its widest
+    double angle = 0.0;                   ///< radians: the widest of its angles
 };
 
 glm::dvec3 unit(const glm::dvec3& v) {
@@ -60,7 +61,8 @@ LightFrame frameOf(const Block& light, const Values& values, const glm::dmat4& c
     return frame;
 }
 
-/// Makes a frame about `forward`; which way up it stands does not matter, but it never jumps far.
+/// Turns the frame to `forward`. Its rotation about that axis does not matter, but must not jump
+/// while `forward` moves a little.
 void turnTo(ShadowView& view, const glm::dvec3& forward) {
     const glm::dvec3 aside =
         std::abs(forward.y) < 0.9 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0);
@@ -74,7 +76,7 @@ glm::dvec3 seenFrom(const ShadowView& view, const glm::dvec3& x) {
     return {glm::dot(d, view.right), glm::dot(d, view.up), glm::dot(d, view.forward)};
 }
 
-/// Visits the corners of all boxes, as the view sees them.
+/// Calls `use` for the corners of all boxes in the view's frame; skips corners that are not finite.
 template <class Use>
 void eachCorner(const ShadowView& view, std::span<const CasterBox> casters, Use use) {
     for (const CasterBox& caster : casters) {
@@ -99,13 +101,13 @@ struct Range {
     bool empty() const { return !(lower.x <= upper.x); }
 };
 
-/// Returns the next size up in steps of a twelfth of a power of two.
+/// Rounds a size up to the next power of 2^(1/12).
 double stepped(double size) {
     return std::exp2(std::ceil(12.0 * std::log2(std::max(size, 1e-9))) / 12.0);
 }
 
-/// Fits a square window about the range's middle whose texels lie on a fixed grid, with a margin of
-/// two texels for filters.
+/// Sets a square window about the range's middle, whose texels lie on a fixed grid. It has a margin
+/// of two texels for filters.
 void fitWindow(ShadowView& view, const Range& range, int texels) {
     const glm::dvec2 size(range.upper - range.lower);
     const double side = stepped(std::max(size.x, size.y)) * texels / (texels - 5.0);
@@ -133,7 +135,7 @@ ShadowView parallelView(const LightFrame& frame, std::span<const CasterBox> cast
     return view;
 }
 
-/// Sets depths from `nearest` to `farthest`, with a margin.
+/// Sets the planes to enclose depths from `nearest` to `farthest`, with a margin.
 void setDepths(ShadowView& view, double nearest, double farthest) {
     view.far = 1.01 * std::max(farthest, 1e-6);
     view.near = std::max(0.99 * nearest, nearestShare * view.far);
@@ -164,8 +166,7 @@ ShadowView coneView(const LightFrame& frame, std::span<const CasterBox> casters,
     return view;
 }
 
-/// Returns metres from the light to the nearest point of the boxes, seen along the axes of the
-/// faces.
+/// Returns the least depth of the boxes, in metres along the axes of the faces.
 double nearestOf(const ShadowView& view, std::span<const CasterBox> casters) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const CasterBox& caster : casters) {
@@ -196,7 +197,7 @@ ShadowView sphereView(const LightFrame& frame, std::span<const CasterBox> caster
     return view;
 }
 
-/// The frame of a face, as passes/shadow_local.glsl turns the way to it.
+/// Returns the view turned to a face, as passes/shadow_local.glsl turns directions.
 ShadowView faceOf(const ShadowView& view, int face) {
     ShadowView turned = view;
     const auto set = [&turned](const glm::dvec3& right, const glm::dvec3& up,
@@ -294,8 +295,8 @@ glm::dmat4 shadowClip(const ShadowView& view, int face) {
 
 namespace {
 
-/// Returns the map's corner nearest to the light, nearer still by what places and depths are
-/// rounded by, so that no surface is behind itself.
+/// Returns the origin of the map's coordinates relative to the view's origin. It is moved towards
+/// the light by the rounding error of positions and depths, so that no surface shadows itself.
 glm::dvec3 mapCorner(const ShadowView& view, double side) {
     const double farthest = std::max(std::abs(view.near), std::abs(view.far));
     const double rounding = 1e-6 * (farthest + view.far - view.near);
