@@ -11,7 +11,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Lists of lights are few (LightLists::most), and there are fewer than 2^24 materials in a frame.
+/// Packs mesh, material and list into one key. There are fewer than 256 lists of lights
+/// (LightLists::maxCount) and fewer than 2^24 materials in a frame.
 std::uint64_t keyOf(const DrawItem& item) {
     return item.mesh->serial() << 32 | std::uint64_t(item.material) << 8 |
            std::uint64_t(item.lights);
@@ -38,7 +39,7 @@ void DrawList::order(std::span<const DrawItem> items, std::span<const DrawMateri
     addTransparent(items, materials);
 }
 
-/// Finds what is drawn with one call, in the order of the scene.
+/// Groups opaque items into batches, in the order of the scene.
 void DrawList::addOpaque(std::span<const DrawItem> items, std::span<const DrawMaterial> materials) {
     static_assert(LightLists::maxCount < 255);
     known_.clear(items.size());
@@ -61,7 +62,7 @@ void DrawList::addOpaque(std::span<const DrawItem> items, std::span<const DrawMa
     }
 }
 
-/// Finds how near the nearest object of each material and of its program is.
+/// Finds the distance of the nearest object of each material and of each program.
 void DrawList::rank(std::span<const DrawMaterial> materials) {
     ranks_.assign(materials.size(), {infinity, infinity});
     programs_.clear();
@@ -105,7 +106,7 @@ void DrawList::sortBatches(std::span<const DrawMaterial> materials) {
     order_.resize(first);
 }
 
-/// Puts each item into its batch, then near ones before far ones.
+/// Puts each item into its batch, then sorts each batch by distance.
 void DrawList::placeItems(std::span<const DrawItem> items) {
     for (DrawBatch& batch : batches_) {
         batch.count = 0;

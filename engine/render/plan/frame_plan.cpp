@@ -4,7 +4,7 @@
 namespace patina {
 namespace {
 
-/// Frames of more triangles are drawn in steps when there is a deadline.
+/// A frame of more triangles is drawn in steps when there is a deadline.
 constexpr std::int64_t maxTrianglesAtOnce = 200000;
 
 } // namespace

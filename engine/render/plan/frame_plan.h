@@ -17,51 +17,54 @@
 
 namespace patina {
 
-/// Says what is drawn of the ground of a frame.
+/// Says whether and how a frame's ground is drawn.
 struct PlannedGround {
     bool isSeen = false;
     GroundPlace place;
-    std::size_t lights = 0;                   ///< the number of its list
-    std::size_t missing = 0;                  ///< of lights, LightKinds::missingKinds() for it
-    std::shared_ptr<const Pipeline> pipeline; ///< null: there is nothing to draw it with
+    std::size_t lights = 0;                   ///< is the number of its list in LightLists
+    std::size_t missing = 0;                  ///< is LightKinds::missingKinds() for it
+    std::shared_ptr<const Pipeline> pipeline; ///< is null when there is no program to draw it with
 };
 
-/// Holds what a frame shows: which objects with which materials, the lights that reach them, the
-/// ground, where the camera is and how deep all of it reaches. FramePlanner makes it from a scene
-/// and a view alone; what prepares the frame adds meshes of the GPU, programs and the order of
-/// drawing.
+/// Holds what a frame shows: objects and their materials, the lights that reach them, the ground,
+/// the camera and the range of depths. FramePlanner makes it from a scene and a view alone; what
+/// prepares the frame adds meshes of the GPU, programs and the order of drawing.
 struct FramePlan {
-    const Scene* scene = nullptr;   ///< whose values are drawn
-    const Scene* effects = nullptr; ///< whose effects the programs have: often the scene itself
+    const Scene* scene = nullptr;   ///< is the scene whose values are drawn
+    const Scene* effects = nullptr; ///< is the scene whose effects the programs have; often `scene`
+                                    ///< itself
     const View* view = nullptr;
-    bool isHeld = false;   ///< the effects are not the scene's own, and a drag must not compile
-    bool isUnseen = false; ///< it is drawn for its programs alone
+    bool isHeld = false;   ///< says that the effects may not be the scene's own, so that a drag
+                           ///< compiles nothing
+    bool isUnseen = false; ///< says that the frame is drawn only to compile its programs
     glm::dmat4 worldToCamera{1.0};
     glm::dmat4 cameraToWorld{1.0};
     glm::dvec3 eye{0.0}; ///< in world space
     DepthRange depths;
-    DepthRange layerDepths;              ///< of what is transparent
-    std::vector<DrawItem> items;         ///< in the scene's order
-    std::vector<DrawMaterial> materials; ///< of the items
+    DepthRange layerDepths;              ///< covers only transparent objects
+    std::vector<DrawItem> items;         ///< has the items in the scene's order
+    std::vector<DrawMaterial> materials; ///< has the different materials of the items
     LightLists lightLists;
     LightKinds lightKinds;
     PlannedGround ground;
-    EffectView effectView; ///< what the view says to the programs, but for missing lights
+    EffectView effectView; ///< is what the programs depend on in the view, except missing lights
     DrawList list;
-    std::vector<const void*> sources; ///< what the programs and their messages come from
+    std::vector<const void*> sources; ///< has pointers to the sources of the programs and their
+                                      ///< messages
     std::int64_t triangles = 0;
-    std::int64_t edges = 0; ///< about so many that may have lines
+    std::int64_t edges = 0; ///< is about the number of edges that may be drawn as outlines
 
     glm::dmat4 worldToClip() const;
 
-    /// Returns the scene's values for the block by which the programs put together what is
-    /// transparent.
+    /// Returns the values of the block by which the programs compose transparent objects. They are
+    /// those of `effects` when the scene has another block.
     const BlockValues& transparency() const;
 
-    /// Tells whether there are so many triangles that they, not the pixels, are what takes long.
+    /// Returns true when triangles and edges, with `more` of them, are so many that they take
+    /// longer than the pixels.
     bool hasManyTriangles(std::int64_t more = 0) const;
 
-    /// Goes on with copies of the scene and the one of the effects.
+    /// Makes the plan refer to copies of its two scenes.
     void moveTo(const Scene& copy, const Scene& effectsCopy);
 };
 

@@ -13,12 +13,14 @@
 namespace patina {
 namespace {
 
-/// Neighbours often are, and then it need not be looked up.
+/// Returns true when two objects have the same mesh, as neighbours in a scene often do; then it
+/// need not be looked up again.
 bool isOfOneMesh(const Object& a, const Object& b) {
     return a.mesh == b.mesh && a.fitUnitBox == b.fitUnitBox && a.flipNormals == b.flipNormals;
 }
 
-/// Returns the scene whose effects the programs of a view have.
+/// Returns the scene whose effects the programs of a view have: the view's own if its objects and
+/// lights match, else `scene`.
 const Scene& effectsOf(const View& view, const Scene& scene) {
     const bool fits = view.effects != nullptr &&
                       view.effects->objects.size() == scene.objects.size() &&
@@ -26,7 +28,7 @@ const Scene& effectsOf(const View& view, const Scene& scene) {
     return fits ? *view.effects : scene;
 }
 
-/// Tells whether the frame's objects and its ground lie behind the fog's box or in it.
+/// Measures the fog between the eye and the frame's objects and ground.
 FogReach fogReach(const FramePlan& plan, const Catalog& catalog) {
     FogReach fog(*plan.effects, catalog, glm::dvec3(plan.cameraToWorld[3]));
     if (!fog.asks()) {
@@ -41,8 +43,8 @@ FogReach fogReach(const FramePlan& plan, const Catalog& catalog) {
     return fog;
 }
 
-/// Which lights the objects of a list have no code for. While a value is dragged the lists are data
-/// alone.
+/// Returns the kinds of lights for which the objects of a list need no code. While a value is
+/// dragged it returns 0, so that lists change data alone.
 std::size_t missingKinds(FramePlan& plan, std::size_t lights) {
     return plan.isHeld ? 0 : plan.lightKinds.missingKinds(plan.lightLists, lights);
 }
@@ -91,7 +93,7 @@ void FramePlanner::collect(FramePlan& plan, const MeshSource& meshes, const Cata
     plan.lightLists.begin(*plan.scene, catalog);
     plan.lightKinds.begin(*plan.effects, catalog);
     const glm::dmat4 worldToClip = plan.worldToClip();
-    const Object* last = nullptr; // of which `mesh` is
+    const Object* last = nullptr; // owns `mesh`
     MeshView mesh;
     for (std::size_t i = 0; i < objects.size(); ++i) {
         if (!isDrawn(objects[i])) {
@@ -124,8 +126,8 @@ DrawItem FramePlanner::itemOf(FramePlan& plan, std::size_t index, const MeshView
             materialOf(plan, index, missingKinds(plan, lights), catalog)};
 }
 
-/// Returns the number of an object's material. Two objects share one when both its values and the
-/// effects of their programs are the same.
+/// Returns the index of an object's material in the plan and adds it when it is new. Two objects
+/// share one when their values and the effects of their programs are the same.
 std::size_t FramePlanner::materialOf(FramePlan& plan, std::size_t object, std::size_t missing,
                                      const Catalog& catalog) {
     const Material& effects = plan.effects->objects[object].material;
@@ -149,7 +151,8 @@ std::size_t FramePlanner::materialOf(FramePlan& plan, std::size_t object, std::s
     return number;
 }
 
-/// While its opacity is dragged the ground is there at 0 too.
+/// Places the ground if the scene of the effects shows one. While its opacity is dragged that scene
+/// is kept, so that the ground stays at an opacity of 0.
 void FramePlanner::addGround(FramePlan& plan) {
     plan.ground = PlannedGround();
     if (!isSeen(plan.effects->ground)) {
@@ -173,7 +176,8 @@ bool FramePlanner::Lowest::isOf(const DrawItem& item) const {
            vertices.size() == item.view.vertices.size() && bounds == item.view.bounds;
 }
 
-/// Returns the lowest height of an object's mesh; looked up again only when the object has changed.
+/// Returns the lowest height of an object in the world; computes it only when the object has
+/// changed.
 double FramePlanner::lowestHeight(const DrawItem& item) {
     if (lowest_.size() <= item.index) {
         lowest_.resize(item.index + 1);

@@ -11,23 +11,24 @@
 
 namespace patina {
 
-/// Holds what is asked of a plan, apart from its scene, view and meshes.
+/// Holds the options of a plan.
 struct PlanWish {
-    bool holdsEffects = false; ///< as while a value is dragged: places and distances decide nothing
-    bool isUnseen = false;     ///< only programs are wanted: nothing lies outside the picture
+    bool holdsEffects = false; ///< keeps the effects while a value is dragged: positions and
+                               ///< distances do not change them
+    bool isUnseen = false;     ///< is for a frame that only compiles programs: no object counts as
+                               ///< outside the picture
 };
 
-/// Makes plans, which depend on nothing but what it is given. It remembers the placements and the
-/// lowest points of the last plan, so that planning the next one computes little and allocates
-/// nothing.
+/// Makes plans, which depend only on its arguments. It remembers the placements and the lowest
+/// points of the last plan, so that the next one computes little and allocates nothing.
 class FramePlanner {
   public:
-    /// The plan takes the place of the last one, which is no longer valid.
+    /// Fills `plan`. It invalidates the last plan, whose placements are reused.
     void make(FramePlan& plan, const Scene& scene, const View& view, const MeshSource& meshes,
               const Catalog& catalog, PlanWish wish = {});
 
   private:
-    /// Holds the lowest height of an object, as long as it is the same mesh at the same place.
+    /// Remembers the lowest height of an object, with the mesh and transform that it is valid for.
     struct Lowest {
         glm::dmat4 world{0.0};
         std::span<const Vertex> vertices;
@@ -47,7 +48,7 @@ class FramePlanner {
 
     PlacementStore placements_;
     KeyTable materialKeys_;
-    std::vector<Lowest> lowest_; ///< by object
+    std::vector<Lowest> lowest_; ///< has one for each object of the scene
 };
 
 } // namespace patina
