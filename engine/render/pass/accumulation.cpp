@@ -47,7 +47,7 @@ void Accumulation::add(const gl::Texture& frame, float share) {
     glViewport(0, 0, mean_.size().x, mean_.size().y);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_DITHER);
-    // mean + share (frame - mean), without reading what is not there yet.
+    // Computes mean + share (frame - mean); a share of 1 does not read the undefined mean.
     (share < 1.0f ? glEnable : glDisable)(GL_BLEND);
     glBlendColor(0.0f, 0.0f, 0.0f, share);
     glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);

@@ -8,22 +8,23 @@
 
 namespace patina {
 
-/// The mean of several frames of one picture, as 32-bit floats.
+/// Owns the mean of several frames of one picture, as 32-bit floats.
 class Accumulation {
   public:
-    /// Makes its program, where it has none.
+    /// Makes the program of add() unless it is there; the error is a message of the compiler.
     Result<void> prepare(const Catalog& catalog, ProgramCache& cache);
 
-    /// Prepares it and makes it fit; true when it did already, so that it may hold a mean.
+    /// Does prepare() and fits the image to `size`, in pixels. Returns true when it had that size
+    /// already, so that its mean is still there.
     Result<bool> fit(glm::ivec2 size, const Catalog& catalog, ProgramCache& cache);
 
-    /// Takes in a frame, which is `share` of the mean from now on: at 1 the only one.
+    /// Blends a frame into the mean with the weight `share`; 1 replaces the mean.
     void add(const gl::Texture& frame, float share);
 
     const gl::Texture& mean() const { return mean_; }
     unsigned framebuffer() const { return framebuffer_.name(); }
 
-    /// The shader files may have changed.
+    /// Drops the program, because the shader files may have changed.
     void forget() { program_.reset(); }
 
   private:

@@ -16,35 +16,37 @@
 
 namespace patina {
 
-/// Holds the materials of a frame that an image decides the shadows of, and the programs for them.
+/// Holds the materials of a frame whose shadows are cut out by an image, and the programs that draw
+/// them into shadow maps.
 class AlphaTestedCasters {
   public:
-    /// The shader files may have changed.
+    /// Drops all programs, because the shader files may have changed.
     void forget() { pipelines_.clear(); }
 
     /// Begins a frame.
     void clear() { count_ = 0; }
 
-    /// Returns one more material, with the opacity that its image takes from; its number counts
-    /// from 0.
+    /// Adds a material and returns its index. `opacity`, 0 .. 1, is the value that its image
+    /// modifies.
     std::size_t add(const Material& material, double opacity);
 
-    /// Makes their programs, and looks whether their images are there.
+    /// Makes the programs and notes whether the images are loaded. Fails when a program does not
+    /// compile.
     Result<void> prepare(const std::shared_ptr<const Catalog>& catalog, ProgramCache& programs,
                          const GpuTextureStore& textures);
 
-    /// Tells whether what decides their shadows has changed since noteDrawn().
+    /// Returns true when the shadows of a material have changed since noteDrawn().
     bool hasChanged() const { return hasChanged_; }
     void noteDrawn() { hasChanged_ = false; }
 
-    /// Uses the program of a material, with its data and its image.
+    /// Makes the program of a material current and binds its data and its image.
     void use(std::size_t number, const glm::mat4& worldToMap, FrameTextures& textures);
 
   private:
-    /// Holds what of a material its shadows depend on.
+    /// Holds the parts of a material on which its shadows depend.
     struct Caster {
-        Material material;       ///< its opacity and the image of that alone
-        std::uint64_t state = 0; ///< of the image
+        Material material;       ///< has only the opacity and its image
+        std::uint64_t state = 0; ///< is GpuTextureStore::stateOf() of the image
         std::shared_ptr<const Pipeline> pipeline;
     };
     using Key = std::tuple<TextureChannel, TextureMode, bool>;
@@ -53,7 +55,8 @@ class AlphaTestedCasters {
     pipelineFor(const Material& material, const std::shared_ptr<const Catalog>& catalog,
                 ProgramCache& programs);
 
-    std::vector<Caster> casters_; ///< kept for their memory: the first count_ are the frame's
+    std::vector<Caster> casters_; ///< holds the frame's materials in its first count_ entries; the
+                                  ///< others keep their memory
     std::size_t count_ = 0;
     bool hasChanged_ = false;
     std::map<Key, std::shared_ptr<const Pipeline>> pipelines_;

@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// Draws what is behind the objects: the target, cleared, and an environment's picture.
+/// Clears the target to the background color and draws an environment's picture behind the objects.
 class BackgroundPass : public Pass {
   public:
     Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;

@@ -11,7 +11,7 @@ bool BatchDrawer::drawTriangles(FrameGpu& gpu, const DrawBatch& batch, StepBudge
     });
 }
 
-/// Draws as solid objects are drawn: lines hide each other by their depth.
+/// Lines are drawn like opaque objects and hide each other by their depth.
 bool BatchDrawer::drawLines(const FramePlan& plan, FrameGpu& gpu, const DrawBatch& batch,
                             StepBudget& budget) {
     if (!plan.materials[batch.material].hasLines() || !batch.mesh->hasEdges() ||
@@ -26,7 +26,7 @@ bool BatchDrawer::drawLines(const FramePlan& plan, FrameGpu& gpu, const DrawBatc
     });
 }
 
-/// Draws `triangles` of each of the batch's objects, or as many edges.
+/// Draws all `triangles` (or edges) of each of the batch's objects in slices.
 bool BatchDrawer::drawSlices(FrameGpu& gpu, const DrawBatch& batch, int triangles,
                              StepBudget& budget,
                              const std::function<void(const DrawRange&)>& draw) {

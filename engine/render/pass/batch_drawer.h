@@ -9,18 +9,19 @@
 
 namespace patina {
 
-/// Draws the objects of a batch slice by slice, and knows where drawing them goes on.
+/// Draws the objects of a batch in slices, and remembers how far it came.
 class BatchDrawer {
   public:
-    /// Draws their triangles with what was fed. False where it is time to stop: the next call goes
-    /// on there.
+    /// Draws triangles of the batch with the program and data in use. Returns false when the budget
+    /// is used up; the next call continues.
     bool drawTriangles(FrameGpu& gpu, const DrawBatch& batch, StepBudget& budget);
 
-    /// Feeds and draws their lines, if they have any, likewise.
+    /// Does the same for the outlines of the batch, whose program and data it sets itself. Returns
+    /// true at once when there are none.
     bool drawLines(const FramePlan& plan, FrameGpu& gpu, const DrawBatch& batch,
                    StepBudget& budget);
 
-    /// Tells whether nothing of a batch is drawn yet, or all of it.
+    /// Returns true between batches: nothing of the batch is drawn yet, or all of it.
     bool isAtStart() const { return slices_.isAtStart(); }
 
   private:

@@ -8,7 +8,8 @@
 
 namespace patina {
 
-/// A program from before a change may look at what others do not.
+/// Fits the target again where a refracting program reads the scene's color, since a program kept
+/// from before a change may do so when the scene's effects do not.
 Result<bool> BlendedPass::prepare(FramePlan& plan, FrameGpu& gpu) {
     batch_ = 0;
     hasDepths_ = false;
@@ -60,7 +61,7 @@ bool BlendedPass::draw(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget)
     return true;
 }
 
-/// What lies in front of a transparent object is blended over its lines.
+/// Draws the surface and then its lines, so that objects in front are blended over both.
 bool BlendedPass::drawBatch(const FramePlan& plan, FrameGpu& gpu, const DrawBatch& batch,
                             StepBudget& budget) {
     if (!hasSurface_ && !drawSurface(plan, gpu, batch, budget)) {
@@ -122,7 +123,7 @@ bool BlendedPass::drawRefracting(const FramePlan& plan, FrameGpu& gpu, const Dra
     return true;
 }
 
-/// The farthest surface of the object, and then its own program again.
+/// Draws the farthest surface of the object, then sets the object's own program again.
 bool BlendedPass::drawBack(const FramePlan& plan, FrameGpu& gpu, const DrawBatch& batch,
                            StepBudget& budget) {
     const Ball& ball = plan.items[plan.list.items()[batch.first]].placement->ball;

@@ -9,15 +9,15 @@
 
 namespace patina {
 
-/// Draws what is transparent and not put together in layers: each object by itself, far ones first,
-/// with its lines. What was drawn before it is what is seen through one that refracts.
+/// Draws the transparent objects that are not composed in layers: each by itself with its outlines,
+/// far ones first. A refracting object shows what was drawn before it.
 class BlendedPass : public Pass {
   public:
     Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;
     bool draw(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) override;
     void forget() override { release(); }
 
-    /// Gives the memory of the targets back.
+    /// Frees the memory of the refraction targets.
     void release() { refraction_.reset(); }
 
   private:
@@ -30,12 +30,12 @@ class BlendedPass : public Pass {
                         StepBudget& budget);
     bool drawBack(const FramePlan& plan, FrameGpu& gpu, const DrawBatch& batch, StepBudget& budget);
 
-    std::size_t batch_ = 0;   ///< of the transparent ones
-    bool hasDepths_ = false;  ///< of the batch
-    bool hasBack_ = false;    ///< the farthest surface of the batch, where it refracts light
-    bool hasSurface_ = false; ///< the batch's, while its lines remain
+    std::size_t batch_ = 0;   ///< is an index into the transparent batches
+    bool hasDepths_ = false;  ///< says that the depths of the batch are drawn
+    bool hasBack_ = false;    ///< says that the farthest surface of a refracting batch is drawn
+    bool hasSurface_ = false; ///< says that the surface of the batch is drawn and its lines are not
     BatchDrawer drawer_;
-    std::optional<RefractionTargets> refraction_; ///< while something refracts light
+    std::optional<RefractionTargets> refraction_; ///< is empty while nothing refracts light
 };
 
 } // namespace patina

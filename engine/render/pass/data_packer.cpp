@@ -43,8 +43,7 @@ void packLight(std::span<glm::vec4> out, const LightPlace& place, const SceneToP
     }
 }
 
-/// Returns the key light: while a value is dragged it stays one that the programs have the code
-/// for.
+/// Returns the key light. While a value is dragged it stays one for which the programs have code.
 std::optional<std::size_t> keyLightOf(const SceneToPack& packing, const Pipeline& pipeline) {
     const Catalog& catalog = *pipeline.catalog;
     const std::optional<std::size_t> key = keyLight(packing.scene, catalog);
@@ -54,9 +53,9 @@ std::optional<std::size_t> keyLightOf(const SceneToPack& packing, const Pipeline
     return isKnown ? key : keyLight(packing.effects, catalog);
 }
 
-/// Packs the lights of a group, and its header: how many there are, where, and where the key light
-/// is, if it is there. A group that stands in the text line by line has all its lights; one that
-/// does not arrive is dark.
+/// Writes the lights of a group and its header: their count, their place, and that of the key
+/// light, if it is among them. A group that is unrolled in the program's text must have all its
+/// lights, so those that do not reach the object are written as zeros.
 void packGroup(PackedScene& packed, std::span<glm::vec4> out, const Pipeline& pipeline,
                std::size_t index, const SceneToPack& packing,
                const std::optional<std::size_t>& keyLight, const glm::dmat4& cameraToWorld) {
@@ -90,7 +89,8 @@ void packGroup(PackedScene& packed, std::span<glm::vec4> out, const Pipeline& pi
     out[static_cast<std::size_t>(group.light.first)] = glm::vec4(count, start, keyPlace, 0.0f);
 }
 
-/// Lines come first: the program reads them without asking how many there are.
+/// Writes unrolled groups first, because the program reads them at fixed places without their
+/// count.
 void packLights(PackedScene& packed, std::span<glm::vec4> out, const Pipeline& pipeline,
                 const SceneToPack& packing, const glm::dmat4& cameraToWorld) {
     const std::vector<LightGroup>& groups = pipeline.effects.lights;
@@ -110,7 +110,7 @@ void packPlace(std::span<glm::vec4> out, const BlockPlace& place, const Values& 
              cameraToWorld);
 }
 
-/// Data that effects have packed themselves.
+/// Packs the data of effects that have a function for it.
 template <class Owner>
 void packOwn(std::span<glm::vec4> out, const OwnData<Owner>& data, const Owner& owner,
              const EffectSet& set) {
@@ -121,7 +121,7 @@ void packOwn(std::span<glm::vec4> out, const OwnData<Owner>& data, const Owner& 
     }
 }
 
-/// Returns values for the place of a part: the owner's when it is the owner's block.
+/// Returns the values for a part: those of its owner when the owner has the same block, else none.
 const Values& partValues(const BlockPlace& place, const BlockParts& parts) {
     static const Values none;
     const BlockValues* part = partOf(parts, place.block->kind);
@@ -183,12 +183,12 @@ void packGround(std::span<glm::vec4> out, const Pipeline& pipeline, const Ground
     }
 }
 
-/// What lies back by a share of its distance lies back by the same in clip space at all of
-/// them. That share is a part of the picture's height: as little is to see of it through a long
-/// lens.
+/// Returns the offset in clip space that moves a point back by a share of its distance, which is
+/// the same at all distances. The share is limited by the picture's height, so that it is as
+/// invisible through a long lens.
 double farSide(const glm::dmat4& worldToClip, const glm::dvec3& eye) {
     constexpr double share = 1e-4;
-    constexpr double shareOfHeight = 1.0 / 3000.0; // of its half
+    constexpr double shareOfHeight = 1.0 / 3000.0; // is a share of half the height
     const double zoom = glm::length(glm::dvec3(glm::row(worldToClip, 1)));
     const double eyeDepth = (worldToClip * glm::dvec4(eye, 1.0)).z;
     return -std::min(share, shareOfHeight / zoom) * eyeDepth;

@@ -16,7 +16,7 @@
 namespace patina {
 namespace {
 
-/// Beyond this a half float's whole range is black or white.
+/// stops; beyond them the whole range of a half float is black or white
 constexpr double maxStops = 40.0;
 
 } // namespace
@@ -64,7 +64,7 @@ Result<DisplayPass::Stage*> DisplayPass::make(const Scene& scene, const Catalog&
     return &stages_.emplace(key, std::move(stage)).first->second;
 }
 
-/// Packs the values of the scene's curve, where it is the one of the program.
+/// Packs the values of the scene's tone curve; the defaults where the program has another curve.
 void DisplayPass::packTone(const FramePlan& plan) {
     static const Values none;
     static const AccuracyLevels exact;

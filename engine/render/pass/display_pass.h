@@ -19,21 +19,20 @@
 
 namespace patina {
 
-/// Applies exposure, tone mapping and the sRGB curve: from the linear image to a framebuffer.
+/// Draws the linear image into a framebuffer with exposure, tone curve and sRGB encoding.
 class DisplayPass : public Pass {
   public:
-    /// Compiles (or finds) the program for the scene's exposure and tone curve the first time it
-    /// is asked for: one that multiplies by nothing where the exposure is 0. A frame that is not
-    /// to be seen leaves what is shown with as it is.
+    /// Finds or compiles the program for the scene's exposure and tone curve; that for an exposure
+    /// of 0 has no multiplication. A frame that nobody sees does not change the program of show().
     Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;
 
-    /// Tells whether prepare() would find it, made before.
+    /// Returns true when prepare() would not need to compile for this scene.
     bool has(const Scene& scene, const Catalog& catalog) const;
 
     bool isPrepared() const { return current_ != nullptr; }
 
-    /// Draws with the program that was prepared last into the bound framebuffer; below a share of
-    /// 1 the result is mixed with what is there.
+    /// Draws with the program that was prepared last into the bound framebuffer. `exposure` is in
+    /// stops; a `share` below 1 blends the result with what is there.
     void show(const gl::Texture& linear, double exposure, double share = 1.0);
 
     void forget() override;
@@ -43,17 +42,17 @@ class DisplayPass : public Pass {
         std::shared_ptr<const gl::Program> program;
         int exposureUniform = -1;
         int toneUniform = -1;
-        const Block* tone = nullptr; ///< null: none
-        ParameterLayout layout;      ///< of its values
+        const Block* tone = nullptr; ///< is null without a tone curve
+        ParameterLayout layout;      ///< is that of the tone curve's values
     };
 
     Result<Stage*> make(const Scene& scene, const Catalog& catalog, ProgramCache& cache);
     void packTone(const FramePlan& plan);
 
     gl::VertexArray noVertices_ = gl::VertexArray::create();
-    std::map<std::uint64_t, Stage> stages_; ///< by EffectKey::ofDisplay()
+    std::map<std::uint64_t, Stage> stages_; ///< maps EffectKey::ofDisplay()
     const Stage* current_ = nullptr;
-    std::vector<glm::vec4> tone_; ///< the values of the curve
+    std::vector<glm::vec4> tone_; ///< holds the packed values of the tone curve
 };
 
 } // namespace patina

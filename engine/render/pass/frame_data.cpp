@@ -14,8 +14,10 @@
 namespace patina {
 namespace {
 
-/// Moving a point towards the eye by a share of its distance leaves it where it is on the picture,
-/// and changes its depth in clip space by that share (over one less it) of the eye's own.
+/// Returns OutlineLayout::line: the size of a pixel in clip space, and the depth that moves a line
+/// towards the eye by the width of a pixel. A point moved towards the eye by a share of its
+/// distance stays at its place in the picture; its depth in clip space changes by share / (1 -
+/// share) times the eye's own.
 glm::vec4 pixelInClipOf(const glm::dmat4& worldToClip, const glm::dvec3& eye, glm::dvec2 size) {
     const double wide =
         glm::length(glm::dvec3(worldToClip[0].x, worldToClip[1].x, worldToClip[2].x));
@@ -77,8 +79,8 @@ void FrameData::placeMaterials(FramePlan& plan) {
     materials_.makeRoom();
 }
 
-/// What the blocks of the frame's materials read in place of computing, where it is not what it
-/// was in the last frame.
+/// Fills the tables that blocks of materials read instead of computing, where they have changed
+/// since the last frame.
 void FrameData::fillTables(const FramePlan& plan) {
     tables_.makeRoom(plan.materials.size());
     for (std::size_t i = 0; i < plan.materials.size(); ++i) {
@@ -93,7 +95,7 @@ void FrameData::fillTables(const FramePlan& plan) {
     }
 }
 
-/// Fits what the light of the frame's materials is looked up by, where it is not what it was.
+/// Fits the lobes of the frame's materials where they have changed since the last frame.
 void FrameData::fitLobes(const FramePlan& plan) {
     lobes_.makeRoom(plan.materials.size());
     for (std::size_t i = 0; i < plan.materials.size(); ++i) {
@@ -103,7 +105,8 @@ void FrameData::fitLobes(const FramePlan& plan) {
             gpu_.report.filledTables +=
                 lobes_.fit(i, *pipeline, values, plan.cameraToWorld) ? 1 : 0;
         } else if (pipeline == nullptr || !pipeline->effects.environment) {
-            lobes_.drop(i); // a view that is at rest fits them again when the scene changes
+            lobes_.drop(i); // not where light is sampled for now: it is fitted again while the
+                            // scene changes
         }
     }
 }
@@ -168,8 +171,8 @@ void FrameData::feedLines(const FramePlan& plan, const DrawBatch& batch) {
     forgetProgram();
 }
 
-/// Programs that were made for the same scene read the same data; one that is left over from
-/// before a change that does not compile may read other data.
+/// Packs the block again only for another scene key: programs made for the same scene read the same
+/// data, but one kept from before a change may read other data.
 void FrameData::feedScene(const FramePlan& plan, const Pipeline& pipeline, std::size_t lights) {
     UniformBuffer& data = scenes_[lights];
     const Pipeline* fed = fedScenes_[lights];

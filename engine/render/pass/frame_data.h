@@ -16,34 +16,36 @@
 
 namespace patina {
 
-/// Holds what the programs of a frame read: uniform blocks, instances and tables, each written to
-/// the GPU only where it changed.
+/// Holds the data that the programs of a frame read: uniform blocks, instances and tables. Each is
+/// written to the GPU only where it changed.
 class FrameData : public Pass {
   public:
-    /// Serves the frames of `gpu`, which holds it.
+    /// Keeps a reference to `gpu`, which owns this object.
     explicit FrameData(FrameGpu& gpu);
 
-    /// Orders what is drawn, and finds or writes what does not depend on the scene's own values.
+    /// Orders the batches, uploads the view and the instances, places the materials' blocks, and
+    /// fills tables that changed.
     Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;
 
-    /// Call it before a step draws objects: nothing is known of what programs are in use.
+    /// Begins a step that draws objects: it binds the view's block and assumes no other block or
+    /// program to be in use.
     void bind();
 
-    /// Feeds the surfaces of a batch, whose program is in use then.
+    /// Binds all data for the surfaces of a batch and makes their program current.
     void feed(const FramePlan& plan, const DrawBatch& batch);
 
-    /// Feeds the lines of a batch.
+    /// Does the same for the outlines of a batch, which must have some.
     void feedLines(const FramePlan& plan, const DrawBatch& batch);
 
-    /// Feeds the lights of a list and what else is around objects.
+    /// Binds the scene's block with the lights of list `lights` for a pipeline.
     void feedScene(const FramePlan& plan, const Pipeline& pipeline, std::size_t lights);
 
-    /// Another program has come into use than that of the last batch.
+    /// Must be called after another program than that of the last batch was made current.
     void forgetProgram() { fedMaterial_.reset(); }
 
     const InstanceBuffer& instances() const { return instances_; }
 
-    /// Lights of this frame for which there was no room.
+    /// Returns how many lights of this frame did not fit into the scene's block.
     int lostLights() const { return lostLights_; }
 
   private:
@@ -57,14 +59,15 @@ class FrameData : public Pass {
 
     FrameGpu& gpu_;
     UniformBuffer view_;
-    std::vector<UniformBuffer> scenes_;      ///< by list of lights
-    std::vector<const Pipeline*> fedScenes_; ///< by list: who reads what is in it now
+    std::vector<UniformBuffer> scenes_;      ///< has one for each list of lights
+    std::vector<const Pipeline*> fedScenes_; ///< has for each list the pipeline that its content
+                                             ///< was packed for; null when unknown
     UniformPool materials_;
     std::optional<std::size_t> fedMaterial_;
-    TableStore tables_;           ///< by material
-    LobeStore lobes_;             ///< by material
-    InstanceBuffer instances_;    ///< in the list's order
-    glm::vec4 pixelInClip_{0.0f}; ///< see OutlineLayout::line
+    TableStore tables_;           ///< has one entry for each material
+    LobeStore lobes_;             ///< has one entry for each material
+    InstanceBuffer instances_;    ///< has the order of DrawList::items()
+    glm::vec4 pixelInClip_{0.0f}; ///< is OutlineLayout::line
     int lostLights_ = 0;
 };
 

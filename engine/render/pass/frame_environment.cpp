@@ -17,29 +17,30 @@ namespace {
 
 constexpr int roundSamples = EnvironmentLight::roundSamples;
 
-/// Rounds of directions in one frame, at most.
+/// Limits the rounds of directions in one frame.
 constexpr int maxRounds = 64;
 
-/// Rounds in a frame that only adds to what is seen, and need not be done soon, at most.
+/// Limits the rounds in a frame that only improves a picture that is already seen.
 constexpr int addedRounds = 8;
 
-/// What is seen behind the objects is a mean of so many looks where nothing else is sampled.
+/// Is the number of rounds for the blurred background where nothing else is sampled.
 constexpr int fittedRounds = 4;
 
-/// What a frame takes that must not keep a window waiting.
+/// Returns the rounds of a frame that must not keep a window waiting.
 int usualRounds() {
     static const int rounds = gl::isSoftware() ? 1 : 4;
     return rounds;
 }
 
-/// What blends is drawn at once, however long it takes.
+/// Returns true when a visible object is transparent; such objects are drawn in one step, however
+/// long that takes.
 bool blends(const Scene& effects, const Catalog& catalog) {
     return std::ranges::any_of(effects.objects, [&catalog](const Object& object) {
         return object.visible && isTransparent(object.material, catalog);
     });
 }
 
-/// Less than a round is drawn where no more are wanted.
+/// Rounds up to whole rounds, except a number below one round.
 int wholeRounds(int samples) {
     return samples < roundSamples ? samples
                                   : (samples + roundSamples - 1) / roundSamples * roundSamples;
@@ -47,7 +48,7 @@ int wholeRounds(int samples) {
 
 int samplesOf(const View& view, const Scene& effects, const Catalog& catalog, int done) {
     if (view.environmentSamples <= 0) {
-        // No more than there are already, so that the first ones are soon seen.
+        // Adds at most as many as there are already, so that the first ones are seen soon.
         const int added = blends(effects, catalog) ? 0 : std::min(done, addedRounds * roundSamples);
         const int maxSamples = std::max(usualRounds() * roundSamples, added);
         return wholeRounds(std::clamp(view.maxSamples - done, 1, maxSamples));
@@ -153,7 +154,7 @@ void FrameEnvironment::add(const gl::Texture& frame) {
     accumulation_.add(frame, static_cast<float>(double(count_) / double(done_)));
 }
 
-/// The first frame of a mean takes its place; those that follow are mixed with it.
+/// Draws twice, because the first frame of a mean replaces it and the next ones are blended.
 void FrameEnvironment::addUnseen(const gl::Texture& frame, const Catalog& catalog,
                                  ProgramCache& cache) const {
     Accumulation mean;

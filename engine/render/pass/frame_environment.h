@@ -8,63 +8,67 @@
 
 namespace patina {
 
-/// Holds the part that an environment has in frames: its light's data, what is seen behind the
-/// objects, and the mean of the frames of one picture. Nothing of it exists without an environment.
+/// Holds what frames need of an environment: the data of its light, the picture behind the objects,
+/// and the mean of the frames of one picture. Without an environment it takes no memory.
 class FrameEnvironment {
   public:
-    /// Holds what views share of it.
+    /// Names what views share of their environments.
     struct Shared {
         ProgramCache& cache;
         EnvironmentPictures& pictures;
     };
 
-    /// Prepares a frame of the scene, up to and with the first thing that takes long: true as long
-    /// as there may be more, and the next call goes on.
+    /// Prepares a frame in steps, each up to the first long piece of work. Returns true while there
+    /// may be more to do; then it must be called again.
     Result<bool> begin(const SceneToPack& scene, const View& view, const Catalog& catalog,
                        const Shared& shared);
 
-    /// Tells whether the frame that was prepared looks at an environment.
+    /// Returns true when the frame that was prepared has an environment.
     bool isIn() const { return light_.isIn(); }
 
-    /// Tells whether its picture is a mean of frames, because some material's light is sampled.
+    /// Returns true when the picture is a mean of frames, because the environment's light is
+    /// sampled.
     bool isSampled() const { return isIn() && count_ > 0; }
 
-    /// As begin() for a frame that is not to be seen: what the mean holds stays.
+    /// Does the same as begin() for a frame that nobody sees, at once and without changing the
+    /// mean.
     void prewarm(const SceneToPack& scene, const View& view, const Catalog& catalog,
                  const Shared& shared);
 
-    /// Returns what a level white surface that faces up reflects of it, seen from anywhere.
+    /// Returns the linear radiance that a white matte surface facing up reflects; 0 without an
+    /// environment.
     glm::dvec3 upward() const { return isIn() ? light_.upward() : glm::dvec3(0.0); }
 
-    /// See EnvironmentLight::radiance().
+    /// Returns EnvironmentLight::radiance().
     EnvironmentRadiance radiance() const { return light_.radiance(); }
 
-    /// Draws into the target that is bound, whose viewport is all of it.
+    /// Draws the environment into the bound target and its whole viewport; does nothing where it is
+    /// hidden. `aspect` is width over height.
     void drawBackground(const Camera& camera, const glm::dmat4& cameraToWorld, double aspect) const;
 
-    /// Binds it for the objects that are drawn next.
+    /// Binds the environment's data for the objects that are drawn next.
     void bind() const;
 
-    /// Call it when all of the frame is in this picture: its samples join the mean.
+    /// Adds a finished frame to the mean, weighted by its number of samples.
     void add(const gl::Texture& frame);
 
-    /// Uses the program that add() does on a mean of its own, behind prewarm(): drivers compile
-    /// when something is drawn.
+    /// Draws with the program of add() into an image of its own, after prewarm(), because drivers
+    /// compile when something is drawn.
     void addUnseen(const gl::Texture& frame, const Catalog& catalog, ProgramCache& cache) const;
 
-    /// Samples per pixel that are in the mean; 0 until the first frame of a picture is done.
+    /// Returns the samples per pixel in the mean; 0 until the first frame of a picture is done.
     int samples() const;
 
-    /// Rounds of samples of the frame that was prepared; 0 without an environment.
+    /// Returns the rounds of samples in the frame that was prepared; 0 when none are taken.
     int rounds() const;
 
-    /// Tells whether what was drawn last is in the mean.
+    /// Returns true when the mean has at least one frame of the current picture.
     bool hasPicture() const { return done_ > 0; }
 
     const gl::Texture& picture() const { return accumulation_.mean(); }
     unsigned framebuffer() const { return accumulation_.framebuffer(); }
 
-    /// Tells whether the mean is a picture of this size.
+    /// Returns true when the mean has a frame and this size, in pixels.
     bool holds(glm::ivec2 size) const;
 
     void forget();
@@ -73,8 +77,8 @@ class FrameEnvironment {
     EnvironmentLight light_;
     Accumulation accumulation_;
     gl::VertexArray noVertices_ = gl::VertexArray::create();
-    int done_ = 0;  ///< samples in the mean
-    int count_ = 1; ///< of the frame that is being drawn
+    int done_ = 0;  ///< is the number of samples in the mean
+    int count_ = 1; ///< is the number of samples of the frame that is being drawn
 };
 
 } // namespace patina

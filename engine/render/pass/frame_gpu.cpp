@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// More triangles than pixels are dense.
+/// Calls a frame dense when it has more triangles than pixels.
 Result<bool> FrameGpu::fitTarget(const FramePlan& plan, bool isReadBetween) {
     const PictureAccuracy& accuracy = plan.scene->accuracy;
     const View& view = *plan.view;

@@ -8,25 +8,27 @@
 
 namespace patina {
 
-/// Holds what the frames of one view are drawn with: what it shares with other views, and its own
+/// Holds the GPU objects that draw one view: a reference to what views share, and the view's own
 /// data, environment and targets.
 struct FrameGpu {
-    /// `resources` outlives it.
+    /// Keeps a reference to `resources`, which must outlive it.
     explicit FrameGpu(RenderResources& resources)
         : shared(resources), textures{shared.textures}, data(*this) {}
 
-    /// Returns what is drawn into: a sketch leaves the frames' own one as it is.
+    /// Returns the target that is drawn into; a sketch has its own, so that the frames' target is
+    /// kept.
     HdrTarget& target() { return isSketch ? sketchTarget : frameTarget; }
 
-    /// Makes the target fit the plan; true where it was made anew. `isReadBetween`: it is read
-    /// while there is more to draw.
+    /// Fits the target to the plan and returns true when its images were made again.
+    /// `isReadBetween` is that of HdrTarget::fit().
     Result<bool> fitTarget(const FramePlan& plan, bool isReadBetween);
 
-    /// Surround what a step draws of objects.
+    /// Binds the target, the data and the state for drawing objects; endObjects() follows in the
+    /// same step.
     void beginObjects();
     static void endObjects();
 
-    /// The picture that was drawn last, linear.
+    /// Returns the picture that was drawn last, linear.
     const gl::Texture& picture();
     unsigned pictureFramebuffer();
 
@@ -36,19 +38,19 @@ struct FrameGpu {
     FrameData data;
     FrameEnvironment environment;
     HdrTarget frameTarget;
-    HdrTarget sketchTarget; ///< while there is a sketch
+    HdrTarget sketchTarget; ///< has memory only while there is a sketch
     bool isSketch = false;
 };
 
-/// Holds the state that objects are drawn with.
+/// Names the depth and blend state with which objects are drawn.
 enum class BlendState {
-    Opaque,  ///< what is nearest is seen
-    Depths,  ///< depths alone
-    Blended, ///< over what is there, where the depth is the nearest or the same
+    Opaque,  ///< shows what is nearest
+    Depths,  ///< writes depths alone
+    Blended, ///< blends over what is there, where the depth is at most that in the target
 };
 void setBlendState(BlendState state);
 
-/// Leaves nothing of a frame bound, for whoever draws next.
+/// Unbinds what a frame has bound, for whoever draws next.
 void leaveState();
 
 } // namespace patina

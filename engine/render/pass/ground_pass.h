@@ -10,7 +10,7 @@
 
 namespace patina {
 
-/// Draws the ground: a plane, or shadows alone, behind the solid objects and in front of nothing.
+/// Draws the ground, a plane or its shadows alone, after the solid objects, which hide it.
 class GroundPass : public Pass {
   public:
     Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;
@@ -21,7 +21,7 @@ class GroundPass : public Pass {
 
     UniformBuffer data_;
     SingleInstance instance_;
-    std::optional<GpuMesh> mesh_; ///< once it was needed
+    std::optional<GpuMesh> mesh_; ///< is made when it is first needed
     bool isDrawn_ = false;
 };
 

@@ -86,7 +86,7 @@ void LayerComposer::forget() {
     depthPrograms_.clear();
 }
 
-/// An image, and the last time what holds them together.
+/// Makes the next image; the last call also sets isBuilt_.
 Result<void> LayerComposer::buildNext() {
     if (sum_.name() == 0) {
         sum_ = gl::TargetTexture::create(shape_.size, GL_RGBA32F, shape_.samples);
@@ -177,9 +177,9 @@ void LayerComposer::endCondition() const {
     }
 }
 
-/// Follows C. Everitt, Interactive order-independent transparency, 2001. Each layer is blended
-/// under those before it: their alpha is what they transmit. Once no sample has another layer, the
-/// device draws nothing any more.
+/// Peels layers by depth (C. Everitt, Interactive order-independent transparency, 2001). Each layer
+/// is blended under those before it, whose alpha is what they transmit. Once no sample has another
+/// layer, the device skips all drawing.
 bool LayerComposer::drawInOrder(const HdrTarget& target, const DrawObjects& drawObjects) {
     if (!std::exchange(progress_.isCleared, true)) {
         clearLayers();
@@ -196,7 +196,7 @@ bool LayerComposer::drawInOrder(const HdrTarget& target, const DrawObjects& draw
     return true;
 }
 
-/// Before the first layer lies one at the eye.
+/// Clears the sum, and the side that is read for the first layer to a depth at the eye.
 void LayerComposer::clearLayers() const {
     static constexpr float nearest = 0.0f;
     glBindFramebuffer(GL_FRAMEBUFFER, side(1).framebuffer.name());
@@ -206,7 +206,8 @@ void LayerComposer::clearLayers() const {
     glClearBufferfv(GL_DEPTH, 0, &nearest);
 }
 
-/// Returns the nearest that is behind the layer before and in front of what is solid.
+/// Draws the depths of the nearest surfaces that are behind the last layer and in front of solid
+/// objects.
 bool LayerComposer::drawDepths(const HdrTarget& target, const DrawObjects& drawObjects) const {
     const Side& at = side(progress_.layer);
     const Side& nearer = side(progress_.layer + 1);
@@ -246,9 +247,9 @@ bool LayerComposer::drawLayer(const DrawObjects& drawObjects) const {
     return isDone;
 }
 
-/// Follows McGuire and Bavoil 2013: a weighted sum, and the product of what the surfaces transmit.
+/// Sums weighted colors and multiplies what the surfaces transmit (McGuire and Bavoil 2013).
 bool LayerComposer::drawMixed(const HdrTarget& target, const DrawObjects& drawObjects) {
-    mixed_.attachDepth(target.depth()); // it may be another one than in the last frame
+    mixed_.attachDepth(target.depth()); // may differ from that of the last frame
     maskColors(GL_TRUE);
     if (!std::exchange(progress_.isCleared, true)) {
         clearColor(0, {0.0f, 0.0f, 0.0f, 0.0f});

@@ -17,46 +17,48 @@
 
 namespace patina {
 
-/// Puts together what is transparent, whatever the order in which it is drawn: layer by layer from
-/// the nearest on, or all at once as a weighted mean. Works on every sample of a pixel by itself.
-/// Its memory (24 bytes for each sample) is there only while it is in use.
+/// Composes transparent objects independently of the order in which they are drawn: layer by layer
+/// from the nearest on, or all at once as a weighted mean. It works on each sample of a pixel. Its
+/// memory (24 bytes for each sample) exists only while it is in use.
 class LayerComposer {
   public:
-    /// Tells what the objects are drawn for.
+    /// Says what the objects are drawn for.
     enum class Stage {
-        Depths, ///< with useDepths()
-        Layers  ///< with their own programs
+        Depths, ///< draws with the programs of useDepths()
+        Layers  ///< draws with the objects' own programs
     };
-    /// False where it is time to stop; Layers are not all drawn then, and the next call goes on.
+    /// Draws all objects for a stage. Returns false when the budget is used up; in the stage Layers
+    /// some objects are missing then, and the next call continues.
     using DrawObjects = std::function<bool(Stage)>;
 
-    /// `layers`: so many are put in order; 0: all are mixed. The target has been fitted. Stops
-    /// behind an image or a program, which take long to make: true as long as there may be more,
-    /// and the next call goes on.
+    /// Prepares a frame for a target that has been fitted. `layers` is how many layers are drawn in
+    /// order; 0 mixes all of them. It returns true after an image or a program, which take long to
+    /// make; then it must be called again.
     Result<bool> begin(const HdrTarget& target, int layers, const Catalog& catalog,
                        ProgramCache& cache);
 
-    /// The frame needs none of this.
+    /// Frees all memory, for frames that need no layers.
     void leaveOut();
 
     bool isIn() const { return isIn_; }
 
-    /// Tells whether layers are put in order.
+    /// Returns true when layers are drawn in order (depth peeling), false when they are mixed.
     bool isPeeled() const { return shape_.isPeeled; }
 
-    /// Makes what useDepths() needs of a pipeline. Does nothing where layers are not put in order.
+    /// Makes the program that useDepths() needs for a pipeline. Does nothing where layers are
+    /// mixed.
     Result<void> addPipeline(const std::shared_ptr<const Pipeline>& pipeline, ProgramCache& cache);
     void useDepths(const std::shared_ptr<const Pipeline>& pipeline) const;
 
-    /// Draws the objects as often as it takes, over what is in the target. False where they were
-    /// not all drawn: the next call goes on there.
+    /// Draws the objects as often as needed and composes them over the target. Returns false when
+    /// the budget is used up; the next call continues.
     bool draw(const HdrTarget& target, const DrawObjects& drawObjects);
 
-    /// Uses all programs that draw() may, those of layers that nobody sees too: drivers compile
+    /// Draws with all programs that draw() may use, also for empty layers, because drivers compile
     /// when something is drawn.
     void drawUnseen(const HdrTarget& target, const DrawObjects& drawObjects);
 
-    /// The shader files may have changed.
+    /// Drops all programs, because the shader files may have changed.
     void forget();
 
   private:
@@ -66,18 +68,18 @@ class LayerComposer {
         bool isPeeled = false;
         friend bool operator==(const Shape&, const Shape&) = default;
     };
-    /// Holds the depths of one layer; the other side has those of the layer before it.
+    /// Holds the depths of one layer; the other side has those of the layer before.
     struct Side {
         gl::TargetTexture depths;
         gl::Framebuffer framebuffer;
         gl::SampleQuery isAnySeen;
     };
 
-    /// Holds what of the frame is drawn.
+    /// Remembers how much of the frame is drawn.
     struct Progress {
         bool isCleared = false;
         int layer = 0;
-        bool hasDepths = false; ///< of the layer
+        bool hasDepths = false; ///< says that the depths of the layer are drawn
         bool isUnseen = false;
     };
 
@@ -99,15 +101,15 @@ class LayerComposer {
     int layers_ = 0;
     Progress progress_;
     Shape shape_;
-    bool isBuilt_ = false; ///< all that follows
+    bool isBuilt_ = false; ///< says that all images and framebuffers below are made
     gl::TargetTexture sum_;
-    gl::TargetTexture share_; ///< of mixed layers: what they transmit
+    gl::TargetTexture share_; ///< holds the transmitted share of mixed layers
     gl::Framebuffer mixed_;
-    std::array<Side, 2> sides_; ///< of layers in order
+    std::array<Side, 2> sides_; ///< are used for layers in order
     gl::VertexArray noVertices_ = gl::VertexArray::create();
-    std::shared_ptr<const gl::Program> composition_; ///< for shape_
+    std::shared_ptr<const gl::Program> composition_; ///< is made for shape_
     std::map<std::shared_ptr<const Pipeline>, std::shared_ptr<const gl::Program>>
-        depthPrograms_; ///< for shape_'s number of samples
+        depthPrograms_; ///< are made for the number of samples in shape_
 };
 
 } // namespace patina

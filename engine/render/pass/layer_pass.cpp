@@ -9,7 +9,7 @@
 namespace patina {
 namespace {
 
-/// Returns the block that puts the plan's layers together; null where none are needed.
+/// Returns the block that composes the plan's layers; null where none are needed.
 const Block* blockFor(const FramePlan& plan, const Catalog& catalog) {
     const bool isNeeded =
         plan.effects->part(kinds::transparency) != nullptr &&
@@ -32,22 +32,23 @@ Result<bool> LayerPass::prepare(FramePlan& plan, FrameGpu& gpu) {
         return false;
     }
     auto isMade = composer_.begin(gpu.target(), layersOf(plan.transparency(), *block),
-                                        *gpu.shared.catalog, gpu.shared.programs());
+                                  *gpu.shared.catalog, gpu.shared.programs());
     if (!isMade || *isMade) {
         return isMade;
     }
     return addMaterials(plan, gpu.shared.programs()).map([] { return false; });
 }
 
-/// A program that is left over from before a change may know nothing of layers: its object is
-/// blended by itself.
+/// Returns true when a material's program is made for the layers. One kept from before a change may
+/// not be; then its object is blended by itself.
 bool LayerPass::isLayered(const DrawMaterial& material) const {
     const Pipeline* pipeline = material.pipeline.get();
     return pipeline != nullptr && pipeline->object.transparency &&
            pipeline->object.isPeeled() == composer_.isPeeled();
 }
 
-/// Their programs for depths, until one was made, and how deep they reach.
+/// Marks layered materials, adds up their range of depths, and makes their programs for depths;
+/// returns after the first program that had to be made.
 Result<void> LayerPass::addMaterials(FramePlan& plan, ProgramCache& programs) {
     plan.layerDepths = DepthRange();
     for (const DrawBatch& batch : plan.list.transparentBatches()) {
@@ -87,7 +88,8 @@ bool LayerPass::draw(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) {
     return isDone_;
 }
 
-/// Before the layers, of which those in front are put over them and those behind are hidden.
+/// Draws the lines before the layers: layers in front are composed over them, and layers behind are
+/// hidden by their depth.
 void LayerPass::drawLines(const FramePlan& plan, FrameGpu& gpu) {
     StepBudget whole;
     for (const DrawBatch& batch : plan.list.transparentBatches()) {
@@ -102,7 +104,7 @@ bool LayerPass::compose(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget
         if (stage == LayerComposer::Stage::Layers) {
             return drawObjects(plan, gpu, stage, budget);
         }
-        StepBudget whole; // quick, but maybe at the end of a step
+        StepBudget whole; // may overrun a step, but depths are quick
         drawObjects(plan, gpu, stage, whole);
         return budget.isEndless() || !budget.mustStop();
     };
@@ -113,7 +115,8 @@ bool LayerPass::compose(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget
     return composer_.draw(gpu.target(), drawStage);
 }
 
-/// Returns all that is in layers; false where it goes on with the next batch.
+/// Draws all layered objects for one stage. Returns false when the budget is used up; the next call
+/// continues with batch_.
 bool LayerPass::drawObjects(const FramePlan& plan, FrameGpu& gpu, LayerComposer::Stage stage,
                             StepBudget& budget) {
     const std::span<const DrawBatch> batches = plan.list.transparentBatches();

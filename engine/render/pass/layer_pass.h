@@ -8,15 +8,14 @@
 
 namespace patina {
 
-/// Draws what is transparent and put together in no order of its objects: layer by layer, or all at
-/// once.
+/// Draws the transparent objects that LayerComposer composes, layer by layer or all at once.
 class LayerPass : public Pass {
   public:
     Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;
     bool draw(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) override;
     void forget() override { composer_.forget(); }
 
-    /// Gives the memory of the layers back.
+    /// Frees the memory of the layers.
     void release() { composer_.leaveOut(); }
 
   private:
@@ -28,7 +27,7 @@ class LayerPass : public Pass {
                      StepBudget& budget);
 
     LayerComposer composer_;
-    std::size_t batch_ = 0; ///< of the transparent ones, drawn into the layer at work
+    std::size_t batch_ = 0; ///< is the transparent batch that is drawn next into the current layer
     bool hasLines_ = false;
     bool isDone_ = false;
     BatchDrawer drawer_;

@@ -42,7 +42,8 @@ bool LobeStore::fit(std::size_t number, const Pipeline& pipeline, const Material
     if (lobes.table.size() != shape.table()) {
         lobes.table = gl::TextureArray::createColors(shape.table(), shape.layers(), GL_RGBA32F);
         glBindTexture(GL_TEXTURE_2D_ARRAY, lobes.table.name());
-        glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_REPEAT); // azimuths have no end
+        // Azimuths are periodic.
+        glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_REPEAT);
         glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
         lobes.framebuffer = gl::Framebuffer::create();
         lobes.framebuffer.attachColors(lobes.table);
@@ -78,7 +79,7 @@ void LobeStore::Fitting::makeRoom(const LobeTableShape& shape) {
     fitting.attachColors(fitted);
 }
 
-/// Notes what they are fitted to; false when they are so already.
+/// Notes what the lobes are fitted to; returns false when they are fitted to that already.
 bool LobeStore::take(Lobes& lobes, const Pipeline& pipeline, std::span<const glm::vec4> values) {
     if (lobes.program == pipeline.lobeSamples && std::ranges::equal(lobes.values, values)) {
         return false;

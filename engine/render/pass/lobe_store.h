@@ -19,19 +19,20 @@
 
 namespace patina {
 
-/// Says what the reflectance of a frame's materials was taken apart into, on the GPU: a matte part
-/// and two lobes for each viewer. Only materials whose light is fitted have a table.
+/// Holds the reflectance of a frame's materials, fitted by a matte part and two lobes for each
+/// direction of view, in tables on the GPU. Only materials whose light is fitted have a table.
 class LobeStore {
   public:
-    /// Makes room for so many materials; allocates nothing when there were as many.
+    /// Makes room for this many materials; allocates nothing when there were as many before.
     void makeRoom(std::size_t materials);
 
-    /// Fits the lobes of the material of this number, whose pipeline has programs for it, unless it
-    /// is the same as before: true if it did. Changes what is drawn to and the depth test.
+    /// Fits the lobes of material `number` and returns true, unless they are the same as before.
+    /// Its pipeline must have programs for it. Changes the bound framebuffer, the viewport and the
+    /// depth test.
     bool fit(std::size_t number, const Pipeline& pipeline, const Material& material,
              const glm::dmat4& cameraToWorld);
 
-    /// The material has none (any more).
+    /// Deletes the table of a material that has no lobes any more.
     void drop(std::size_t number);
 
     /// Binds the table for the pipeline's sampler.
@@ -39,19 +40,21 @@ class LobeStore {
 
   private:
     struct Lobes {
-        std::shared_ptr<const gl::Program> program; ///< of the samples; null: there are no lobes
-        std::vector<glm::vec4> values;              ///< of the material then
+        std::shared_ptr<const gl::Program> program; ///< is the program of the samples; null while
+                                                    ///< there are no lobes
+        std::vector<glm::vec4> values;              ///< are the material's packed values at the
+                                                    ///< time of the fit
         gl::TextureArray table;
         gl::Framebuffer framebuffer;
     };
-    /// Says what fitting needs, once something is to be fitted.
+    /// Holds the intermediate images of a fit, which materials share.
     struct Fitting {
         void makeRoom(const LobeTableShape& shape);
 
         UniformBuffer data;
         gl::Texture samples;
         gl::Framebuffer sampling;
-        gl::TextureArray fitted; ///< of each viewer
+        gl::TextureArray fitted; ///< holds the fit for each direction of view
         gl::Framebuffer fitting;
         gl::VertexArray noVertices = gl::VertexArray::create();
     };

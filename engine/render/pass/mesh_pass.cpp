@@ -31,7 +31,7 @@ bool MeshPass::draw(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) {
     return findEdges(plan, gpu, budget);
 }
 
-/// Before a mesh is drawn with lines for the first time.
+/// Finds and uploads the edges of meshes with outlines; returns false when the budget is used up.
 bool MeshPass::findEdges(const FramePlan& plan, FrameGpu& gpu, const StepBudget& budget) {
     for (const DrawItem& item : plan.items) {
         if (!plan.materials[item.material].isOutlined) {

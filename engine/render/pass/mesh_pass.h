@@ -5,13 +5,13 @@
 
 namespace patina {
 
-/// Brings the meshes of a frame and the edges that have lines into the GPU's memory.
+/// Uploads the meshes of a frame, and the edges of those with outlines, to the GPU.
 class MeshPass : public Pass {
   public:
-    /// Makes room for them.
+    /// Allocates meshes that are new.
     Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;
 
-    /// Brings their content, some megabytes at a time.
+    /// Uploads their content, some megabytes at a time.
     bool draw(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) override;
 
   private:

@@ -7,7 +7,8 @@
 
 namespace patina {
 
-/// Draws the lines of the solid objects: over them and the ground, and behind what is transparent.
+/// Draws the outlines of the solid objects, over these and the ground, and before transparent
+/// objects.
 class OutlinePass : public Pass {
   public:
     Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;

@@ -9,8 +9,7 @@ struct FramePlan;
 struct FrameGpu;
 class StepBudget;
 
-/// Represents a part of drawing a frame. It is prepared and drawn again for every frame, and keeps
-/// its memory.
+/// Draws a part of a frame. A pass is prepared and drawn again for each frame and keeps its memory.
 class Pass {
   public:
     Pass() = default;
@@ -18,15 +17,15 @@ class Pass {
     Pass& operator=(const Pass&) = delete;
     virtual ~Pass() = default;
 
-    /// Prepares a frame, up to and with the first thing that takes long: true as long as there may
-    /// be more, and the next call goes on. Adds to the plan what later passes need.
+    /// Prepares a frame in steps, each up to the first long piece of work. Returns true while there
+    /// may be more to do; then it must be called again. It adds to the plan what later passes need.
     virtual Result<bool> prepare(FramePlan&, FrameGpu&) { return false; }
 
-    /// Draws what was prepared. False where it is time to stop: the next call goes on there, and
-    /// one after the last does nothing.
+    /// Draws what was prepared. Returns false when the budget is used up; the next call continues.
+    /// A call after the last does nothing.
     virtual bool draw(const FramePlan&, FrameGpu&, StepBudget&) { return true; }
 
-    /// The shader files may have changed.
+    /// Drops what was made from shader files, because they may have changed.
     virtual void forget() {}
 };
 

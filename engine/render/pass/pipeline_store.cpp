@@ -77,7 +77,8 @@ tl::expected<void, PipelineStore::Entry> PipelineStore::addOutline(Pipeline& pip
     return {};
 }
 
-/// Made with the program that reads them, so that filling them later compiles nothing.
+/// Adds the program that fills tables together with the one that reads them, so that filling them
+/// later compiles nothing.
 tl::expected<void, PipelineStore::Entry> PipelineStore::addTables(Pipeline& pipeline,
                                                                   const EffectSet& effects) {
     const auto source = surfaceProgram(effects, *catalog_, SurfaceOutput::Tables);
@@ -93,7 +94,8 @@ tl::expected<void, PipelineStore::Entry> PipelineStore::addTables(Pipeline& pipe
     return {};
 }
 
-/// Made with the program that reads the lobes, so that fitting them later compiles nothing.
+/// Adds the programs that fit lobes together with the one that reads them, so that fitting them
+/// later compiles nothing.
 tl::expected<void, PipelineStore::Entry> PipelineStore::addLobes(Pipeline& pipeline,
                                                                  const EffectSet& effects) {
     const LobeTableShape shape = lobeTableShape(effects.model->block());

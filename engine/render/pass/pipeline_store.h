@@ -12,49 +12,51 @@
 
 namespace patina {
 
-/// Keeps pipelines by the keys of their effects. Asking for one that is there allocates
-/// nothing.
+/// Owns the pipelines by the keys of their effects and compiles those that are missing. It
+/// allocates nothing for one that is there.
 class PipelineStore {
   public:
     struct Entry {
-        std::shared_ptr<const Pipeline> pipeline; ///< null when it does not compile
+        std::shared_ptr<const Pipeline> pipeline; ///< is null when it does not compile
         Errors errors;
-        bool isFinal = true; ///< false: asked again, a block in it is still being tried
+        bool isFinal = true; ///< is false while a block in it is still being tried; then the store
+                             ///< asks again
     };
 
     explicit PipelineStore(std::filesystem::path programCache,
                            SurfaceOutput output = SurfaceOutput::Picture);
 
-    /// Returns the vec4s of the scene's block in its programs: as many as the driver has room for.
+    /// Returns the size of the scene's block in all programs, in vec4s; the driver's limit bounds
+    /// it.
     int sceneCapacity() const { return sceneCapacity_; }
 
     void setCatalog(std::shared_ptr<const Catalog> catalog);
 
-    /// Holds what a pipeline is made for beside the material; the key is EffectKey::ofScene().
+    /// Names what a pipeline depends on besides its material. `key` is EffectKey::ofScene().
     struct Surroundings {
         const Scene& scene;
         std::uint64_t key = 0;
         EffectView view{};
     };
 
-    /// Returns the pipeline for a material, whose key is EffectKey::ofMaterial().
+    /// Returns the pipeline for a material; `materialKey` is EffectKey::ofMaterial().
     const Entry& get(const Material& material, std::uint64_t materialKey,
                      const Surroundings& surroundings);
 
-    /// Tells whether get() would find it, made before.
+    /// Returns true when get() would not need to compile.
     bool has(std::uint64_t materialKey, std::uint64_t sceneKey) const {
         return hasFinal({materialKey, sceneKey});
     }
 
-    /// Tells whether ground() would find it, made before.
+    /// Returns true when ground() would not need to compile.
     bool hasGround(GroundMode mode, std::uint64_t sceneKey) const {
         return hasFinal({keyOf(mode), sceneKey});
     }
 
-    /// Returns a plain fallback for an object whose own program never compiled.
+    /// Returns a plain pipeline for an object whose own program never compiled.
     const Entry& fallback(const Surroundings& surroundings);
 
-    /// Returns the scene's ground, which must be seen.
+    /// Returns the pipeline for the scene's ground, which must be visible.
     const Entry& ground(const Surroundings& surroundings);
 
     ProgramCache& programs() { return programs_; }

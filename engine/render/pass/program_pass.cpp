@@ -43,7 +43,7 @@ Result<bool> ProgramPass::prepare(FramePlan& plan, FrameGpu& gpu) {
     return false;
 }
 
-/// Returns what is around objects with these lights missing.
+/// Returns the surroundings of objects that these kinds of lights do not reach.
 PipelineStore::Surroundings ProgramPass::surroundings(const FramePlan& plan, std::size_t missing,
                                                       const Catalog& catalog) {
     EffectView view = plan.effectView;
@@ -63,7 +63,8 @@ ProgramPass::entryOf(const FramePlan& plan, const DrawMaterial& material, Render
                                 surroundings(plan, material.missing, *shared.catalog));
 }
 
-/// A program that does not compile leaves the objects with the last good one.
+/// Sets the program of a material: its own, else the last good one of the object, else a plain
+/// fallback.
 void ProgramPass::choose(FramePlan& plan, DrawMaterial& material, RenderResources& shared) {
     const PipelineStore::Entry& entry = entryOf(plan, material, shared);
     material.pipeline = entry.pipeline ? entry.pipeline : lastGood_[material.object];

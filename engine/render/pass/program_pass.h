@@ -16,22 +16,23 @@ namespace patina {
 
 struct RenderResources;
 
-/// Chooses the programs of a frame's materials and of its ground: those of their effects, and the
-/// last good ones where these do not compile.
+/// Chooses the programs of a frame's materials and of its ground by their effects. Where one does
+/// not compile, the last good one is kept.
 class ProgramPass : public Pass {
   public:
-    /// Returns those of all, unless one had to be made: the next call goes on then.
+    /// Chooses the programs of all materials and the ground. Returns true after each program that
+    /// had to be compiled; then it must be called again.
     Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;
 
-    /// 0 when all programs of a plan are there, else a number that is the same while the same ones
-    /// are missing.
+    /// Returns 0 when all programs of a plan are there, else a hash of those that are missing.
     std::size_t missing(const FramePlan& plan, RenderResources& shared);
 
-    /// Tells whether those are there that a drag is drawn with, in which places and distances
-    /// decide nothing.
+    /// Returns true when all programs are there for drawing while a value is dragged
+    /// (PlanWish::holdsEffects).
     bool hasHeld(const FramePlan& plan, RenderResources& shared);
 
-    /// Returns what the program of a material is, as it was chosen; there may be none but messages.
+    /// Returns the store's entry for a material; it has errors instead of a program when that does
+    /// not compile.
     const PipelineStore::Entry& entryOf(const FramePlan& plan, const DrawMaterial& material,
                                         RenderResources& shared);
 
@@ -42,8 +43,9 @@ class ProgramPass : public Pass {
                                              const Catalog& catalog);
 
     EffectKey keys_;
-    std::vector<std::pair<std::size_t, std::uint64_t>> sceneKeys_; ///< by DrawMaterial::missing
-    std::vector<std::shared_ptr<const Pipeline>> lastGood_;        ///< by object
+    std::vector<std::pair<std::size_t, std::uint64_t>> sceneKeys_; ///< maps DrawMaterial::missing
+                                                                   ///< to a key
+    std::vector<std::shared_ptr<const Pipeline>> lastGood_;        ///< has one for each object
     std::shared_ptr<const Pipeline> lastGround_;
     KeyTable known_;
 };

@@ -9,8 +9,8 @@
 
 namespace patina {
 
-/// Adds to the `objectData` of a material that refracts light what its program knows of that: the
-/// block's values with the index that counts, and the colour behind the objects. Allocates nothing.
+/// Writes the refraction data of a material to its `objectData`: the block's values, with the
+/// refractive index that bodyIndex() finds, and the background color. It allocates nothing.
 void packRefraction(std::span<glm::vec4> out, const Pipeline& pipeline, const Material& material,
                     const glm::dvec3& background);
 

@@ -12,35 +12,36 @@
 
 namespace patina {
 
-/// Makes what objects that refract light need before they are drawn: the farthest surface of each,
-/// and the picture and the depths of what was drawn before. Its memory (at most 24 bytes for each
-/// pixel) is there only while it is in use.
+/// Draws what refracting objects read: the farthest surface of each, and the picture and the depths
+/// of what was drawn before. Its memory (at most 24 bytes for each pixel) exists only while it is
+/// in use.
 class RefractionTargets {
   public:
-    /// Holds what a frame's objects look at.
+    /// Says which images a frame's objects read.
     struct Needs {
-        bool back = false;   ///< the surface through which light leaves them
-        bool behind = false; ///< the scene
+        bool back = false;   ///< is the surface through which light leaves an object
+        bool behind = false; ///< is the scene behind an object
     };
 
-    /// Begins for pictures of `size` pixels, as HdrTarget::averagedSize().
+    /// Makes the images and programs that are needed for pictures of `size` pixels, which is
+    /// HdrTarget::averagedSize(). After an error of the images nothing is allocated.
     Result<void> begin(glm::ivec2 size, Needs needs, const Catalog& catalog, ProgramCache& cache);
 
-    /// Draws go to the farthest surface of a body within the ball, whose picture is cleared first
-    /// where `isNew`.
+    /// Directs drawing to the image of the farthest surface of a body within the ball; clears the
+    /// image first if `isNew`.
     void beginBack(const Ball& ball, bool isNew) const;
 
-    /// Takes what is in the target now for what is behind the next objects.
+    /// Copies the target's color and depth as what is behind the next objects.
     void takeBehind(const HdrTarget& target) const;
     bool needsSceneColor() const { return built_.behind; }
 
-    /// Binds all this for a program that draws a body within the ball and is in use.
+    /// Binds the images for a program that is in use and draws a body within the ball.
     void bind(const gl::Program& program, const Ball& ball, const HdrTarget& target) const;
 
-    /// Tells a program that has been linked where it finds all this (binding.h).
+    /// Sets the texture units of the images in a linked program (binding.h).
     static void assignUnits(const gl::Program& program);
 
-    /// The shader files may have changed.
+    /// Drops the program, because the shader files may have changed.
     void forget() { backProgram_.reset(); }
 
   private:

@@ -18,13 +18,14 @@ struct RenderResources {
     explicit RenderResources(std::filesystem::path folder)
         : programCache(std::move(folder)), pipelines(programCache) {}
 
-    /// Blocks may have changed.
+    /// Sets the catalogue and drops all programs made from the old one.
     void setCatalog(std::shared_ptr<const Catalog> changed);
 
     ProgramCache& programs() { return pipelines.programs(); }
 
-    std::filesystem::path programCache;     ///< empty: no programs on disk
-    std::shared_ptr<const Catalog> catalog; ///< null: there is none yet
+    std::filesystem::path programCache;     ///< is the folder of compiled programs; empty for none
+                                            ///< on disk
+    std::shared_ptr<const Catalog> catalog; ///< is null until setCatalog()
     PipelineStore pipelines;
     GpuMeshStore meshes;
     GpuTextureStore textures;

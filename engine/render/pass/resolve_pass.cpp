@@ -14,7 +14,7 @@ Result<bool> ResolvePass::prepare(FramePlan&, FrameGpu&) {
     return false;
 }
 
-/// The mean of an environment's frames is a step of its own.
+/// Adds to the mean of an environment's frames in a step of its own.
 bool ResolvePass::draw(const FramePlan&, FrameGpu& gpu, StepBudget& budget) {
     if (!budget.deviceIsDone()) {
         return false;

@@ -5,8 +5,8 @@
 
 namespace patina {
 
-/// From what is drawn to the picture: the mean of its samples, stretched, in the mean of an
-/// environment's frames.
+/// Makes the picture from what is drawn: it averages the samples, stretches the result and adds it
+/// to the mean of an environment's frames.
 class ResolvePass : public Pass {
   public:
     Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;
@@ -14,7 +14,7 @@ class ResolvePass : public Pass {
 
   private:
     bool isResolved_ = false;
-    bool isAdded_ = false; ///< to the mean of an environment's frames
+    bool isAdded_ = false; ///< says that the frame is added to the mean of an environment's frames
 };
 
 } // namespace patina

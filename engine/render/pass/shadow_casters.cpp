@@ -84,7 +84,7 @@ void ShadowCasters::gather(const glm::dmat4& worldToMap, std::vector<Run>& runs,
     instances.upload();
 }
 
-/// False when the caster's box lies beyond one side of the map.
+/// Returns false when the caster's box lies beyond one side of the map.
 bool ShadowCasters::isSeen(const glm::dmat4& worldToMap, std::size_t caster) const {
     const glm::dmat4 clip = worldToMap * boxes_[caster].world;
     glm::bvec4 outside(true);

@@ -62,7 +62,8 @@ void ShadowDrawer::drawSome(const ShadowTargets& targets, std::int64_t triangles
     }
 }
 
-/// Everything is drawn from both sides, so that open meshes cast shadows too.
+/// Sets the state for a layer and gathers its casters. Triangles are drawn from both sides, so that
+/// open meshes cast shadows too.
 void ShadowDrawer::beginLayer(const ShadowTargets& targets) {
     framebuffer_.attachDepth(targets.texture, static_cast<int>(layer_));
     glViewport(0, 0, targets.texture.size().x, targets.texture.size().y);

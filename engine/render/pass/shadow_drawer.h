@@ -14,7 +14,7 @@
 
 namespace patina {
 
-/// Holds the depth maps' images, what they show, and the images of the casters.
+/// Names the shadow maps' images, what each layer shows, the casters and their images.
 struct ShadowTargets {
     const gl::TextureArray& texture;
     std::span<ShadowLayers::Layer> layers;
@@ -22,21 +22,21 @@ struct ShadowTargets {
     FrameTextures& textures;
 };
 
-/// Draws the layers of depth maps in steps, and knows where it goes on.
+/// Draws the layers of shadow maps in steps, and remembers how far it came.
 class ShadowDrawer {
   public:
-    /// The shader files may have changed.
+    /// Drops the program, because the shader files may have changed.
     void forget() { program_.reset(); }
 
     Result<void> prepare(const Catalog& catalog, ProgramCache& programs);
 
-    /// Tells whether it can draw into the images.
+    /// Fails when the driver cannot draw into the images.
     Result<void> check(const gl::TextureArray& texture);
 
-    /// Begins with the first layer.
+    /// Makes drawSome() begin again with the first layer.
     void restart();
 
-    /// Draws about so many triangles of the layers that are not drawn.
+    /// Draws about `triangles` triangles of the layers that are not drawn yet.
     void drawSome(const ShadowTargets& targets, std::int64_t triangles);
 
   private:
@@ -45,8 +45,8 @@ class ShadowDrawer {
 
     std::shared_ptr<const gl::Program> program_;
     gl::Framebuffer framebuffer_;
-    std::size_t layer_ = 0; ///< where drawing goes on
-    bool isBegun_ = false;  ///< runs_ are those of layer_
+    std::size_t layer_ = 0; ///< is the layer that is drawn next
+    bool isBegun_ = false;  ///< says that runs_ are those of layer_
     std::vector<ShadowCasters::Run> runs_;
     InstanceBuffer instances_;
     std::size_t run_ = 0;

@@ -28,7 +28,7 @@ const Block* shadowedLight(const Light& light, const Catalog& catalog) {
     return shines && shadowBlock(light, *block, catalog) != nullptr ? block : nullptr;
 }
 
-/// As many texels per side as all layers have room for.
+/// Halves the texels per side until all layers fit into maxBytes, but not below minTexels.
 int texelsFor(int layers, int maxTexels) {
     int texels = maxTexels;
     while (texels > minTexels && std::int64_t(4) * texels * texels * layers > maxBytes) {
@@ -71,7 +71,7 @@ int ShadowLayers::needed() const {
     return layers;
 }
 
-/// Places one after the other; a light that does not fit has no map.
+/// Gives the views consecutive layers; a light that does not fit has no map.
 void ShadowLayers::placeFaces() {
     const int maxCount = maxLayers();
     int next = 0;

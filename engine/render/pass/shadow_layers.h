@@ -9,8 +9,8 @@
 
 namespace patina {
 
-/// Holds the lights of a frame and what casts shadows in them: those of `effects` say whether there
-/// are shadows, those of `scene` where they fall.
+/// Names the lights of a frame and the casters. The lights of `effects` decide whether there are
+/// shadows, those of `scene` where they fall.
 struct ShadowedScene {
     const Scene& scene;
     const Scene& effects;
@@ -19,7 +19,7 @@ struct ShadowedScene {
     std::span<const CasterBox> casters;
 };
 
-/// Knows which layer of the depth maps shows what of which light, and whether it is drawn.
+/// Assigns the layers of the shadow maps to lights, and knows which layers are drawn.
 class ShadowLayers {
   public:
     struct Layer {
@@ -28,31 +28,34 @@ class ShadowLayers {
         bool isDrawn = false;
     };
 
-    /// Finds a view for each light, and room for its faces. Returns how many texels per side there
-    /// is memory for, at most `maxTexels`.
+    /// Finds a view for each light and layers for its faces. Returns the texels per side of the
+    /// maps: `maxTexels`, or fewer where the layers would need too much memory.
     int place(const ShadowedScene& shown, int maxTexels);
 
     /// Returns how many layers the views need.
     int needed() const;
 
-    /// Makes a layer of each face; those that show the same as before stay drawn, unless all are to
-    /// be drawn anew. Tells whether some show another thing than before.
+    /// Makes a layer for each face. Layers that show the same as before stay drawn, unless
+    /// `allAnew`. Returns true when some layer changed.
     bool plan(bool allAnew);
 
-    /// Leaves nothing drawn.
+    /// Forgets all layers, so that they must be drawn again.
     void forget() { layers_.clear(); }
     void clearViews() { views_.clear(); }
 
     std::span<Layer> layers() { return layers_; }
     int pending() const;
     std::span<const ShadowView> views() const { return views_; }
-    int lost() const { return lost_; } ///< lights for which there is no room
+    int lost() const {
+        return lost_;
+    } ///< counts the lights that have no map because layers are
+      ///< used up
 
   private:
     void makeViews(const ShadowedScene& shown, int texels);
     void placeFaces();
 
-    std::vector<ShadowView> views_; ///< of each light
+    std::vector<ShadowView> views_; ///< has one for each light
     std::vector<Layer> layers_;
     int lost_ = 0;
 };

@@ -8,7 +8,7 @@
 namespace patina {
 namespace {
 
-/// So many plans of views without shadows leave the maps to a view with some.
+/// The maps are kept for this many plans without shadows in a row, since another view may use them.
 constexpr int plansKept = 64;
 
 } // namespace

@@ -11,47 +11,48 @@
 
 namespace patina {
 
-/// The depth maps of the lights that cast shadows. A map is drawn again only when its light, what
-/// casts shadows or where that stands has changed. Drawing goes on in steps where that is wished.
+/// Owns the shadow maps of the lights. A map is drawn again only when its light or a caster has
+/// changed. Drawing can be done in steps.
 class ShadowMaps {
   public:
-    /// The most texels of a map per side, a power of two.
+    /// Limits the texels of a map per side, a power of two.
     void setMaxTexels(int texels) { maxTexels_ = texels; }
 
     void setCatalog(std::shared_ptr<const Catalog> catalog);
 
-    /// Begins a frame: first what casts shadows, then plan().
+    /// Begins a frame. Casters are added next, then plan() is called.
     void clearCasters();
     void addCaster(const GpuMesh& mesh, const CasterBox& box, const Material& material) {
         casters_.add(mesh, box, material);
     }
 
-    /// Returns which maps the scene's lights need, and which of them must be drawn. The lights of
-    /// `effects` say whether there are shadows, those of `scene` where they fall. Without a map, or
-    /// where the error says why none can be drawn, everything is lit.
+    /// Decides which maps the scene's lights need and which of them must be drawn. The lights of
+    /// `effects` decide whether there are shadows, those of `scene` where they fall. After an
+    /// error, which says why no map can be drawn, everything is lit.
     Result<void> plan(const Scene& scene, const Scene& effects, const glm::dmat4& cameraToWorld,
                       ProgramCache& programs, const GpuTextureStore& textures);
 
-    /// Returns how often plan() was called: another number than one's own says that somebody else's
-    /// plan has taken its place.
+    /// Returns how often plan() was called. A view whose number differs knows that another view has
+    /// planned since.
     std::uint64_t planNumber() const { return planNumber_; }
 
-    /// Tells whether the last plan() has other maps than the one before: what was drawn of a map
-    /// that is not whole yet is lost.
+    /// Returns true when the maps of the last plan() differ from those before; then drawing of an
+    /// incomplete map starts again.
     bool isAnother() const { return isAnother_; }
 
-    /// Tells whether the last plan() has made the images of the maps.
+    /// Returns true when the last plan() allocated the maps.
     bool hasNewImages() const { return hasNewImages_; }
 
-    /// Maps (faces) that are still to be drawn, and their triangles.
+    /// Returns how many maps (faces) must still be drawn; pendingTriangles() is their number of
+    /// triangles.
     int pending() const { return layers_.needed() == 0 ? 0 : layers_.pending(); }
     std::int64_t pendingTriangles() const { return casters_.triangles() * pending(); }
-    /// Draws about so many triangles of them; their meshes are complete.
+    /// Draws about `triangles` triangles of the pending maps. All meshes must be complete.
     void drawSome(int triangles, FrameTextures& textures);
 
     /// Returns the view of each light.
     std::span<const ShadowView> views() const { return layers_.views(); }
-    /// Lights for whose maps there is no room.
+    /// Returns how many lights have no map because layers are used up.
     int lost() const { return layers_.lost(); }
     void bind() const;
 
@@ -66,7 +67,7 @@ class ShadowMaps {
     ShadowLayers layers_;
     ShadowDrawer drawer_;
     std::uint64_t planNumber_ = 0;
-    int unneeded_ = 0; ///< plans without a map, one after the other
+    int unneeded_ = 0; ///< counts consecutive plans without a map
     bool hasNewImages_ = false;
     bool isAnother_ = false;
 };

@@ -9,7 +9,7 @@
 namespace patina {
 namespace {
 
-/// Triangles that are drawn before the clock is asked.
+/// Is how many triangles are drawn before the clock is asked.
 constexpr int slice = 16384;
 
 } // namespace

@@ -19,10 +19,10 @@ bool SolidPass::draw(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) {
     return isDone_;
 }
 
-/// Draws all of them in each tile.
+/// Draws all batches in each tile; returns false when the budget is used up.
 bool SolidPass::drawTiles(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) {
     StepBudget whole;
-    tiles_.passed(StepBudget::Clock::now()); // one that the last step did not wait for
+    tiles_.passed(StepBudget::Clock::now()); // is for a tile that the last step did not wait for
     while (!tiles_.isDone()) {
         gpu.report.drawnObjects = 0;
         gpu.report.drawCalls = 0;

@@ -8,14 +8,14 @@
 
 namespace patina {
 
-/// Draws the surfaces of the solid objects: slice by slice where there are many triangles, and tile
-/// by tile where it is the pixels of few that take long.
+/// Draws the surfaces of solid objects: in slices where there are many triangles, and in tiles
+/// where the pixels of few triangles take long.
 class SolidPass : public Pass {
   public:
     Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;
     bool draw(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) override;
 
-    /// Returns how long the frame that was prepared may take, and what it has taken.
+    /// Returns the tiles of the frame that was prepared.
     const RowTiles& tiles() const { return tiles_; }
     void noteTime(double milliseconds) { tiles_.noteTime(milliseconds); }
 

@@ -40,7 +40,7 @@ bool TableStore::fit(std::size_t number, const Pipeline& pipeline, const Materia
     return true;
 }
 
-/// Notes what they are to be filled from; false when they are so already.
+/// Notes what the tables are filled from; returns false when they are filled from that already.
 bool TableStore::take(Tables& tables, const Pipeline& pipeline, std::span<const glm::vec4> data) {
     const std::vector<std::size_t>& places = pipeline.object.tables.inputs;
     bool isNew = tables.program != pipeline.tableProgram || tables.inputs.size() != places.size();

@@ -16,19 +16,20 @@
 
 namespace patina {
 
-/// Holds the tables of a frame's materials on the GPU: what their blocks read in place of
-/// computing. Only materials that read some have a texture.
+/// Holds the tables of a frame's materials on the GPU, which their blocks read instead of
+/// computing. Only materials that read tables have a texture.
 class TableStore {
   public:
-    /// Makes room for so many materials; allocates nothing when there were as many.
+    /// Makes room for this many materials; allocates nothing when there were as many before.
     void makeRoom(std::size_t materials);
 
-    /// Fills the tables of the material of this number, whose pipeline has a program for it, unless
-    /// they are the same as before: true if it did. Changes what is drawn to and the depth test.
+    /// Fills the tables of material `number` and returns true, unless they are the same as before.
+    /// Its pipeline must have a program for it. Changes the bound framebuffer, the viewport and the
+    /// depth test.
     bool fit(std::size_t number, const Pipeline& pipeline, const Material& material,
              const glm::dmat4& cameraToWorld);
 
-    /// The material reads none (any more).
+    /// Deletes the texture of a material that reads no tables any more.
     void drop(std::size_t number);
 
     /// Binds the table for the pipeline's sampler.
@@ -36,12 +37,13 @@ class TableStore {
 
   private:
     struct Tables {
-        std::shared_ptr<const gl::Program> program; ///< that filled them; null: they are not there
-        std::vector<float> inputs;                  ///< and the values it did so from
+        std::shared_ptr<const gl::Program> program; ///< is the program that filled them; null while
+                                                    ///< there are no tables
+        std::vector<float> inputs;                  ///< are the values that they were filled from
         gl::Texture texture;
         gl::Framebuffer framebuffer;
     };
-    /// Holds what filling needs, once something is to be filled.
+    /// Holds the buffers for filling, which materials share.
     struct Filling {
         UniformBuffer data;
         gl::VertexArray noVertices = gl::VertexArray::create();
