@@ -13,7 +13,7 @@ void AlbedoTable::fill(const Pipeline& pipeline) {
         texture_ = gl::Texture::create(size, GL_RGBA32F, GL_RGBA, GL_FLOAT);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT); // azimuths go round
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT); // azimuths are periodic
         framebuffer_ = gl::Framebuffer::create();
         framebuffer_.attachColor(texture_);
     }

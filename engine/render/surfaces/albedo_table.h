@@ -7,13 +7,15 @@
 
 namespace patina {
 
-/// Holds a model's albedo by the viewer's direction, on the GPU.
+/// Holds a model's albedo for each direction of view, in a texture on the GPU.
 class AlbedoTable {
   public:
-    /// Fills it with a pipeline of SurfaceOutput::AlbedoTable, from the object data that is bound.
+    /// Fills the table with a pipeline of SurfaceOutput::AlbedoTable, from the object data that is
+    /// bound.
     void fill(const Pipeline& pipeline);
 
-    /// Binds it for the program's only sampler. A table that was never filled is black.
+    /// Binds the table to texture unit 0, for the program's only sampler. A table that was never
+    /// filled is black.
     void bind() const;
 
     const Pipeline* filledWith() const { return pipeline_; }

@@ -16,11 +16,12 @@
 namespace patina {
 namespace {
 
-/// Terms in one window, and the number of the first light's (shaders/passes/inspection.glsl).
+/// `window` is how many terms one drawing writes; `firstLightTerm` is the number of the first
+/// light's term (shaders/passes/inspection.glsl).
 constexpr int window = inspectionOutputs - 1;
 constexpr int firstLightTerm = 7;
 
-/// Beyond this a half float's whole range is black or white.
+/// stops; beyond them the whole range of a half float is black or white
 constexpr double maxStops = 40.0;
 
 } // namespace
@@ -61,7 +62,7 @@ Result<Image> InspectionDrawer::capture(const Scene& scene, const View& view,
     return readDisplay(view.size, [&](unsigned target) { show(scene, view, target); });
 }
 
-/// Draws into the linear target: red is the luminance, green the PixelDefect.
+/// Draws into the linear target: luminance in red, PixelDefect in green.
 Result<void> InspectionDrawer::drawLinear(const Scene& scene, const View& view,
                                           const MeshSource& meshes) {
     Result<void> ready = prepare(scene, view, meshes);
@@ -114,7 +115,7 @@ Result<void> InspectionDrawer::prepare(const Scene& scene, const View& view,
 }
 
 void InspectionDrawer::fillAlbedo(const Material& material, const Item& item) {
-    static const Scene nothing; // a table knows no lights
+    static const Scene nothing; // has no lights, which a table does not depend on
     const PipelineStore::Entry& table =
         tables_.get(material, EffectKey::ofMaterial(material, *catalog_), {nothing});
     AlbedoTable& albedo = albedos_[item.index];
@@ -124,7 +125,7 @@ void InspectionDrawer::fillAlbedo(const Material& material, const Item& item) {
     }
 }
 
-/// The target is bound.
+/// Draws all items into the target that is bound. The terms from number `firstTerm` on are written.
 void InspectionDrawer::drawItems(const Scene& scene, int firstTerm) {
     items_.draw(scene, [&](const Item& item) {
         glUniform1i(item.pipeline->program->uniform("firstTerm"), firstTerm);
@@ -134,7 +135,7 @@ void InspectionDrawer::drawItems(const Scene& scene, int firstTerm) {
     });
 }
 
-/// Shows the linear target in a framebuffer, with patterns for what is wrong.
+/// Draws the linear target into a framebuffer, with patterns for defects.
 void InspectionDrawer::show(const Scene& scene, const View& view, unsigned framebuffer) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, view.size.x, view.size.y);

@@ -15,23 +15,25 @@
 namespace patina {
 
 /// Draws scenes as the numerical check shows them, and reads the numbers of single pixels. All
-/// objects are drawn as opaque ones and with one sample per pixel, so that nothing is averaged.
+/// objects are drawn opaque and with one sample per pixel, so that nothing is averaged.
 class InspectionDrawer {
   public:
-    /// `shared` outlives it.
+    /// Keeps a reference to `shared`, which must outlive it.
     explicit InspectionDrawer(RenderResources& shared);
 
-    /// Draws the frame in muted grey, with patterns where a number is not finite or negative before
-    /// anything cuts it, or where the surface sends out more than arrives.
+    /// Draws the frame in muted grey, with patterns where a number is not finite, where one is
+    /// negative before it is clamped, or where the surface sends out more light than arrives. An
+    /// error is in the report's messages.
     const FrameReport& draw(const Scene& scene, const View& view, const MeshSource& meshes,
                             unsigned framebuffer);
 
-    /// Returns the same frame as draw() shows it, or as it is before that: luminance in red,
-    /// PixelDefect in green.
+    /// Returns the same frame: if `display` as draw() shows it, else with the linear luminance in
+    /// red and PixelDefect in green.
     Result<Image> capture(const Scene& scene, const View& view, const MeshSource& meshes,
                           bool display);
 
-    /// Returns the numbers of a pixel, (0, 0) at the top left; nothing where there is no object.
+    /// Returns the numbers of a pixel, which is (0, 0) at the top left; nothing where there is no
+    /// object.
     Result<std::optional<PixelProbe>> probe(const Scene& scene, const View& view,
                                             const MeshSource& meshes, glm::ivec2 pixel);
 
@@ -50,10 +52,10 @@ class InspectionDrawer {
     void readLights(const Scene& scene, const View& view, glm::ivec2 pixel, PixelProbe& probe);
 
     RenderResources& shared_;
-    std::shared_ptr<const Catalog> catalog_; ///< the one that all below is made from
+    std::shared_ptr<const Catalog> catalog_; ///< is the catalogue that all below is made from
     SurfaceItems items_;
     PipelineStore tables_;
-    std::vector<AlbedoTable> albedos_; ///< by object
+    std::vector<AlbedoTable> albedos_; ///< has one for each object
     HdrTarget target_;
     std::optional<ProbeTarget> probeTarget_;
     gl::VertexArray noVertices_ = gl::VertexArray::create();

@@ -23,7 +23,7 @@ namespace {
 constexpr std::string_view textureKind = "texture/";
 constexpr std::string_view environmentKind = "environment/";
 
-/// Returns the distance from a point to a box of object space.
+/// Returns the distance in metres from a point of world space to a box of object space.
 double distanceTo(const Bounds& bounds, const glm::dmat4& world, const glm::dvec3& point) {
     const glm::dvec3 way = point - ballAround(bounds, world).center;
     glm::dvec3 outside(0.0);
@@ -37,7 +37,8 @@ double distanceTo(const Bounds& bounds, const glm::dmat4& world, const glm::dvec
     return glm::length(outside);
 }
 
-/// Why a light is not on an object's list, by the ball around it.
+/// Returns a sentence on why a light is not on an object's list, which depends on the object's
+/// bounding sphere.
 std::string whyUnreached(const LightReach& reach, const Bounds& bounds, const glm::dmat4& world) {
     const Ball ball = ballAround(bounds, world);
     if (!(reach.range > 0.0) ||
@@ -49,7 +50,7 @@ std::string whyUnreached(const LightReach& reach, const Bounds& bounds, const gl
                        reach.range, distanceTo(bounds, world, reach.from));
 }
 
-/// A row for each light that shines and does not reach the object.
+/// Adds a row for each light that shines and does not reach the object.
 void addUnreached(std::vector<EffectRow>& rows, const Scene& scene, std::size_t object,
                   const Catalog& catalog, const EffectView& view, const MeshView& mesh) {
     const glm::dmat4 world = worldMatrix(scene.objects[object]);
@@ -67,7 +68,7 @@ void addUnreached(std::vector<EffectRow>& rows, const Scene& scene, std::size_t 
     }
 }
 
-/// Returns what an image does that is the same all over the object.
+/// Returns what an image does that is constant all over the object, as the end of a sentence.
 const char* evenlyText(const BoundTexture& image) {
     switch (image.role) {
     case TextureRole::Normal:
@@ -91,8 +92,8 @@ const char* missingText(const TextureUse& use) {
                        : " The image's file is missing or cannot be read: a placeholder is shown.";
 }
 
-/// What an image's own row does not know: whether there is one, and whether the mesh says where it
-/// lies.
+/// Completes the rows of images: says when a file is missing, and when the mesh has no texture
+/// coordinates.
 void describeImages(std::vector<EffectRow>& rows, const Material& material, const Catalog& catalog,
                     const MeshView& mesh, const KnownImages& images) {
     const bool isPlaceless = !mesh.indices.empty() && !hasImagePlaces(mesh.vertices);
@@ -127,7 +128,7 @@ bool isOfThePicture(const EffectRow& row) {
            row.line.effect.starts_with(kinds::tone);
 }
 
-/// Takes all effects out for the reason that the object is not drawn.
+/// Sets all effects of the object to out, since it is not drawn; effects of the whole picture stay.
 void takeOut(std::vector<EffectRow>& rows, const std::string& reason) {
     for (EffectRow& row : rows) {
         if (row.in && !isOfThePicture(row)) {
@@ -138,7 +139,7 @@ void takeOut(std::vector<EffectRow>& rows, const std::string& reason) {
     }
 }
 
-/// As the renderer leaves it out.
+/// Returns true when the renderer would leave the object out, because it is outside the picture.
 bool isOutside(const Scene& scene, std::size_t object, const MeshView& mesh, double aspect) {
     const glm::dmat4 worldToClip =
         projection(scene.camera, aspect, DepthRange()) * viewMatrix(scene.camera);

@@ -10,22 +10,24 @@
 
 namespace patina {
 
-/// Holds what is known of a scene's images.
+/// Says which of a scene's images are missing, as far as that is known.
 struct KnownImages {
-    TextureSource textures{};          ///< empty: nothing is known of those on surfaces
-    bool isEnvironmentMissing = false; ///< a placeholder is in its place
+    TextureSource textures{};          ///< is empty when nothing is known of images on surfaces
+    bool isEnvironmentMissing = false; ///< says that a placeholder replaces the environment's
+                                       ///< picture
 };
 
-/// Returns the effects of one object of the scene as the scene's camera sees them, by what is known
-/// of its mesh and of images too: lights that do not reach it are out, with the distance, and
-/// images say that their file is missing or the mesh has no texture coordinates. What only a mesh
-/// tells is not told while it is not there. `aspect` is the picture's width over its height, so
-/// that an object outside of it says so; 0: nobody knows.
+/// Returns the rows of effects of one object, seen from the scene's camera. They use its mesh and
+/// images: a light that does not reach it is out, with the distance as the reason, and an image's
+/// row says when its file is missing or the mesh has no texture coordinates. While the mesh is
+/// missing, reasons that need it are left out. `aspect` is the picture's width over its height, by
+/// which an object outside the picture is found; 0 when that is unknown.
 std::vector<EffectRow> objectRows(const Scene& scene, std::size_t object, const Catalog& catalog,
                                   const MeshSource& meshes, const KnownImages& images = {},
                                   double aspect = 0.0);
 
-/// Why an object is not drawn, as its rows say; empty where it is. `aspect` as above.
+/// Returns why an object is not drawn, as a sentence for its rows; empty where it is drawn.
+/// `aspect` is the same as above.
 std::string whyNotDrawn(const Scene& scene, std::size_t object, const MeshSource& meshes,
                         double aspect);
 

@@ -11,10 +11,10 @@
 
 namespace patina {
 
-/// Are the colours that a program of the inspection writes: the picture's, then the terms.
+/// Is how many colours a program of the inspection writes: the picture's, then the terms.
 inline constexpr int inspectionOutputs = 8;
 
-/// Represents a few pixels of a frame in whole floats: the four that are shaded together with one
+/// Owns a target of 32-bit floats for the four pixels of a frame that are shaded together with one
 /// pixel, so that its derivatives are those of the whole frame.
 class ProbeTarget {
   public:
@@ -22,11 +22,11 @@ class ProbeTarget {
 
     static Result<ProbeTarget> create();
 
-    /// Binds and clears it for drawing the part of a frame of `size` pixels around `pixel`
-    /// ((0, 0) at the bottom left).
+    /// Binds and clears the target, to draw the part of a frame of `size` pixels around `pixel`,
+    /// which is (0, 0) at the bottom left.
     void begin(glm::ivec2 size, glm::ivec2 pixel) const;
 
-    /// Returns what was written for the pixel.
+    /// Returns what the program wrote for the pixel.
     Outputs read(glm::ivec2 pixel) const;
 
   private:

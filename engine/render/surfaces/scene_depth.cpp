@@ -12,8 +12,8 @@
 namespace patina {
 namespace {
 
-/// Returns the number of an object's list. Those before it get theirs first, as in a frame, which
-/// may have none left.
+/// Returns the number of an object's list. The objects before it get theirs first, as in a frame,
+/// because lists can be used up.
 std::size_t listFor(std::size_t object, LightLists& lists, const Scene& scene,
                     const MeshSource& meshes) {
     std::size_t list = 0;

@@ -8,12 +8,13 @@
 
 namespace patina {
 
-/// Returns what a camera's view says to the choice of effects: what the renderer takes for its
-/// programs, but for the lights, which are another matter for each object.
+/// Returns what the choice of effects depends on in a camera's view, as the renderer computes it.
+/// EffectView::unreached is left empty, since lights differ for each object.
 EffectView effectView(const Scene& scene, const Camera& camera, const Catalog& catalog,
                       const MeshSource& meshes);
 
-/// Returns what the renderer takes for the program of one object, seen by the scene's camera.
+/// Returns the same for one object, with the lights that do not reach it, seen by the scene's
+/// camera.
 EffectView objectView(const Scene& scene, std::size_t object, const Catalog& catalog,
                       const MeshSource& meshes);
 

@@ -15,7 +15,7 @@ namespace {
 constexpr int outputs = SurfaceBufferLayout::outputs;
 constexpr int sharesPerValue = 4;
 
-/// Says what the programs write to.
+/// Owns the images that the programs write to.
 class BufferTarget {
   public:
     static Result<BufferTarget> create(glm::ivec2 size) {
@@ -47,7 +47,7 @@ class BufferTarget {
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     }
 
-    /// Returns the values, rows from the top.
+    /// Returns the pixels of one output, rows from the top.
     std::vector<glm::vec4> read(int output) const {
         const auto columns = static_cast<std::size_t>(size_.x);
         const auto rows = static_cast<std::size_t>(size_.y);
@@ -76,7 +76,7 @@ std::size_t valuesOf(const BufferedObject& object, std::size_t lights) {
     return object.firstShare + (lights + sharesPerValue - 1) / sharesPerValue;
 }
 
-/// A group's header says how many lights are in it now.
+/// Counts the lights with shadows, from the headers that packScene() wrote.
 std::size_t shadowedLights(const SurfaceBuffer& buffer, const Pipeline& pipeline) {
     std::size_t count = 0;
     for (const LightPlace& group : pipeline.scene.groups) {

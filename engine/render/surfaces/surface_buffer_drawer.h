@@ -7,19 +7,19 @@
 
 namespace patina {
 
-/// Draws what surfaces are shaded from.
+/// Draws the inputs of shading into a SurfaceBuffer.
 class SurfaceBufferDrawer {
   public:
-    /// `shared` outlives it.
+    /// Keeps a reference to `shared`, which must outlive it.
     explicit SurfaceBufferDrawer(RenderResources& shared);
 
-    /// Reads what the programs of a frame have for each pixel, with one sample per pixel and all
-    /// objects drawn as opaque ones, without the ground. Of an environment it has this round of
-    /// directions, as frames draw them that are too short to look for the model's lobe.
+    /// Reads the inputs of a frame's programs for each pixel, with one sample per pixel and all
+    /// objects opaque, without the ground. Of an environment it has the directions of round
+    /// `round`, as a frame samples them that has too few samples for the model's lobe.
     Result<SurfaceBuffer> capture(const Scene& scene, const View& view, const MeshSource& meshes,
                                   int round = 0);
 
-    /// The most directions of an environment that such a frame may draw: whole rounds.
+    /// Is the most directions of an environment, in whole rounds, that such a frame may sample.
     static constexpr int plainSamples = 12;
 
   private:
@@ -28,7 +28,7 @@ class SurfaceBufferDrawer {
     void drawWindow(const Scene& scene, int firstValue);
 
     RenderResources& shared_;
-    std::shared_ptr<const Catalog> catalog_; ///< the one that all below is made from
+    std::shared_ptr<const Catalog> catalog_; ///< is the catalogue that all below is made from
     SurfaceItems items_;
     EnvironmentLight environment_;
 };

@@ -115,7 +115,8 @@ void SurfaceItems::choosePipelines(const Scene& scene, const EffectView& view) {
     report_.compiled = pipelines_.programs().compiledCount() - before;
 }
 
-/// The same maps as the picture's; where they cannot be made everything is lit.
+/// Draws the shadow maps, which are those of the picture; where they cannot be made, everything is
+/// lit.
 void SurfaceItems::drawShadows(const Scene& scene) {
     shared_.shadows.clearCasters();
     for (const Item& item : items_) {

@@ -17,39 +17,42 @@
 
 namespace patina {
 
-/// Holds the objects of a frame whose numbers are wanted and not its picture: each is drawn by
-/// itself and as an opaque one, with programs of one output, whatever the target is.
+/// Draws the objects of a frame for numbers instead of a picture: each by itself and opaque, with
+/// programs of one SurfaceOutput, into any target.
 class SurfaceItems {
   public:
-    /// Represents an object that is drawn, and what its program is fed with.
+    /// Is an object that is drawn, with the data for its program.
     struct Item {
-        std::size_t index = 0; ///< in the scene
+        std::size_t index = 0; ///< is the object's index in the scene
         const GpuMesh* mesh = nullptr;
         Bounds bounds;
         glm::dmat4 world{1.0};
         UniformBuffer* data = nullptr;
-        std::shared_ptr<const Pipeline> pipeline; ///< null: nothing could be compiled
-        bool isNew = false;                       ///< its data are not those of the last frame
+        std::shared_ptr<const Pipeline> pipeline; ///< is null when no program could be compiled
+        bool isNew = false;                       ///< says that its data differ from those of the
+                                                  ///< last frame
     };
 
-    /// `shared` outlives it.
+    /// Keeps a reference to `shared`, which must outlive it.
     SurfaceItems(RenderResources& shared, SurfaceOutput output);
 
     void setCatalog(std::shared_ptr<const Catalog> catalog);
 
-    /// Collects the objects and feeds their programs; shadow maps are drawn. The effects are those
-    /// of the picture where `usesDepths`, else no fog is left out because it is not seen.
+    /// Collects the objects, makes their programs, draws the shadow maps and uploads all data. If
+    /// `usesDepths`, the effects are those of the picture; else fog is never left out for being
+    /// invisible. Errors are in the report's messages.
     void prepare(const Scene& scene, const View& view, const MeshSource& meshes, bool usesDepths);
 
-    /// Draws all of them into what is bound; `begin` is called with each program in use.
+    /// Draws all objects into the bound framebuffer. `begin` is called for each object while its
+    /// program is in use.
     void draw(const Scene& scene, const std::function<void(const Item&)>& begin);
 
-    /// Ends what prepare() began.
+    /// Ends the frame that prepare() began.
     void end();
 
     std::span<Item> items() { return items_; }
 
-    /// Returns what the scene's block holds.
+    /// Returns the content of the scene's block.
     std::span<const glm::vec4> sceneData() { return sceneData_.staging(); }
 
     PipelineStore& pipelines() { return pipelines_; }
@@ -72,16 +75,16 @@ class SurfaceItems {
     UniformBuffer viewData_;
     UniformBuffer sceneData_;
     EffectKey keys_;
-    std::vector<std::unique_ptr<UniformBuffer>> data_; ///< by object
+    std::vector<std::unique_ptr<UniformBuffer>> data_; ///< has one for each object
     std::vector<Item> items_;
-    InstanceBuffer instances_; ///< by item
+    InstanceBuffer instances_; ///< has one for each item
     glm::dmat4 cameraToWorld_{1.0};
     DepthRange depths_;
     FrameReport report_;
 };
 
-/// Returns the scene's lights in the order in which the program adds them; of a drawing's the key
-/// light.
+/// Returns the indices of the scene's lights in the order in which the program adds them; only the
+/// key light where the model takes that alone.
 std::vector<std::size_t> lightsInOrder(const Scene& scene, const Pipeline& pipeline);
 
 } // namespace patina
