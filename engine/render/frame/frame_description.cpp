@@ -8,7 +8,8 @@
 namespace patina {
 namespace {
 
-/// Canonical order: the object's own effects as they come, each once.
+/// Appends an item that is not there yet, so that effects keep the order in which objects have
+/// them.
 template <class Item>
 void addOnce(std::vector<Item>& items, const Item& item) {
     if (std::ranges::find(items, item) == items.end()) {

@@ -9,18 +9,18 @@
 
 namespace patina {
 
-/// Tells what a frame was made of, as its report says it. Effects and messages are put into words
-/// again only where they are not those of the last frame.
+/// Writes the report of a frame. Effects and messages are written again only when they differ from
+/// those of the last frame.
 class FrameDescription {
   public:
     /// Fills the report of a frame that is drawn.
     void write(const FramePlan& plan, FrameGpu& gpu, ProgramPass& programs,
                const std::optional<Error>& shadowError);
 
-    /// Writes only the error why there is no frame.
+    /// Writes an error as the only message, for a frame that could not be drawn.
     void writeFailure(FrameReport& report, const Error& error);
 
-    /// Everything is put into words the next time.
+    /// Makes the next write() write everything again.
     void forget() { sources_.reset(); }
 
   private:
@@ -29,7 +29,8 @@ class FrameDescription {
     void writeLost(FrameReport& report) const;
 
     std::vector<const void*> programs_;
-    std::optional<std::vector<const void*>> sources_; ///< what the words are made from, and:
+    std::optional<std::vector<const void*>> sources_; ///< has FramePlan::sources of the last
+                                                      ///< report; empty after forget()
     int lostLights_ = 0;
     int lostShadows_ = 0;
     std::optional<Error> shadowError_;

@@ -15,14 +15,15 @@
 namespace patina {
 namespace {
 
-/// Is what a frame of a window takes of images into the GPU's memory: some milliseconds.
+/// Limits the bytes of images that a window's frame uploads, which takes some milliseconds.
 constexpr std::size_t textureBytesAtOnce = std::size_t(8) << 20;
 
-/// A whole frame that takes no longer needs no sketch, which has about this share of its work.
+/// A whole frame that takes at most `longestQuick` needs no sketch. A sketch has about 1 /
+/// sketchShare of its work.
 constexpr std::chrono::milliseconds longestQuick{48};
 constexpr int sketchShare = 8;
 
-/// Half as wide and high as the view, with one sample per pixel.
+/// Returns a view that is half as wide and high, with one sample per pixel.
 View sketchOf(const View& view) {
     View few = view;
     few.size = glm::max(view.size / 2, glm::ivec2(1));
@@ -97,7 +98,7 @@ FrameJob::Progress FrameJob::step(Deadline deadline) {
         return Progress::Done;
     }
     if (purpose_ == FramePurpose::Targets) {
-        // What does not fit is told by the frame itself.
+        // The frame itself reports an error of the target.
         static_cast<void>(gpu_.fitTarget(plan_, showsSceneRefracted(*plan_.effects, *catalog_)));
         return Progress::Done;
     }
@@ -129,7 +130,7 @@ void FrameJob::beginReport() {
     report.filledTables = 0;
 }
 
-/// The next step finds a copy where the scene was.
+/// Copies the scenes, so that the next step does not need the caller's.
 FrameJob::Progress FrameJob::pause() {
     if (!std::exchange(at_.isKept, true)) {
         const bool hasOwnEffects = plan_.effects == plan_.scene;
@@ -146,8 +147,9 @@ FrameJob::Progress FrameJob::fail(const Error& error) {
     return Progress::Done;
 }
 
-/// Tells whether the frame may be drawn in this step. A window's frame is prepared one thing at a
-/// step, and drawing, too, may compile: it begins only while most of the time is left.
+/// Prepares the frame and returns true when it may be drawn in this step. A window's frame is
+/// prepared in one piece per step. Drawing may compile too, so it begins only while half of the
+/// time is left.
 bool FrameJob::prepare(Deadline began, Deadline deadline) {
     const bool isStepwise = purpose_ == FramePurpose::Window && deadline != never;
     const bool wasPrepared = at_.prepared == passCount();
@@ -159,8 +161,8 @@ bool FrameJob::prepare(Deadline began, Deadline deadline) {
     return wasPrepared || !isStepwise || Clock::now() - began <= (deadline - began) / 2;
 }
 
-/// Up to and with the first thing that takes long. A pass that has made something is asked again,
-/// until there is nothing left for it to do.
+/// Prepares passes up to the first long piece of work; returns false on an error. A pass that has
+/// made something is asked again, until it has nothing left to do.
 bool FrameJob::prepareSome() {
     ProgramCache& programs = shared_->programs();
     const auto passes = passes_.prepared(gpu_.data);
@@ -180,7 +182,7 @@ bool FrameJob::prepareSome() {
     return true;
 }
 
-/// Tells whether it has so many triangles that it is drawn in steps.
+/// Returns true when the frame has so many triangles that it is drawn in steps.
 bool FrameJob::isLarge() {
     return plan_.hasManyTriangles(passes_.shadows.pendingTriangles(plan_, gpu_));
 }
@@ -226,7 +228,7 @@ FrameJob::Progress FrameJob::finish() {
     return Progress::Done;
 }
 
-/// What was done in its first step is not worth less than it was then.
+/// A frame that was done in its first step has no copy of its scene to compare; it counts as equal.
 bool FrameJob::hasMeshesOf(const Scene& scene) const {
     const auto isAlike = [](const Object& a, const Object& b) {
         return a.visible == b.visible && a.mesh == b.mesh;
@@ -249,13 +251,14 @@ std::uint64_t FrameJob::missingPrograms() {
     return missing;
 }
 
-/// Returns those of a drag, in which places and distances decide nothing.
+/// Returns true when all programs are there for drawing while a value is dragged
+/// (PlanWish::holdsEffects).
 bool FrameJob::hasHeldPrograms() {
     return passes_.display.has(*plan_.effects, *shared_->catalog) &&
            passes_.programs.hasHeld(plan_, *shared_);
 }
 
-/// Makes the programs of the picture, and those of a drag.
+/// Makes the programs of the picture, and those for drawing while a value is dragged.
 void FrameJob::prewarm() {
     const bool isMissing = passes_.programs.missing(plan_, *shared_) != 0;
     if (isMissing || !passes_.display.has(*plan_.effects, *shared_->catalog)) {
@@ -268,8 +271,9 @@ void FrameJob::prewarm() {
     meshes_ = nullptr;
 }
 
-/// Drivers put work off until a program is drawn with: it is, outside of what can be seen. Where
-/// there are very many triangles that would take longer than it saves.
+/// Draws the frame with an empty scissor rectangle, because drivers put work off until a program is
+/// drawn with. With very many triangles that would take longer than it saves, so they are not
+/// drawn.
 void FrameJob::drawUnseen() {
     FrameReport before = gpu_.report;
     if (prepare(began_, never) && !isLarge()) {
@@ -318,7 +322,8 @@ Result<Image> FrameJob::read(bool display, std::optional<double> exposure) {
                        [this, shown](unsigned framebuffer) { showIn(framebuffer, size_, shown); });
 }
 
-/// A driver may keep what was drawn with last until something else is: one pixel takes its place.
+/// Draws one pixel at the end, because a driver may keep the images that were drawn with last until
+/// others are.
 void FrameJob::releaseTargets() {
     passes_.layers.release();
     passes_.blended.release();

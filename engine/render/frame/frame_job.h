@@ -18,9 +18,9 @@
 
 namespace patina {
 
-/// Represents a frame on its way from a scene to a picture: its plan, its targets and how far it
-/// is. One job makes one frame after the other of its view and keeps its memory; the jobs of other
-/// views, which share what is in the GPU's memory, may take their steps in between.
+/// Makes a picture of a scene in steps. One job makes one frame after the other of its view and
+/// keeps its memory; the jobs of other views, which share meshes, images and programs, may take
+/// their steps in between.
 class FrameJob {
   public:
     enum class Progress { More, Done };
@@ -30,71 +30,75 @@ class FrameJob {
 
     explicit FrameJob(std::shared_ptr<RenderResources> shared);
 
-    /// Begins a frame in place of the last one, done or not. The scene, and the one of the view's
-    /// effects, stay as they are until the first step ends; for the steps that follow the job has
-    /// copies. The meshes' triangles stay until the frame is done. Of an environment's samples it
-    /// takes at most 256.
+    /// Begins a frame; the last one is dropped if it is not done. The scene and the view's scene of
+    /// effects must not change until the first step ends; for later steps the job has copies. The
+    /// meshes must not change until the frame is done. It takes at most 256 samples of an
+    /// environment.
     void begin(const Scene& scene, const View& view, const MeshSource& meshes,
                FramePurpose purpose);
 
-    /// Works on the frame until about the deadline. A frame for a window that is known to take
-    /// little is finished whatever the deadline, and what such a one lacks is made one thing at a
-    /// step. The picture does not depend on the steps. Done is one, too, that cannot be drawn.
+    /// Works on the frame until about the deadline. A frame for a window that is known to be quick
+    /// is finished in spite of the deadline; programs and images that are missing for it are made
+    /// one per step. The picture does not depend on the steps. A frame that cannot be drawn is
+    /// Done, too; see failure().
     Progress step(Deadline deadline);
     Progress step(std::chrono::milliseconds patience) { return step(Clock::now() + patience); }
 
-    /// Why there is no frame; nothing when all is well.
+    /// Returns why there is no frame; nothing when there is one.
     const std::optional<Error>& failure() const { return failure_; }
 
-    /// Returns a number that tells which programs are missing: 0 when all are there, and the same
-    /// while the same ones are missing. The frame was just begun.
+    /// Returns 0 when all programs of the frame are there, else a hash of those that are missing.
+    /// It must be called right after begin().
     std::uint64_t missingPrograms();
 
-    /// Says of a sketch that the whole frame takes little, or hardly more than it did.
+    /// Returns true for a sketch that is not worth its time: the whole frame takes little time, or
+    /// hardly more.
     bool isNeedless() const { return isNeedless_; }
 
-    /// Tells whether the frame has the same meshes in view as this scene, so that it is worth
-    /// finishing first. It is one that takes several steps.
+    /// Returns true when the frame shows the same meshes as this scene, so that it is worth
+    /// finishing first. It is meant for a frame that takes several steps.
     bool hasMeshesOf(const Scene& scene) const;
 
-    /// Notes what the frame for a window has taken, with all its steps: the next one goes by it.
+    /// Notes the time that a window's frame has taken in all its steps, by which the next one is
+    /// cut into tiles.
     void noteTime(double milliseconds) { passes_.solid.noteTime(milliseconds); }
 
-    /// Brings the frame into a framebuffer, tone mapped and sRGB encoded; below a share of 1 it is
-    /// mixed with what is there. A sketch is shown whole.
+    /// Draws the picture into a framebuffer, tone mapped and sRGB encoded. A `share` below 1 blends
+    /// it with what is there, except for a sketch. Does nothing after a failure.
     void show(unsigned framebuffer, double share = 1.0);
 
-    /// Returns the frame as linear floats (RGBA, straight alpha), with the exposure in them, or as
-    /// the 8-bit display values / 255. An exposure that is given takes the place of the scene's.
+    /// Returns the picture, RGBA with straight alpha and rows from the top: if `display` as 8-bit
+    /// display values / 255, else as linear floats multiplied by the exposure. `exposure`, in
+    /// stops, replaces the scene's. The error is failure() or that of the driver.
     Result<Image> read(bool display, std::optional<double> exposure = {});
 
-    /// Samples per pixel of the environment's light in the picture; 0 where programs look at none.
+    /// Returns the samples per pixel of the environment's light in the picture; 0 where none are
+    /// taken.
     int environmentSamples() const { return gpu_.environment.samples(); }
 
-    /// Returns the light of the scene's environment in small, as the last frame had it; it stays
-    /// until the next one is begun.
+    /// Returns EnvironmentLight::radiance() of the last frame, which is valid until the next one is
+    /// begun.
     EnvironmentRadiance environmentRadiance() const { return gpu_.environment.radiance(); }
 
-    /// Tells whether the picture of an environment is there, in this size.
+    /// Returns true when a mean of frames with an environment is there, in this size.
     bool holdsPicture(glm::ivec2 size) const { return gpu_.environment.holds(size); }
 
-    /// Gives the buffers that a frame is drawn in back to the driver; the next frame makes them
-    /// again.
+    /// Frees the targets that a frame is drawn into; the next frame makes them again.
     void releaseTargets();
 
-    /// The figures of the last frame that was drawn.
+    /// Returns the report of the last frame that was drawn.
     const FrameReport& report() const { return gpu_.report; }
 
   private:
-    /// Holds what a frame that takes several steps shows.
+    /// Holds copies of the scenes for a frame that takes several steps.
     struct Kept {
         Scene scene;
         std::optional<Scene> effects;
     };
 
-    /// Says how far the frame is.
+    /// Remembers how far the frame is.
     struct Cursor {
-        std::size_t prepared = 0; ///< so many of the passes
+        std::size_t prepared = 0; ///< is the number of passes that are prepared
         bool isFirstStep = true;
         bool isKept = false;
         bool isDrawing = false;
@@ -121,7 +125,7 @@ class FrameJob {
     void showIn(unsigned framebuffer, glm::ivec2 size, double exposure, double share = 1.0);
 
     std::shared_ptr<RenderResources> shared_;
-    std::shared_ptr<const Catalog> catalog_; ///< the one that the passes know
+    std::shared_ptr<const Catalog> catalog_; ///< is the catalogue that the passes use
     FramePurpose purpose_ = FramePurpose::Window;
     FramePlanner planner_;
     FramePlan plan_;
@@ -133,11 +137,11 @@ class FrameJob {
     Clock::time_point began_;
     Cursor at_;
     bool isNeedless_ = false;
-    View view_;          ///< as it is drawn
-    glm::ivec2 size_{0}; ///< of the picture
+    View view_;          ///< is the view as it is drawn, smaller for a sketch
+    glm::ivec2 size_{0}; ///< is the size of the picture
     double exposure_ = 0.0;
     Kept kept_;
-    MeshSource meshes_; ///< of a frame that is drawn for its programs
+    MeshSource meshes_; ///< is empty except while a frame only compiles programs
 };
 
 } // namespace patina

@@ -17,15 +17,17 @@
 
 namespace patina {
 
-/// The passes of a frame, and their orders.
+/// Owns the passes of a frame and knows their orders.
 struct FramePasses {
-    /// As they are prepared: each needs only what those before it have added to the plan.
+    /// Returns the passes in the order of preparing: each needs only what those before it have
+    /// added to the plan.
     std::array<Pass*, 12> prepared(FrameData& data) {
         return {&meshes, &shadows, &display, &background, &programs, &data,
                 &layers, &solid,   &ground,  &outlines,   &blended,  &resolve};
     }
 
-    /// As they are drawn: what objects need, the objects, and the picture of them.
+    /// Returns the passes that are drawn first, in their order; then objects() are drawn, then
+    /// `resolve`.
     std::array<Pass*, 3> beforeObjects() { return {&meshes, &shadows, &background}; }
     std::array<Pass*, 5> objects() { return {&solid, &ground, &outlines, &blended, &layers}; }
 
