@@ -49,7 +49,8 @@ FrameJob& Renderer::begin(const Scene& scene, const View& view, const MeshSource
     return *job_;
 }
 
-/// With all the samples of an environment that are wanted, which may take several frames.
+/// Draws all the samples of an environment that are wanted, which may take several frames; returns
+/// false on an error.
 bool Renderer::drawAll(const Scene& scene, const View& view, const MeshSource& meshes) {
     View part = view;
     FrameJob& job = begin(scene, part, meshes, FramePurpose::Capture);

@@ -17,62 +17,63 @@ struct RenderResources;
 
 inline constexpr int largestShadowTexels = 2048;
 
-/// Draws the frames of one view with OpenGL 4.1 core, on programs, meshes, images and shadow maps
-/// that other views of the same context may share. Made, used and destroyed with that context
-/// current.
+/// Draws the frames of one view with OpenGL 4.1 core. Programs, meshes, images and shadow maps may
+/// be shared with other views of the same context, which must be current for all calls.
 class Renderer {
   public:
     struct Options {
-        std::filesystem::path programCache; ///< folder for program binaries; empty: none on disk
-        /// The most texels of a shadow map per side, a power of two.
+        std::filesystem::path programCache; ///< is the folder of program binaries; empty for none
+                                            ///< on disk
+        /// Limits the texels of a shadow map per side, a power of two.
         int shadowTexels = largestShadowTexels;
     };
 
     static Result<std::unique_ptr<Renderer>> create(Options options);
     ~Renderer();
 
-    /// Makes a renderer for another view, which shares what this one has but its frames.
+    /// Makes a renderer for another view, which shares everything except its frames.
     std::unique_ptr<Renderer> forAnotherView() const;
 
-    /// Blocks may have changed on disk: sources are assembled anew; programs that still assemble to
-    /// the same text are kept, and the last good one is used where the new one does not compile.
-    /// Holds for all views that share.
+    /// Sets the catalogue, also after blocks have changed on disk: sources are assembled again.
+    /// Programs with the same text are kept, and the last good one is used where a new one does not
+    /// compile. It applies to all views that share.
     void setCatalog(std::shared_ptr<const Catalog> catalog);
 
-    /// Returns what was set; null before.
+    /// Returns the catalogue that was set; null before.
     const Catalog* catalog() const;
 
-    /// Sets where the images of materials come from; without one none are shown. Holds for all
-    /// views that share.
+    /// Sets where the images of materials come from; without a source none are shown. It applies to
+    /// all views that share.
     void setTextures(TextureSource source);
 
-    /// Begins a frame in place of the last one, done or not: the view has one job at a time. A job
-    /// that goes on for several steps leaves the picture in the framebuffer until it is shown.
+    /// Begins a frame; the last one is dropped if it is not done, since a view has one job. The
+    /// framebuffer that is shown does not change until FrameJob::show().
     FrameJob& begin(const Scene& scene, const View& view, const MeshSource& meshes,
                     FramePurpose purpose);
 
-    /// The frame that was begun last.
+    /// Returns the frame that was begun last.
     FrameJob& job() { return *job_; }
     const FrameJob& job() const { return *job_; }
 
     /// Draws a whole frame into a framebuffer object of the current context, tone mapped and sRGB
     /// encoded, with all the samples of an environment that the view wants. The report is valid
-    /// until the next frame; drawing allocates nothing when only values changed.
+    /// until the next frame and has the errors. Drawing allocates nothing when only values changed.
     const FrameReport& draw(const Scene& scene, const View& view, const MeshSource& meshes,
                             unsigned framebuffer);
 
-    /// The same frame as FrameJob::read() gives it. With an environment, a continued view is not
-    /// drawn again where its picture is still there.
+    /// Returns the same frame as FrameJob::read() does. With an environment, a continued view is
+    /// not drawn again where its picture is still there.
     Result<Image> capture(const Scene& scene, const View& view, const MeshSource& meshes,
                           bool display);
 
-    /// The numerical check. A frame for a window gives back what it took.
+    /// Returns the numerical check, which is made on first use. The next frame for a window
+    /// destroys it to free its memory.
     InspectionDrawer& inspection();
 
-    /// Returns what the pixels of a frame are shaded from.
+    /// Returns the drawer of a frame's surface buffer, which is made on first use and kept.
     SurfaceBufferDrawer& surfaces();
 
-    /// The figures of the last frame or numerical check.
+    /// Returns the report of the numerical check while there is one, else of the last frame.
     const FrameReport& report() const;
 
   private:
@@ -82,8 +83,8 @@ class Renderer {
 
     std::shared_ptr<RenderResources> shared_;
     std::unique_ptr<FrameJob> job_;
-    std::unique_ptr<InspectionDrawer> inspection_;  ///< while it is used
-    std::unique_ptr<SurfaceBufferDrawer> surfaces_; ///< once it was used
+    std::unique_ptr<InspectionDrawer> inspection_;  ///< is null unless it is in use
+    std::unique_ptr<SurfaceBufferDrawer> surfaces_; ///< is null before its first use
 };
 
 } // namespace patina

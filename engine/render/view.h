@@ -20,56 +20,62 @@ struct EnvironmentImage;
 
 /// Says which frame is wanted, apart from the scene.
 struct View {
-    glm::ivec2 size{512, 512}; ///< pixels, each at least 1
+    glm::ivec2 size{512, 512}; ///< pixels, at least 1
     Camera camera;
-    int samples = 0; ///< MSAA, lowered to what the driver offers; 0: the scene's own
-    HdrNumbers numbers = HdrNumbers::Half; ///< of the linear picture
-    /// Whose effects the programs have; nothing: the scene's own. The same objects and lights with
-    /// other values, so that a value may pass what makes an effect needless without a new program.
+    int samples = 0; ///< is the samples per pixel (MSAA), lowered to what the driver offers; 0 for
+                     ///< the scene's own number
+    HdrNumbers numbers = HdrNumbers::Half; ///< are those of the linear picture
+    /// Is the scene whose effects the programs have; null for the scene itself. It has the same
+    /// objects and lights with other values, so that no program is compiled while a value passes
+    /// the point at which an effect is needed.
     const Scene* effects = nullptr;
-    /// Is the picture of the scene's environment; nothing: it is not there yet, and black.
+    /// Is the picture of the scene's environment; while it is null the environment is black.
     std::shared_ptr<const EnvironmentImage> environmentImage;
-    /// Directions per pixel that are drawn for an environment's light, from four on in whole rounds
-    /// of four; 0: what takes about as long as the lights.
+    /// Is how many directions per pixel are sampled for an environment's light, from four on in
+    /// whole rounds of four; 0 chooses a number that takes about as long as the lights.
     int environmentSamples = 0;
-    /// Directions of one series have nothing to do with those of another, whatever their number.
+    /// Chooses the random series of directions; different series are independent.
     int environmentSeries = 0;
-    /// Is where a frame that continues stops to add: so many samples are in the picture then.
+    /// Limits the samples per pixel to which frames that continue add up.
     int maxSamples = 1 << 24;
-    /// Nothing has changed but that more samples are wanted: the picture is the mean of all since
-    /// the last frame that was new.
+    /// Says that nothing has changed and more samples are wanted: the picture becomes the mean of
+    /// all frames since the last new one.
     bool isContinued = false;
-    /// The scene is changing: where its environment's light is sampled it is fitted instead, so
-    /// that each frame has all of it without grain.
+    /// Says that the scene is changing: an environment's light that is sampled is fitted instead,
+    /// so that each frame has all of it without noise.
     bool isMoving = false;
 };
 
-/// Tells what a frame is drawn for.
+/// Says what a frame is drawn for.
 enum class FramePurpose {
-    Window,  ///< to be seen, in a window that must not stand still
-    Sketch,  ///< a first look before that: half as wide and high, with one sample per pixel
-    Capture, ///< to be kept: all that it needs is prepared in one step
-    Prewarm, ///< for its programs, so that a frame need not wait for them; nothing is shown
-    Targets  ///< for what it is drawn into, while its programs are made elsewhere
+    Window,  ///< is shown in a window, which must not stand still
+    Sketch,  ///< is a first look before that: half as wide and high, with one sample per pixel
+    Capture, ///< is read back: all that it needs is prepared in one step
+    Prewarm, ///< only makes the programs, so that a later frame need not wait for them
+    Targets  ///< only allocates the targets, while its programs are made elsewhere
 };
 
-/// Gives the triangles of a mesh name, or an empty view while it is not there yet.
+/// Returns the mesh of an object, or an empty view while it is not there yet.
 using MeshSource = std::function<MeshView(const Object&)>;
 
-/// Holds what drawing a frame took and what it was made of.
+/// Holds what drawing a frame took, its effects and its messages.
 struct FrameReport {
-    int programs = 0;        ///< different programs used
-    int compiled = 0;        ///< programs compiled (not found in memory or on disk) for this frame
-    int uploadedBuffers = 0; ///< uniform buffers written
+    int programs = 0;        ///< counts the different programs used
+    int compiled = 0;        ///< counts the programs compiled (not found in memory or on disk) for
+                             ///< this frame
+    int uploadedBuffers = 0; ///< counts the uniform buffers written
     int drawnObjects = 0;
-    int drawCalls = 0;      ///< for the objects; those of one mesh and material share one
-    bool isWaiting = false; ///< images are not whole yet: another frame shows more of them
-    int shadowMaps = 0;     ///< depth maps drawn (six for a light that shines everywhere)
-    int filledTables = 0;   ///< materials whose blocks' tables were filled (see block_table.h)
-    std::vector<std::string> effects; ///< the blocks in the shaders, canonical order
-    Errors messages;          ///< compile errors at the block's own file and line, lost lights, ...
-    std::size_t warnings = 0; ///< so many of the messages, the last ones, say what was left out of
-                              ///< a frame that is otherwise what was asked for
+    int drawCalls = 0;      ///< counts the calls for objects; those of one mesh and material share
+                            ///< one
+    bool isWaiting = false; ///< says that images are incomplete: another frame shows more of them
+    int shadowMaps = 0;     ///< counts the shadow maps drawn (six for a light that shines
+                            ///< everywhere)
+    int filledTables = 0;   ///< counts the materials whose tables or lobes were filled
+    std::vector<std::string> effects; ///< names the effects in the programs, each once
+    Errors messages;          ///< has compile errors at the block's own file and line, lost lights,
+                              ///< ...
+    std::size_t warnings = 0; ///< counts the messages at the end that say what was left out of an
+                              ///< otherwise correct frame
 };
 
 } // namespace patina
