@@ -14,8 +14,8 @@ std::string driverText();
 /// Returns true when the name of the renderer is that of a driver that draws on the CPU.
 bool isSoftware();
 
-/// Tells whether instances may begin elsewhere than at the first one (OpenGL 4.2, or its
-/// extension).
+/// Returns true when draw calls may begin at another instance than the first (OpenGL 4.2, or
+/// GL_ARB_base_instance).
 bool hasBaseInstances();
 
 /// Returns how many bytes one uniform block may hold here; at least 16 KiB.

@@ -9,10 +9,10 @@
 namespace patina::gl {
 
 /// Mesa maps the index of its cache of programs as a sparse file, and the process ends with SIGBUS
-/// when a page of it finds no room on the disk. This gives the index its room before Mesa maps it,
-/// so that a disk may become full later; where it cannot have it, or the folder cannot be written
-/// to, Mesa is told to keep no cache. It must be called before any other call to OpenGL; only the
-/// first call does anything.
+/// when a page of it finds no room on the disk. This function reserves the disk space of the index
+/// before Mesa maps it, so that the disk may become full later. Where there is no space, or the
+/// folder cannot be written to, Mesa is told to keep no cache. It must be called before any other
+/// call to OpenGL; only the first call does anything.
 void prepareDriverCache();
 
 /// Returns why the driver keeps no cache; nothing unless prepareDriverCache() had to turn it off.

@@ -17,7 +17,7 @@ void deleteFramebuffer(unsigned name);
 /// Returns the attachment for a program's output at this location: GL_COLOR_ATTACHMENT0 + location.
 unsigned colorAttachment(std::size_t location);
 
-/// Returns the name of the texture at the first color attachment of a framebuffer object of the
+/// Returns the name of the texture at the first colour attachment of a framebuffer object of the
 /// current context; 0 where it is no texture.
 unsigned colorTextureOf(unsigned framebuffer);
 
@@ -27,7 +27,7 @@ class Framebuffer {
     Framebuffer() = default;
     static Framebuffer create();
 
-    /// Attaches the texture as color attachment 0. Each of these functions leaves the framebuffer
+    /// Attaches the texture as colour attachment 0. Each of these functions leaves the framebuffer
     /// bound for drawing and reading.
     void attachColor(const Texture& texture);
     void attachColor(const Renderbuffer& buffer);

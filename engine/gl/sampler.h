@@ -7,7 +7,7 @@ namespace patina::gl {
 
 void deleteSampler(unsigned name);
 
-/// Tells how a texture is read, apart from the texture itself.
+/// Owns a sampler object, which says how a texture is filtered and repeated.
 class Sampler {
   public:
     /// Makes a sampler. `wrap` is a GL constant for both directions. A smooth one filters linearly

@@ -16,7 +16,7 @@ class TextureArray {
     /// a sized depth format.
     static TextureArray create(glm::ivec2 size, int layers, unsigned internalFormat);
 
-    /// Does the same for colours; `internalFormat` is a sized color format.
+    /// Does the same for colours; `internalFormat` is a sized colour format.
     static TextureArray createColors(glm::ivec2 size, int layers, unsigned internalFormat);
 
     unsigned name() const { return name_.get(); }
