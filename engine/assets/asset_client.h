@@ -45,8 +45,8 @@ class SharedMesh {
 class AssetClient {
   public:
     struct Options {
-        std::filesystem::path program;  ///< when empty, it is `patina-files` beside this program,
-                                        ///< or in ../libexec/patina
+        std::filesystem::path program;  ///< is the path of the program; empty for `patina-files`
+                                        ///< beside this one, or in ../libexec/patina
         double timeLimitSeconds = 20.0; ///< limits the process' own work on one request, so that a
                                         ///< request does not fail because the machine is busy
         double waitLimitSeconds = 60.0; ///< limits one request by the clock, in case it hangs

@@ -46,7 +46,7 @@ void confine(const Confinement& limits, pid_t parent) {
         }
     }
     limit(RLIMIT_CORE,
-          1); // of 0 bytes, a program that takes cores from a pipe gets them all the same
+          1); // not 0: a program that reads cores from a pipe would still get them
     ::close_range(3, ~0U, CLOSE_RANGE_CLOEXEC); // nothing of ours leaks into the program
 }
 

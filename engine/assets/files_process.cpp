@@ -6,8 +6,8 @@
 
 #include <boost/process/args.hpp>
 #include <boost/process/child.hpp>
-#include <boost/process/exe.hpp>
 #include <boost/process/exception.hpp>
+#include <boost/process/exe.hpp>
 #include <boost/process/extend.hpp>
 #include <boost/process/io.hpp>
 #include <boost/process/posix.hpp>
@@ -30,7 +30,7 @@ Result<FilesProcess> FilesProcess::start(const std::filesystem::path& program,
         return failure("cannot create a socket for the files process");
     }
     const pid_t parent = ::getpid();
-    // Libraries print what the answer says better; standard output leads nowhere already.
+    // What libraries print to standard error is dropped, since the answer has a better message.
     const Confinement limits{.addressSpace = memoryLimitBytes, .isQuiet = true};
     const auto setUp = [=](auto&) { confine(limits, parent); };
     try {
@@ -54,7 +54,9 @@ FilesProcess::~FilesProcess() {
     }
 }
 
-const Channel& FilesProcess::channel() const { return state_->channel; }
+const Channel& FilesProcess::channel() const {
+    return state_->channel;
+}
 
 double FilesProcess::workSeconds() const {
     clockid_t clock{};

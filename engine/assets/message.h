@@ -13,16 +13,18 @@ namespace patina {
 
 /// Names what a message between the client and the files process asks or answers, and its content.
 enum class MessageKind : std::uint32_t {
-    warmImages = 1, ///< client: load the image formats in the background
-    readMesh,       ///< client: texts {file, paths of links that may be read}; numbers {scale,
-                    ///< fitUnitBox, flipNormals, whether every link may}
-    readImage,      ///< client: texts {file}; numbers {1}: as it is in the file
-    writeImage,     ///< client: texts {file}; an image block is attached
-    encodeImage,    ///< client: texts {extension}; an image block is attached
-    progress,       ///< process: numbers {done}
-    done,           ///< process: texts {remarks, paths of links that it was refused}; the
-                    ///< answer's block is attached where there is one
-    failed,         ///< process: texts {problem, expected, the same paths}; numbers {line, column}
+    warmImages = 1, ///< client asks to load the image formats in the background
+    readMesh,       ///< client sends texts {file, paths of links that may be read} and numbers
+                    ///< {scale, fitUnitBox, flipNormals, whether every link may be read}
+    readImage,      ///< client sends texts {file}, and numbers {1} when it wants the numbers of the
+                    ///< file, not decoded
+    writeImage,     ///< client sends texts {file} and attaches an image block
+    encodeImage,    ///< client sends texts {extension} and attaches an image block
+    progress,       ///< process sends numbers {done}, 0 .. 1
+    done,           ///< process sends texts {remarks, paths of links that were refused} and
+                    ///< attaches the block of the answer, if it has one
+    failed,         ///< process sends texts {problem, expected, the same paths} and numbers {line,
+                    ///< column}
 };
 
 /// Holds a small message: a kind, some numbers, some texts. Bulk data travels in a shared block.

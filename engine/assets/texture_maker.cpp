@@ -126,7 +126,7 @@ void reduce(TexturePicture& picture, std::size_t level) {
 }
 
 /// Chooses the format of the texels. A grey image that `keepsCodes` needs four channels, because
-/// its alpha holds a number other than its color.
+/// its alpha holds a number other than its colour.
 TexelFormat formatFor(const FileImage& source, bool decodes, bool keepsCodes) {
     const bool grey = source.image.channels == 1;
     if (source.bits != 8) {
