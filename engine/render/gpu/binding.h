@@ -16,7 +16,7 @@ inline constexpr unsigned layerShare = 1;
 inline constexpr unsigned nearerLayer = 2;
 
 /// A refracting surface, which is never such a layer, reads the farthest surface of its body here,
-/// and the color and depth of what was drawn before it.
+/// and the colour and depth of what was drawn before it.
 inline constexpr unsigned refractionBack = 0;
 inline constexpr unsigned behindColor = 1;
 inline constexpr unsigned behindDepth = 2;

@@ -42,8 +42,8 @@ class EdgeFinder {
                                              ///< where free
     std::vector<MeshEdge> edges_;
     std::vector<std::uint8_t> faces_; ///< has for each edge its number of faces, at most 3
-    std::size_t vertex_ = 0;          ///< the next one
-    std::size_t triangle_ = 0;        ///< the next one
+    std::size_t vertex_ = 0;          ///< is the next vertex to join
+    std::size_t triangle_ = 0;        ///< is the next triangle to add
     std::size_t triangles_ = 0;
 };
 

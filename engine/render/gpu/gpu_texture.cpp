@@ -48,7 +48,7 @@ GlFormat formatOf(TexelFormat format, bool decodes) {
     }
 }
 
-/// Returns linear RGBA of 16 bits for sRGB colors with alpha of 8 bits.
+/// Returns linear RGBA of 16 bits for sRGB colours with alpha of 8 bits.
 std::vector<std::uint16_t> decoded(std::span<const std::byte> codes) {
     static const SrgbTable table;
     const auto whole = [](float x) { return static_cast<std::uint16_t>(x * 65535.0f + 0.5f); };

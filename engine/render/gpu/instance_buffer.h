@@ -25,7 +25,7 @@ class InstanceBuffer {
     /// Returns the buffer, which is the same one for the life of this object.
     const std::shared_ptr<const gl::Buffer>& buffer() const { return shared_; }
 
-    /// See gl::hasBaseInstances().
+    /// Returns gl::hasBaseInstances() of the context in which the buffer was made.
     bool hasBase() const { return hasBase_; }
 
   private:

@@ -28,7 +28,7 @@ class SlicePace {
         drawn_ += triangles;
     }
 
-    /// Tells whether it is time to look at the clock.
+    /// Returns true when enough was drawn to ask the clock.
     bool isDue() const { return drawn_ >= maxTriangles_; }
 
     /// Notes that the device has finished the triangles that were added, and fits maxTriangles() to

@@ -21,7 +21,7 @@ using TextureSource = std::function<TextureLookup(const TextureUse&, TextureDeco
 
 struct BoundTexture;
 
-/// Returns how to decode the file of a use: as its color space says, else by its role in the
+/// Returns how to decode the file of a use: as its colour space says, else by its role in the
 /// program.
 TextureDecoding decodingOf(const TextureUse& use, const BoundTexture& image);
 

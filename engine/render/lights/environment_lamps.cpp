@@ -99,7 +99,7 @@ struct Part {
     double flux = 0.0;       ///< is the integral of the luminance
     double square = 0.0;     ///< is the integral of the squared luminance
     glm::dvec3 mean{0.0};    ///< is the integral of the direction, weighted by luminance
-    glm::dvec3 moments[3]{}; ///< are the same integral for each color channel
+    glm::dvec3 moments[3]{}; ///< are the same integral for each colour channel
 
     void add(const Sky& sky, std::size_t i, double limit) {
         const double excess = sky.brightness(i) - limit;

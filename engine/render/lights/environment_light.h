@@ -60,11 +60,11 @@ class EnvironmentLight {
                    : EnvironmentRadiance();
     }
 
-    /// Says which samples of the environment programs take.
+    /// Says which samples of the environment's light the programs take.
     struct Samples {
         int firstRound = 0;
         int count = 0;  ///< is a multiple of roundSamples, or less than one round
-        int series = 0; ///< see View::environmentSeries
+        int series = 0; ///< is View::environmentSeries
     };
     void setSamples(const Samples& samples);
 

@@ -124,7 +124,7 @@ void SmallEnvironment::draw(const gl::Program& program, glm::ivec2 size) {
     fit(size);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     glViewport(0, 0, size.x, size.y);
-    // The same state each time: a driver may compile a program anew for another one.
+    // The state is the same each time, since a driver may compile a program again for another one.
     for (const GLenum state : {GL_DEPTH_TEST, GL_BLEND, GL_DITHER, GL_CULL_FACE}) {
         glDisable(state);
     }

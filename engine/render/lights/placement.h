@@ -17,9 +17,9 @@ namespace patina {
 /// Holds where an object is, in world space, computed from its transform and its mesh's box.
 struct Placement {
     glm::dmat4 world{1.0};
-    glm::dvec3 middle{0.0};              ///< of the box
-    std::array<glm::dvec3, 8> corners{}; ///< of the box
-    Ball ball;                           ///< encloses the box
+    glm::dvec3 middle{0.0};              ///< is the middle of the bounding box, in world space
+    std::array<glm::dvec3, 8> corners{}; ///< are those of the bounding box, in world space
+    Ball ball;                           ///< is the bounding sphere of the box
     Instance instance;
 };
 

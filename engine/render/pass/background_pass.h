@@ -5,7 +5,8 @@
 
 namespace patina {
 
-/// Clears the target to the background color and draws an environment's picture behind the objects.
+/// Clears the target to the background colour and draws an environment's picture behind the
+/// objects.
 class BackgroundPass : public Pass {
   public:
     Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;

@@ -8,7 +8,7 @@
 
 namespace patina {
 
-/// Fits the target again where a refracting program reads the scene's color, since a program kept
+/// Fits the target again where a refracting program reads the scene's colour, since a program kept
 /// from before a change may do so when the scene's effects do not.
 Result<bool> BlendedPass::prepare(FramePlan& plan, FrameGpu& gpu) {
     batch_ = 0;

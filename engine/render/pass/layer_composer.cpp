@@ -247,7 +247,7 @@ bool LayerComposer::drawLayer(const DrawObjects& drawObjects) const {
     return isDone;
 }
 
-/// Sums weighted colors and multiplies what the surfaces transmit (McGuire and Bavoil 2013).
+/// Sums weighted colours and multiplies what the surfaces transmit (McGuire and Bavoil 2013).
 bool LayerComposer::drawMixed(const HdrTarget& target, const DrawObjects& drawObjects) {
     mixed_.attachDepth(target.depth()); // may differ from that of the last frame
     maskColors(GL_TRUE);

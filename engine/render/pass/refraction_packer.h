@@ -9,8 +9,8 @@
 
 namespace patina {
 
-/// Writes the refraction data of a material to its `objectData`: the block's values, with the
-/// refractive index that bodyIndex() finds, and the background color. It allocates nothing.
+/// Writes the refraction data of a material to its `objectData`: the block's values, with the index
+/// of refraction from bodyIndex(), and the background colour. It allocates nothing.
 void packRefraction(std::span<glm::vec4> out, const Pipeline& pipeline, const Material& material,
                     const glm::dvec3& background);
 

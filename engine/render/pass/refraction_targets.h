@@ -31,7 +31,7 @@ class RefractionTargets {
     /// image first if `isNew`.
     void beginBack(const Ball& ball, bool isNew) const;
 
-    /// Copies the target's color and depth as what is behind the next objects.
+    /// Copies the target's colour and depth as what is behind the next objects.
     void takeBehind(const HdrTarget& target) const;
     bool needsSceneColor() const { return built_.behind; }
 

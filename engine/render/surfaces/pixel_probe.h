@@ -15,7 +15,7 @@ enum class PixelDefect { None, AboveOne, Negative, Infinite, NotANumber };
 
 /// Holds the light that one light source sends to the viewer from a point.
 struct LightShare {
-    std::size_t light = 0; ///< its place in the scene
+    std::size_t light = 0; ///< is its index in the scene
     glm::vec3 value{0.0f}; ///< is its light times the model's value, before that is clamped to 0
     float nl = 0.0f;       ///< is the cosine between its direction and the normal
 };
@@ -29,7 +29,7 @@ struct BlendedColor {
 /// Holds the numbers of one pixel as the shader computed them, linear and before exposure. A term
 /// that the program does not have is empty.
 struct PixelProbe {
-    std::size_t object = 0; ///< its place in the scene
+    std::size_t object = 0; ///< is its index in the scene
     PixelDefect defect = PixelDefect::None;
     glm::vec3 normal{0.0f}; ///< is in world space, on the viewer's side
     float nv = 0.0f;
