@@ -6,8 +6,8 @@
 
 #include <boost/process/args.hpp>
 #include <boost/process/child.hpp>
-#include <boost/process/exception.hpp>
 #include <boost/process/exe.hpp>
+#include <boost/process/exception.hpp>
 #include <boost/process/extend.hpp>
 #include <boost/process/io.hpp>
 #include <boost/process/posix.hpp>
@@ -54,9 +54,7 @@ FilesProcess::~FilesProcess() {
     }
 }
 
-const Channel& FilesProcess::channel() const {
-    return state_->channel;
-}
+const Channel& FilesProcess::channel() const { return state_->channel; }
 
 double FilesProcess::workSeconds() const {
     clockid_t clock{};
