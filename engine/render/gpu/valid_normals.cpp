@@ -16,13 +16,7 @@ constexpr float longestSquared = 4.0f;
 bool isValid(const Vertex& vertex) {
     const float squared = glm::dot(vertex.normal, vertex.normal);
     const bool isUsual = squared >= shortestSquared && squared <= longestSquared;
-    return isUsual || vertex.normal == glm::vec3(0.0f); // both are false for NaN
-}
-
-glm::vec3 unitOrZero(const glm::vec3& v) {
-    const glm::dvec3 whole(v); // avoids overflow of the squares
-    const double length = glm::length(whole);
-    return std::isfinite(length) ? glm::vec3(whole / length) : glm::vec3(0.0f);
+    return isUsual || vertex.normal == glm::vec3(0.0f); // neither holds for what is no number
 }
 
 } // namespace
