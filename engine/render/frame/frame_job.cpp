@@ -161,7 +161,7 @@ bool FrameJob::prepare(Deadline began, Deadline deadline) {
     return wasPrepared || !isStepwise || Clock::now() - began <= (deadline - began) / 2;
 }
 
-/// Prepares passes up to the first long piece of work; returns false on an error. A pass that has
+/// Prepares passes up to the first long step of work; returns false on an error. A pass that has
 /// made something is asked again, until it has nothing left to do.
 bool FrameJob::prepareSome() {
     ProgramCache& programs = shared_->programs();

@@ -42,7 +42,7 @@ class EnvironmentLight {
     /// Brings all data up to date with the scene. It allocates nothing while only values change.
     void follow(const Subject& subject, const Catalog& catalog, ProgramCache& cache);
 
-    /// Does the same in steps, each up to the first long piece of work: a part of the picture, a
+    /// Does the same in steps, each up to the first long step of work: a part of the picture, a
     /// program or the table. Returns true while there may be more to do.
     bool followSome(const Subject& subject, const Catalog& catalog, ProgramCache& cache);
 

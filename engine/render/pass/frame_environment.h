@@ -18,7 +18,7 @@ class FrameEnvironment {
         EnvironmentPictures& pictures;
     };
 
-    /// Prepares a frame in steps, each up to the first long piece of work. Returns true while there
+    /// Prepares a frame in steps, each up to the first long step of work. Returns true while there
     /// may be more to do; then it must be called again.
     Result<bool> begin(const SceneToPack& scene, const View& view, const Catalog& catalog,
                        const Shared& shared);

@@ -17,7 +17,7 @@ class Pass {
     Pass& operator=(const Pass&) = delete;
     virtual ~Pass() = default;
 
-    /// Prepares a frame in steps, each up to the first long piece of work. Returns true while there
+    /// Prepares a frame in steps, each up to the first long step of work. Returns true while there
     /// may be more to do; then it must be called again. It adds to the plan what later passes need.
     virtual Result<bool> prepare(FramePlan&, FrameGpu&) { return false; }
 
