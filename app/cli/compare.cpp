@@ -12,7 +12,6 @@
 
 #include "assets/asset_client.h"
 #include "assets/comparison_page.h"
-#include "catalog/json_text.h"
 #include "cli/environment_setup.h"
 #include "cli/image_difference.h"
 #include "cli/picture.h"
@@ -20,6 +19,7 @@
 #include "cli/scene_meshes.h"
 #include "cli/scene_setup.h"
 #include "cli/texture_text.h"
+#include "core/atomic_file.h"
 #include "core/display_image.h"
 #include "core/label.h"
 

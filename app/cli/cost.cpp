@@ -14,6 +14,7 @@
 #include "cli/environment_setup.h"
 #include "cli/scene_meshes.h"
 #include "cli/scene_setup.h"
+#include "core/atomic_file.h"
 #include "core/display_image.h"
 #include "gl/headless_context.h"
 #include "measure/cost/cost_table.h"

@@ -15,7 +15,7 @@
 #include "assets/image_block.h"
 #include "assets/mesh_block.h"
 #include "assets/text_block.h"
-#include "io/atomic_write.h"
+#include "core/atomic_file.h"
 #include "io/mesh_folder.h"
 #include "io/mesh_reader.h"
 #include "io/png_writer.h"
@@ -188,7 +188,7 @@ Result<FileServer::Answer> FileServer::writeImage(const Channel::Delivery& reque
     if (!bytes) {
         return tl::unexpected(named(bytes.error(), file));
     }
-    return writeAtomically(file, *bytes).map([] { return Answer{}; });
+    return writeFileAtomically(file, *bytes).map([] { return Answer{}; });
 }
 
 Result<FileServer::Answer> FileServer::encodeImage(const Channel::Delivery& request) {

@@ -15,6 +15,7 @@
 #include <zip.h>
 
 #include "catalog/json_text.h"
+#include "core/atomic_file.h"
 #include "core/ordinary_file.h"
 #include "material/file_suffixes.h"
 #include "material/preset_file.h"
@@ -81,12 +82,15 @@ class BundleWriter {
             use.file = *name;
         }
         const std::string stem = unused(preset.name, presets_);
-        const bool isAdded =
-            patina::add(zip_, stem + std::string(presetSuffix), writeJson(toJson(material))) &&
-            (preset.picture.empty() ||
-             patina::add(zip_, fmt::format("{}{}.png", pictureFolder, stem), preset.picture));
-        return {preset.name, isAdded ? "" : "it could not be written"};
+        write(stem + std::string(presetSuffix), writeJson(toJson(material)));
+        if (!preset.picture.empty()) {
+            write(fmt::format("{}{}.png", pictureFolder, stem), preset.picture);
+        }
+        return {preset.name, ""};
     }
+
+    /// Returns whether something could not be written: the file is then damaged.
+    bool hasFailed() const { return hasFailed_; }
 
   private:
     /// Writes an image unless it is there already, and returns its path in the bundle.
@@ -101,11 +105,13 @@ class BundleWriter {
             }
             known->second = fmt::format("images/{}{}", unused(path.stem().string(), imageStems_),
                                         path.extension().string());
-            if (!patina::add(zip_, known->second, *bytes)) {
-                return failure("an image could not be written");
-            }
+            write(known->second, *bytes);
         }
         return known->second;
+    }
+
+    void write(const std::string& name, std::string_view bytes) {
+        hasFailed_ = hasFailed_ || !patina::add(zip_, name, bytes);
     }
 
     /// Returns `stem`, with a number where `others` has it already, and adds the result to
@@ -123,6 +129,7 @@ class BundleWriter {
     std::map<std::string, std::string> images_; ///< maps a file to its path in the bundle
     std::set<std::string> imageStems_;
     std::set<std::string> presets_;
+    bool hasFailed_ = false;
 };
 
 /// Unpacks the entries of a zip into a folder and keeps an outcome for each.
@@ -256,6 +263,10 @@ fs::path newFolder(const fs::path& bundle, const fs::path& folder) {
     return place;
 }
 
+Error cannotBeWritten(const fs::path& file) {
+    return {file.string(), 0, 0, "it cannot be written", {}};
+}
+
 Error at(const fs::path& file, Error error) {
     error.file = file.string();
     return error;
@@ -265,25 +276,26 @@ Error at(const fs::path& file, Error error) {
 
 Result<std::vector<BundleOutcome>> exportBundle(const fs::path& file,
                                                 const std::vector<BundledPreset>& presets) {
-    fs::path unfinished = file;
-    unfinished += ".part";
-    std::vector<BundleOutcome> outcomes;
-    std::error_code ignored; // it is not there
-    {
-        const Zip zip(zipOpen64(unfinished.c_str(), APPEND_STATUS_CREATE));
-        if (!zip) {
-            return tl::unexpected(Error{file.string(), 0, 0, "it cannot be written", {}});
-        }
-        BundleWriter writer(zip.get());
-        for (const BundledPreset& preset : presets) {
-            outcomes.push_back(writer.add(preset));
-        }
+    auto draft = AtomicFile::create(file);
+    if (!draft) {
+        return tl::unexpected(draft.error());
     }
-    std::error_code failed;
-    fs::rename(unfinished, file, failed);
-    if (failed) {
-        fs::remove(unfinished, ignored);
-        return tl::unexpected(Error{file.string(), 0, 0, "it cannot be written", {}});
+    const std::string open = fmt::format("/proc/self/fd/{}", draft->descriptor());
+    Zip zip(zipOpen64(open.c_str(), APPEND_STATUS_CREATE));
+    if (!zip) {
+        return tl::unexpected(cannotBeWritten(file));
+    }
+    BundleWriter writer(zip.get());
+    std::vector<BundleOutcome> outcomes;
+    for (const BundledPreset& preset : presets) {
+        outcomes.push_back(writer.add(preset));
+    }
+    // The list of files is written last: without it nothing can be read.
+    if (zipClose(zip.release(), nullptr) != ZIP_OK || writer.hasFailed()) {
+        return tl::unexpected(cannotBeWritten(file));
+    }
+    if (auto saved = draft->commit(); !saved) {
+        return tl::unexpected(saved.error());
     }
     return outcomes;
 }

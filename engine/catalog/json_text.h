@@ -45,8 +45,4 @@ Result<LocatedJson> readJson(const std::filesystem::path& path, const JsonLimits
 /// that reads back as the same float, arrays of numbers on one line, a final newline.
 std::string writeJson(const nlohmann::json& value);
 
-/// Writes through a temporary file in the same folder and renames it over the target, so that
-/// the old file is whole whatever happens; the temporary is removed on failure.
-Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_view bytes);
-
 } // namespace patina

@@ -7,6 +7,7 @@
 
 #include "catalog/settings.h"
 #include "catalog/suggestion.h"
+#include "core/atomic_file.h"
 #include "material/block_values.h"
 #include "material/file_header.h"
 #include "material/material_settings.h"

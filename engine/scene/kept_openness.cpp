@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
-#include "catalog/json_text.h"
 #include "catalog/xdg_folders.h"
+#include "core/atomic_file.h"
 #include "core/mesh_openness.h"
 #include "core/ordinary_file.h"
 

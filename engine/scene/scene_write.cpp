@@ -2,6 +2,7 @@
 #include "scene/scene_file.h"
 
 #include "catalog/settings.h"
+#include "core/atomic_file.h"
 #include "material/block_values.h"
 #include "scene/mesh_path.h"
 #include "scene/picture_accuracy_file.h"

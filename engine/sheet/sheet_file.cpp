@@ -9,6 +9,7 @@
 
 #include "catalog/catalog.h"
 #include "catalog/suggestion.h"
+#include "core/atomic_file.h"
 #include "core/number_text.h"
 #include "material/texture_path.h"
 

@@ -114,14 +114,15 @@ TEST(ImageFile, FolderThatIsNotThere_SaysSo) {
     AssetClient client;
     const auto saved = client.saveImage("/nowhere/a.png", gradient(4, 4, 3));
     ASSERT_FALSE(saved);
-    EXPECT_EQ(saved.error().text(), "/nowhere/a.png: cannot be written: No such file or directory");
+    EXPECT_EQ(saved.error().text(),
+              "/nowhere/a.png: cannot be saved in its folder: No such file or directory");
 }
 
 TEST(ImageFile, FolderThatCannotBeWritten_SaysSo) {
     AssetClient client; // nobody, not even root, makes files in /proc
     const auto saved = client.saveImage("/proc/a.png", gradient(4, 4, 3));
     ASSERT_FALSE(saved);
-    EXPECT_TRUE(saved.error().problem.starts_with("cannot be written: "));
+    EXPECT_TRUE(saved.error().problem.starts_with("cannot be saved in its folder: "));
 }
 
 /// A files process that may write no file of more than 4 KiB, as on a disk that is full.
@@ -143,7 +144,7 @@ TEST(ImageFile, FullDisk_KeepsTheOldFileAndLeavesNoOther) {
     startOnFullDisk(client);
     const auto saved = client.saveImage(folder / "a.exr", gradient(256, 256, 3));
     ASSERT_FALSE(saved);
-    EXPECT_EQ(saved.error().problem, "cannot be written: File too large");
+    EXPECT_EQ(saved.error().problem, "cannot be saved, the old file is unchanged: File too large");
     EXPECT_EQ(readFile(folder / "a.exr"), "old");
     const auto entries = std::filesystem::directory_iterator(folder.path());
     EXPECT_EQ(std::distance(begin(entries), end(entries)), 1);

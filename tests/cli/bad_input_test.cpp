@@ -221,7 +221,8 @@ TEST(BadInput, ReadOnlyFolder_KeepsTheOldPicture) {
         {"render", "--model", "phong", "--size", "16x16", "-o", folder / "a.png"});
     fs::permissions(folder.path(), fs::perms::owner_all);
     EXPECT_EQ(outcome.exitCode, 1);
-    EXPECT_NE(outcome.err.find("a.png: cannot be written: Permission denied"), std::string::npos)
+    EXPECT_NE(outcome.err.find("a.png: cannot be saved in its folder: Permission denied"),
+              std::string::npos)
         << outcome.err;
     EXPECT_EQ(readFile(folder / "a.png"), "old");
 }

@@ -6,7 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "catalog/json_text.h"
+#include "core/atomic_file.h"
 #include "support/full_disk.h"
 #include "support/program.h"
 

@@ -2,12 +2,16 @@
 // Zip files of presets: what goes in comes out, and nothing of a stranger's gets out of its folder.
 #include "bundle/preset_bundle.h"
 
+#include <algorithm>
+#include <random>
+
 #include <gtest/gtest.h>
 #include <zip.h>
 
 #include "catalog/json_text.h"
 #include "material/preset_file.h"
 #include "material/variant.h"
+#include "support/full_disk.h"
 #include "support/program.h"
 
 namespace patina::preset_bundle_test {
@@ -89,6 +93,25 @@ TEST_F(PresetBundle, PresetWhoseImageIsMissing_IsLeftOutAndTold) {
     EXPECT_EQ(exported->at(1).problem, "");
     ASSERT_TRUE(importBundle(file(), out()));
     EXPECT_FALSE(fs::exists(out() / "set/broken.patina.json"));
+}
+
+TEST_F(PresetBundle, FullDisk_IsAnErrorAndLeavesTheOldFileAndNoOther) {
+    writeFile(file(), "old");
+    std::string noise(10'000, ' '); // which takes as much room packed
+    std::minstd_rand random;
+    std::ranges::generate(noise, [&] { return static_cast<char>(random()); });
+    {
+        const tests::FullDisk full(4096);
+        const auto exported = exportBundle(file(), {{"large", material("Large"), noise}});
+        ASSERT_FALSE(exported);
+        EXPECT_EQ(exported.error().file, file().string());
+    }
+    {
+        const tests::FullDisk full(20); // what is refused at the end, by the list of files
+        EXPECT_FALSE(exportBundle(file(), {}));
+    }
+    EXPECT_EQ(readFile(file()), "old");
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()), 1);
 }
 
 TEST_F(PresetBundle, PathsThatLeaveIt_AreRefusedAndTheRestIsTaken) {

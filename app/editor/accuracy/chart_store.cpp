@@ -8,6 +8,7 @@
 #include <QFileInfo>
 
 #include "catalog/json_text.h"
+#include "core/atomic_file.h"
 #include "measure/cost/cost_table.h"
 #include "scene/scene_file.h"
 

@@ -11,7 +11,7 @@
 #include "accuracy/cost_subject.h"
 #include "accuracy/measure_bar.h"
 #include "accuracy/measure_turn.h"
-#include "catalog/json_text.h"
+#include "core/atomic_file.h"
 #include "docks/settling.h"
 #include "document/document_files.h"
 #include "session/message_log.h"

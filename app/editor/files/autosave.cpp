@@ -10,6 +10,7 @@
 #include <QFileInfo>
 #include <QLockFile>
 
+#include "core/atomic_file.h"
 #include "core/ordinary_file.h"
 #include "material/file_suffixes.h"
 #include "scene/scene_file.h"

@@ -10,6 +10,7 @@
 #include <QFile>
 
 #include "catalog/json_text.h"
+#include "core/atomic_file.h"
 #include "core/ordinary_file.h"
 #include "scene/scene_file.h"
 

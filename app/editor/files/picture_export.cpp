@@ -9,7 +9,7 @@
 
 #include "assets/comparison_page.h"
 #include "background/long_tasks.h"
-#include "catalog/json_text.h"
+#include "core/atomic_file.h"
 #include "core/display_image.h"
 
 namespace patina {

@@ -10,6 +10,7 @@
 #include <QUndoCommand>
 
 #include "catalog/json_text.h"
+#include "core/atomic_file.h"
 #include "library/preset_library.h"
 #include "material/file_suffixes.h"
 #include "material/variant.h"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/atomic_file.h"
 #include "material/file_header.h"
 #include "session/session.h"
 

@@ -5,7 +5,7 @@
 #include <cctype>
 #include <utility>
 
-#include "catalog/json_text.h"
+#include "core/atomic_file.h"
 #include "core/display_image.h"
 
 namespace patina {

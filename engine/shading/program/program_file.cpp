@@ -10,7 +10,7 @@
 #include <boost/uuid/name_generator_sha1.hpp>
 #include <boost/uuid/uuid_io.hpp>
 
-#include "catalog/json_text.h"
+#include "core/atomic_file.h"
 #include "core/ordinary_file.h"
 #include "gl/driver.h"
 
