@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A start after a crash, or with Shift held, can leave out what may be at fault.
-#include <fstream>
-
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -18,31 +16,29 @@
 namespace patina::tests::safe_start_test {
 namespace {
 
-/// The number of a process that has ended.
-int endedProcess() {
+/// Starts a program that marks a folder and is gone without putting that in order.
+void crash(const std::filesystem::path& folder) {
     const int child = fork();
     if (child == 0) {
+        new StartMark(folder);
         _exit(0);
     }
     waitpid(child, nullptr, 0);
-    return child;
-}
-
-void leaveMark(const std::filesystem::path& folder, int process) {
-    std::ofstream(folder / ("running-" + std::to_string(process)));
 }
 
 TEST(StartMark, OfAProgramThatIsGone_IsACrashOnce) {
     const TemporaryFolder folder;
-    leaveMark(folder.path(), endedProcess());
+    crash(folder.path());
     EXPECT_TRUE(StartMark(folder.path()).foundCrash());
     EXPECT_FALSE(StartMark(folder.path()).foundCrash());
 }
 
 TEST(StartMark, OfAProgramThatRuns_IsNoCrash) {
     const TemporaryFolder folder;
-    leaveMark(folder.path(), getppid());
+    const StartMark running(folder.path());
     EXPECT_FALSE(StartMark(folder.path()).foundCrash());
+    crash(folder.path());
+    EXPECT_TRUE(StartMark(folder.path()).foundCrash());
 }
 
 TEST(StartMark, OfOneThatEndsInOrder_Goes) {

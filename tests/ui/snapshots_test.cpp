@@ -86,5 +86,15 @@ TEST(SnapshotsInAFile, AreThereAgain) {
     EXPECT_FALSE(fixture.document.scene().extras.contains("snapshots"));
 }
 
+TEST(SnapshotsInAFile, PictureThatIsTooLarge_IsLeftOutAndTheLookIsThere) {
+    FixtureDocument fixture;
+    takeSnapshot(fixture.document, std::string(2u << 20, 'p'));
+    const auto json = snapshotsToJson(fixture.document.state().snapshots);
+    const auto read = snapshotsFromJson(json, {}, fixture.document.catalog(), {});
+    ASSERT_EQ(read.size(), 1u);
+    EXPECT_EQ(read[0].material, fixture.document.state().snapshots[0].material);
+    EXPECT_EQ(read[0].png, "");
+}
+
 } // namespace
 } // namespace patina::tests::snapshots_test

@@ -40,6 +40,14 @@ std::string textIn(const nlohmann::json& json, const char* key) {
     return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
+/// Returns the picture of a snapshot as PNG; empty where it is too large.
+std::string pictureIn(const nlohmann::json& json) {
+    const std::string text = textIn(json, "picture");
+    return text.size() > maxPictureBytes
+               ? std::string()
+               : QByteArray::fromBase64(QByteArray::fromStdString(text)).toStdString();
+}
+
 } // namespace
 
 void takeSnapshot(Document& document, std::string png) {
@@ -105,11 +113,8 @@ std::vector<Snapshot> snapshotsFromJson(const nlohmann::json& json,
         }
         const LocatedJson document{file.string(), each["material"], {}};
         const auto reading = materialFromJson(document, "", catalog, rights);
-        const std::string picture = textIn(each, "picture");
-        if (reading && picture.size() <= maxPictureBytes) {
-            snapshots.push_back(
-                {textIn(each, "name"), reading->material,
-                 QByteArray::fromBase64(QByteArray::fromStdString(picture)).toStdString()});
+        if (reading) {
+            snapshots.push_back({textIn(each, "name"), reading->material, pictureIn(each)});
         }
     }
     return snapshots;

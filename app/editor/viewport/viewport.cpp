@@ -5,15 +5,26 @@
 
 #include <QApplication>
 #include <QDragEnterEvent>
+#include <QKeySequenceEdit>
 #include <QLineEdit>
 #include <QMouseEvent>
 #include <QOpenGLContext>
+#include <QPlainTextEdit>
 #include <QResizeEvent>
 
 #include "parameters/dropped_files.h"
 #include "render/gpu/stretched_picture.h"
 
 namespace patina {
+namespace {
+
+/// Returns whether letters that are typed into a widget are text.
+bool takesText(const QObject* widget) {
+    return qobject_cast<const QLineEdit*>(widget) || qobject_cast<const QPlainTextEdit*>(widget) ||
+           qobject_cast<const QKeySequenceEdit*>(widget);
+}
+
+} // namespace
 
 Viewport::Viewport(ViewedScene::Sources sources, QWidget* parent)
     : QOpenGLWidget(parent), viewed_(std::move(sources), *this), frames_(*this, viewed_),
@@ -159,8 +170,7 @@ void Viewport::leaveEvent(QEvent* event) {
 
 bool Viewport::eventFilter(QObject* watched, QEvent* event) {
     const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease;
-    const bool isElsewhere = watched->isWidgetType() && watched != this &&
-                             !qobject_cast<QLineEdit*>(watched) &&
+    const bool isElsewhere = watched->isWidgetType() && watched != this && !takesText(watched) &&
                              static_cast<QWidget*>(watched)->window() == window();
     if (!isKey || !isElsewhere) {
         return QOpenGLWidget::eventFilter(watched, event);

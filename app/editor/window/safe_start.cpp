@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/safe_start.h"
 
-#include <cerrno>
-#include <charconv>
-#include <csignal>
-#include <fstream>
+#include <cstdlib>
 #include <string>
 #include <string_view>
 #include <system_error>
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <QCoreApplication>
@@ -26,18 +25,16 @@ QString safeStartText(const char* words) {
     return QCoreApplication::translate("SafeStart", words);
 }
 
-/// Returns the process number in the name of a mark; 0 for another file.
-int processOf(const fs::path& mark) {
-    const std::string name = mark.filename().string();
-    int process = 0;
-    if (name.starts_with(prefix)) {
-        std::from_chars(name.data() + prefix.size(), name.data() + name.size(), process);
+/// Returns whether the program that left a mark still runs: the system gives its lock up however
+/// it ended. Where files cannot be locked, it is taken for running.
+bool runs(const fs::path& mark) {
+    const int descriptor = ::open(mark.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) {
+        return true;
     }
-    return process;
-}
-
-bool runs(int process) {
-    return kill(process, 0) == 0 || errno == EPERM;
+    const bool isLocked = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0;
+    ::close(descriptor);
+    return isLocked;
 }
 
 } // namespace
@@ -46,22 +43,26 @@ StartMark::StartMark(const fs::path& folder) {
     std::error_code ignored; // without a mark no safe start is offered
     fs::create_directories(folder, ignored);
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-        const int process = processOf(entry.path());
-        if (process > 0 && !runs(process)) {
+        const bool isMark = entry.path().filename().string().starts_with(prefix);
+        if (isMark && !runs(entry.path())) {
             foundCrash_ = true;
             fs::remove(entry.path(), ignored);
         }
     }
-    const fs::path mark = folder / (std::string(prefix) + std::to_string(getpid()));
-    if (std::ofstream(mark)) {
-        mark_ = mark;
+    std::string draft = folder / "starting-XXXXXX";
+    descriptor_ = ::mkostemp(draft.data(), O_CLOEXEC);
+    if (descriptor_ >= 0) {
+        ::flock(descriptor_, LOCK_EX | LOCK_NB); // before it has the name that others look for
+        mark_ = folder / (std::string(prefix) + draft.substr(draft.rfind('-') + 1));
+        fs::rename(draft, mark_, ignored);
     }
 }
 
 StartMark::~StartMark() {
     std::error_code ignored;
-    if (!mark_.empty()) {
+    if (descriptor_ >= 0) {
         fs::remove(mark_, ignored);
+        ::close(descriptor_);
     }
 }
 

@@ -5,8 +5,8 @@
 
 namespace patina {
 
-/// Marks in a folder, by a file with its process number, that this program runs, until it ends in
-/// order. The mark of a process that no longer runs says that it crashed or was killed.
+/// Marks in a folder, by a file that it keeps locked, that this program runs, until it ends in
+/// order. A mark that nobody locks says that a program crashed or was killed.
 class StartMark {
   public:
     explicit StartMark(const std::filesystem::path& folder);
@@ -18,7 +18,8 @@ class StartMark {
     bool foundCrash() const { return foundCrash_; }
 
   private:
-    std::filesystem::path mark_; ///< is empty where the file could not be made
+    std::filesystem::path mark_;
+    int descriptor_ = -1; ///< holds the lock of the mark; -1 where it could not be made
     bool foundCrash_ = false;
 };
 
