@@ -46,8 +46,7 @@ constexpr auto ofShadows = functions(BlockFunction{"", "float", "ShadowPoint", "
 constexpr auto ofFog =
     functions(BlockFunction{"", "float", "FogRay", "ray"}, BlockFunction{"Color", "vec3"});
 constexpr auto ofTransparency = functions(BlockFunction{"", "float", "Layer", "l", false, layer});
-constexpr auto radiance =
-    std::to_array<ArgumentField>({{.key = "radiance", .type = Field::Color}});
+constexpr auto radiance = std::to_array<ArgumentField>({{.key = "radiance", .type = Field::Color}});
 constexpr auto ofTone = functions(BlockFunction{"", "vec3", "vec3", "light", false, radiance});
 constexpr auto ofEnvironment = functions(BlockFunction{"", "vec3", "Outlook", "o", false, outlook});
 
@@ -55,9 +54,13 @@ constexpr std::array<std::string_view, 2> indexSources{"surface", "own"};
 constexpr std::array<std::string_view, 2> falloffs{"polynomial", "inverse-square"};
 constexpr std::array<std::string_view, 3> backdrops{"sharp", "blurred", "hidden"};
 
-constexpr auto inModels = std::to_array<ParameterRole>({{roles::index}});
-constexpr auto inFresnel = std::to_array<ParameterRole>(
-    {{roles::indexOutside}, {roles::indexInside}, {roles::f0, ParameterType::Color}});
+constexpr auto inModels = std::to_array<ParameterRole>(
+    {{roles::index}, {.word = roles::diffuse, .type = ParameterType::Color, .mayRepeat = true}});
+constexpr auto inFresnel = std::to_array<ParameterRole>({{roles::indexOutside},
+                                                         {roles::indexInside},
+                                                         {roles::index, ParameterType::Vec3},
+                                                         {roles::extinction, ParameterType::Vec3},
+                                                         {roles::f0, ParameterType::Color}});
 constexpr auto inRefraction = std::to_array<ParameterRole>(
     {{.word = roles::index, .isNeeded = true},
      {.word = roles::indexFrom, .type = ParameterType::Enum, .choices = indexSources},

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure/lobe/albedo_curve.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <glm/common.hpp>
+
+#include "core/vectors.h"
+
+namespace patina {
+namespace {
+
+/// Is the radius, in radians, from which on rings are spread by their logarithm.
+constexpr double innermost = 1e-5;
+
+double radiusOf(double u) {
+    return innermost * std::sinh(u);
+}
+
+/// Integrates over rings about the mirror direction r: a viewer is cos(rho) r + sin(rho) (cos(psi)
+/// e + sin(psi) b), with e towards the normal and b across the plane of incidence.
+class Rings {
+  public:
+    Rings(const LobeModel& model, const Incoming& incoming, const IntegralAim& aim)
+        : model_(model), light_(incoming.direction()), mirror_(incoming.across(incoming.angle)),
+          angle_(incoming.angle), aim_(aim) {
+        const double turn = incoming.azimuth;
+        towardsNormal_ = {std::cos(angle_) * std::cos(turn), std::cos(angle_) * std::sin(turn),
+                          std::sin(angle_)};
+        across_ = {-std::sin(turn), std::cos(turn), 0.0};
+    }
+
+    Integral integral() {
+        // A ring meets the horizon from pi/2 - angle on, and is below it from pi/2 +
+        // angle on.
+        std::array<double, 7> ends{};
+        const double touching = std::asinh((std::numbers::pi / 2.0 - angle_) / innermost);
+        const double last = std::asinh((std::numbers::pi / 2.0 + angle_) / innermost);
+        for (std::size_t i = 0; i < 4; ++i) {
+            ends[i] = touching * double(i) / 4.0;
+        }
+        ends[4] = touching;
+        ends[5] = 0.5 * (touching + last);
+        ends[6] = last;
+        range_ = last;
+        Integral whole = adaptiveIntegral([this](double u) { return ring(u); }, ends, aim_);
+        whole.uncertainty += uncertainty_;
+        return whole;
+    }
+
+  private:
+    glm::dvec3 ring(double u) {
+        const double rho = radiusOf(u);
+        const double s = std::sin(rho);
+        const double c = std::cos(rho);
+        const double weight = s * innermost * std::cosh(u);
+        const double horizon = horizonOf(s, c);
+        const auto integrand = [&](double psi) {
+            const glm::dvec3 v =
+                c * mirror_ + s * (std::cos(psi) * towardsNormal_ + std::sin(psi) * across_);
+            return v.z > 0.0 ? model_.reflectance(light_, v) * (v.z * weight) : glm::dvec3(0.0);
+        };
+        const std::array<double, 4> ends =
+            model_.isIsotropic()
+                ? std::array<double, 4>{0.0, horizon, horizon, horizon}
+                : std::array<double, 4>{-horizon, -0.5 * horizon, 0.5 * horizon, horizon};
+        const double share = model_.isIsotropic() ? 2.0 : 1.0;
+        // A tenth of the whole for all rings, the rest for what is between them.
+        const IntegralAim aim{0.1 * aim_.tolerance / (share * range_), aim_.panels};
+        const Integral part = adaptiveIntegral(integrand, ends, aim);
+        if (part.uncertainty > aim.tolerance) {
+            uncertainty_ = std::max(uncertainty_, share * part.uncertainty * range_);
+        }
+        return share * part.value;
+    }
+
+    /// Returns the largest psi at which a ring is above the surface.
+    double horizonOf(double sinRho, double cosRho) const {
+        const double below = -cosRho * std::cos(angle_);
+        const double reach = sinRho * std::sin(angle_);
+        if (below <= -reach) {
+            return std::numbers::pi;
+        }
+        return below >= reach ? 0.0 : std::acos(std::clamp(below / reach, -1.0, 1.0));
+    }
+
+    const LobeModel& model_;
+    glm::dvec3 light_;
+    glm::dvec3 mirror_;
+    glm::dvec3 towardsNormal_{0.0};
+    glm::dvec3 across_{0.0};
+    double angle_ = 0.0;
+    IntegralAim aim_;
+    double range_ = 1.0;
+    double uncertainty_ = 0.0; ///< is the worst of a ring that did not reach its aim
+};
+
+/// Is the integral of a straight line's albedo over the share of the sky between two angles.
+glm::dvec3 skyPart(const AlbedoPoint& a, const AlbedoPoint& b) {
+    const double from = std::sin(a.angle);
+    const double to = std::sin(b.angle);
+    return 0.5 * (a.albedo + b.albedo) * (to * to - from * from);
+}
+
+} // namespace
+
+AlbedoPoint directionalAlbedo(const LobeModel& model, const Incoming& incoming,
+                              const IntegralAim& aim) {
+    Incoming lit = incoming;
+    lit.angle = std::clamp(incoming.angle, 0.0, mostGrazing);
+    const Integral integral = Rings(model, lit, aim).integral();
+    return {lit.angle, isFinite(integral.value) ? integral.value : glm::dvec3(0.0),
+            integral.uncertainty};
+}
+
+std::vector<double> albedoAngles(double stepDegrees) {
+    std::vector<double> angles;
+    constexpr double evenUpTo = 85.0;
+    const int steps = std::max(static_cast<int>(std::lround(evenUpTo / stepDegrees)), 1);
+    for (int i = 0; i <= steps; ++i) {
+        angles.push_back(evenUpTo * i / steps * std::numbers::pi / 180.0);
+    }
+    for (const double degrees : {86.5, 88.0, 89.0, 89.5}) {
+        angles.push_back(degrees * std::numbers::pi / 180.0);
+    }
+    angles.push_back(mostGrazing);
+    return angles;
+}
+
+std::vector<AlbedoPoint> albedoCurve(const LobeModel& model, double azimuth,
+                                     std::span<const double> angles, const IntegralAim& aim,
+                                     const std::function<bool()>& isWanted) {
+    std::vector<AlbedoPoint> curve;
+    for (const double angle : angles) {
+        if (!isWanted()) {
+            break;
+        }
+        curve.push_back(directionalAlbedo(model, {angle, azimuth}, aim));
+    }
+    return curve;
+}
+
+EnergyRange energyRange(std::span<const AlbedoPoint> curve) {
+    EnergyRange range{curve.front().albedo, glm::dvec3(0.0), curve.front().albedo};
+    double sky = 0.0;
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+        range.least = glm::min(range.least, curve[i].albedo);
+        range.most = glm::max(range.most, curve[i].albedo);
+        if (i > 0) {
+            range.mean += skyPart(curve[i - 1], curve[i]);
+            const double from = std::sin(curve[i - 1].angle);
+            const double to = std::sin(curve[i].angle);
+            sky += to * to - from * from;
+        }
+    }
+    range.mean /= std::max(sky, 1e-300);
+    return range;
+}
+
+} // namespace patina

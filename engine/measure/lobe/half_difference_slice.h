@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "measure/lobe/lobe_model.h"
+
+namespace patina {
+
+/// Is the reflectance over the angle of the half vector from the normal, to the right, and that of
+/// the light from the half vector, upwards, with the plane of light and viewer across that of
+/// normal and half vector (Rusinkiewicz, A New Change of Variables for Efficient BRDF
+/// Representation, 1998, at a difference azimuth of 90 degrees). Both are above the surface
+/// everywhere. The left edge is the mirror's peak over the angle of incidence, the right one the
+/// horizon; the lower edge looks back at the light.
+struct HalfDifferenceSlice {
+    int size = 0;                  ///< cells along each side; a cell is taken at its middle
+    std::vector<glm::dvec3> cells; ///< are rows of f in 1/sr, from the bottom up
+
+    const glm::dvec3& at(int half, int difference) const {
+        return cells[static_cast<std::size_t>(difference * size + half)];
+    }
+    /// Returns the middle of a cell along a side, in radians.
+    double angleOf(int cell) const;
+};
+
+/// Returns the slice with so many cells along each side.
+HalfDifferenceSlice halfDifferenceSlice(const LobeModel& model, int size);
+
+} // namespace patina

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "material/material.h"
+#include "measure/eval/reference_case.h"
+
+namespace patina {
+
+/// Tells which part of a model's light is looked at.
+enum class LobeTerm { Whole, Diffuse, Highlight };
+
+/// Is the reflectance of a material's model in double precision, with the material's values and
+/// what fills its slot. Images, the opacity, what it emits, and a Fresnel term that is blended over
+/// the light are no part of it. Its frame is fixed: the normal is +z, the tangent +x.
+class LobeModel {
+  public:
+    /// Is an error for an unknown model and for one without code in double precision, and where the
+    /// model does not tell such a term apart.
+    static Result<LobeModel> create(const Catalog& catalog, const Material& material,
+                                    LobeTerm term = LobeTerm::Whole);
+
+    /// Returns pi f cos(theta_l) for unit directions, cut at 0 from below. What is not finite
+    /// counts as 0.
+    glm::dvec3 value(const glm::dvec3& l, const glm::dvec3& v) const;
+
+    /// Returns f in 1/sr for unit directions; 0 where l is not above the surface.
+    glm::dvec3 reflectance(const glm::dvec3& l, const glm::dvec3& v) const;
+
+    /// Says that the reflectance does not change where light and viewer turn about the normal.
+    bool isIsotropic() const { return isIsotropic_; }
+
+  private:
+    LobeModel() = default;
+
+    std::unique_ptr<ReferenceCase> code_;
+    std::unique_ptr<ReferenceCase> subtracted_; ///< is null where nothing is taken away
+    bool isIsotropic_ = false;
+};
+
+/// Says why a model is no reflectance, so that its albedo means nothing; empty where it is one.
+std::string whyNoReflectance(const Block& model);
+
+/// Tells whether the model's light is the sum of a diffuse term and a highlight, so that these can
+/// be looked at alone.
+bool hasTerms(const Block& model);
+
+/// Returns the material with every accuracy choice at its exact level.
+Material atExactLevels(const Material& material);
+
+} // namespace patina
