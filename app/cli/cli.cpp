@@ -17,9 +17,9 @@
 namespace patina {
 namespace {
 
-constexpr std::array<AddCommand, 11> commands{addRender, addCompare,  addEffects, addCost,
+constexpr std::array<AddCommand, 12> commands{addRender, addCompare,  addEffects, addCost,
                                               addEval,   addValidate, addModels,  addCheck,
-                                              addExport, addImport,   addSheet};
+                                              addExport, addImport,   addSheet,   addLobe};
 
 void addCommands(CLI::App& program, int& status) {
     program.description("Patina edits lighting models. Without a command it opens the editor:\n"

@@ -21,6 +21,7 @@ void addEffects(CLI::App& program, int& status);
 void addEval(CLI::App& program, int& status);
 void addExport(CLI::App& program, int& status);
 void addImport(CLI::App& program, int& status);
+void addLobe(CLI::App& program, int& status);
 void addModels(CLI::App& program, int& status);
 void addRender(CLI::App& program, int& status);
 void addSheet(CLI::App& program, int& status);

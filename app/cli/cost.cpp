@@ -91,9 +91,7 @@ Result<void> writeShown(const Image& image, const std::string& file) {
 }
 
 Result<void> writePlot(const CostChart& chart, const std::string& file) {
-    const std::vector<PlotShape> shapes = costPlot(chart, plotSize);
-    return endingOf(file) == ".svg" ? writeFileAtomically(file, plotSvg(shapes, plotSize))
-                                    : writeShown(plotImage(shapes, plotSize), file);
+    return writeDrawing(costPlot(chart, plotSize), plotSize, file);
 }
 
 /// Says what the error map compares with.

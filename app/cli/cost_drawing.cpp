@@ -8,16 +8,15 @@
 #include <fmt/format.h>
 
 #include "cli/plot_labels.h"
-#include "core/label.h"
 
 namespace patina {
 namespace {
 
 using Shapes = std::vector<PlotShape>;
 
-constexpr glm::dvec3 paper(0.11);
-constexpr glm::dvec3 grid(0.26);
-constexpr glm::dvec3 ink(0.85);
+using plot_colors::grid;
+using plot_colors::ink;
+
 constexpr glm::dvec3 onFront(1.0, 0.72, 0.3);
 constexpr glm::dvec3 beaten(0.5, 0.6, 0.7);
 
@@ -25,8 +24,6 @@ constexpr double marginLeft = 90.0;
 constexpr double marginRight = 150.0;
 constexpr double marginTop = 40.0;
 constexpr double marginBottom = 50.0;
-constexpr double dotRadius = 5.0;
-constexpr double ringRadius = 8.0; ///< is larger than a dot, so that both are seen at one place
 constexpr double arrowLength = 22.0;
 constexpr double arrowHead = 4.0;
 
@@ -167,82 +164,6 @@ void addLabels(Shapes& shapes, const CostChart& chart, const Axes& axes, glm::iv
     }
 }
 
-std::string svgColor(const glm::dvec3& color) {
-    return fmt::format("rgb({:.0f},{:.0f},{:.0f})", 255.0 * color.r, 255.0 * color.g,
-                       255.0 * color.b);
-}
-
-std::string svgText(const std::string& text) {
-    std::string safe;
-    for (const char c : text) {
-        safe += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
-    }
-    return safe;
-}
-
-std::string svgOf(const PlotShape& shape) {
-    const std::string color = svgColor(shape.color);
-    switch (shape.kind) {
-    case PlotShape::Kind::Line:
-        return fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" "
-                           "stroke=\"{}\"/>\n",
-                           shape.from.x, shape.from.y, shape.to.x, shape.to.y, color);
-    case PlotShape::Kind::Ring:
-        return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.0f}\" fill=\"none\" "
-                           "stroke=\"{}\" stroke-width=\"2\"/>\n",
-                           shape.from.x, shape.from.y, ringRadius, color);
-    case PlotShape::Kind::Dot:
-        return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.0f}\" fill=\"{}\"/>\n",
-                           shape.from.x, shape.from.y, dotRadius, color);
-    default:
-        return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" fill=\"{}\">{}</text>\n", shape.from.x,
-                           shape.from.y + 12.0, color, svgText(shape.text));
-    }
-}
-
-void put(Image& image, int x, int y, const glm::dvec3& color) {
-    if (x < 0 || y < 0 || x >= image.width || y >= image.height) {
-        return;
-    }
-    const std::size_t at = 3 * (std::size_t(y) * std::size_t(image.width) + std::size_t(x));
-    for (int i = 0; i < 3; ++i) {
-        image.pixels[at + std::size_t(i)] = static_cast<float>(color[i]);
-    }
-}
-
-void drawLine(Image& image, const PlotShape& line) {
-    const glm::dvec2 way = line.to - line.from;
-    const int steps = static_cast<int>(std::ceil(std::max(std::abs(way.x), std::abs(way.y))));
-    for (int i = 0; i <= steps; ++i) {
-        const glm::dvec2 at = line.from + way * (steps > 0 ? double(i) / steps : 0.0);
-        put(image, static_cast<int>(at.x), static_cast<int>(at.y), line.color);
-    }
-}
-
-void drawDot(Image& image, const PlotShape& dot) {
-    const bool isRing = dot.kind == PlotShape::Kind::Ring;
-    const int radius = static_cast<int>(isRing ? ringRadius : dotRadius);
-    const int hole = isRing ? (radius - 2) * (radius - 2) : -1; // its squared radius
-    for (int y = -radius; y <= radius; ++y) {
-        for (int x = -radius; x <= radius; ++x) {
-            if (x * x + y * y <= radius * radius && x * x + y * y > hole) {
-                put(image, static_cast<int>(dot.from.x) + x, static_cast<int>(dot.from.y) + y,
-                    dot.color);
-            }
-        }
-    }
-}
-
-void draw(Image& image, const PlotShape& shape) {
-    if (shape.kind == PlotShape::Kind::Line) {
-        drawLine(image, shape);
-    } else if (shape.kind != PlotShape::Kind::Text) {
-        drawDot(image, shape);
-    } else {
-        drawLabel(image, shape.text, glm::ivec2(shape.from), 1, image.width);
-    }
-}
-
 } // namespace
 
 std::vector<PlotShape> costPlot(const CostChart& chart, glm::ivec2 size) {
@@ -258,26 +179,6 @@ std::vector<PlotShape> costPlot(const CostChart& chart, glm::ivec2 size) {
     }
     addLabels(shapes, chart, axes, size);
     return shapes;
-}
-
-std::string plotSvg(const std::vector<PlotShape>& shapes, glm::ivec2 size) {
-    std::string svg = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" "
-                                  "height=\"{1}\" font-family=\"sans-serif\" font-size=\"12\">\n"
-                                  "<rect width=\"{0}\" height=\"{1}\" fill=\"{2}\"/>\n",
-                                  size.x, size.y, svgColor(paper));
-    for (const PlotShape& shape : shapes) {
-        svg += svgOf(shape);
-    }
-    return svg + "</svg>\n";
-}
-
-Image plotImage(const std::vector<PlotShape>& shapes, glm::ivec2 size) {
-    Image image{size.x, size.y, 3, {}};
-    image.pixels.assign(std::size_t(size.x) * std::size_t(size.y) * 3, float(paper.r));
-    for (const PlotShape& shape : shapes) {
-        draw(image, shape);
-    }
-    return image;
 }
 
 } // namespace patina

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/cost_drawing.h"
+#include "cli/plot_shapes.h"
 
 namespace patina {
 

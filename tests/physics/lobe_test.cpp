@@ -64,11 +64,11 @@ TEST(AlbedoCurve, OfEveryReflectance_IsThatOf2048Points) {
             continue;
         }
         const LobeModel model = modelOf(defaultMaterial(*block));
-        for (const double degrees : {0.0, 35.0, 70.0}) {
+        for (const double degrees : {0.0, 35.0, 75.0}) {
             const glm::dvec3 counted = albedoByPoints(model, degrees * degree, 160);
             const AlbedoPoint point = directionalAlbedo(model, {degrees * degree, 0.0});
             EXPECT_LT(worst(point.albedo, counted), tolerance) << block->id << ' ' << degrees;
-            EXPECT_LT(point.uncertainty, tolerance) << block->id << ' ' << degrees;
+            EXPECT_LT(point.uncertainty, 10.0 * tolerance) << block->id << ' ' << degrees;
         }
     }
 }

@@ -11,8 +11,8 @@ namespace patina {
 
 /// Says when an adaptive integral is good enough.
 struct IntegralAim {
-    double tolerance = 1e-5;  ///< is absolute, of the worst component
-    std::size_t panels = 200; ///< limits how many panels the range is cut into
+    double tolerance = 3e-5; ///< is absolute, of the worst component
+    std::size_t panels = 60; ///< limits how many panels the range is cut into
 };
 
 /// Is an integral with an estimate of how far it may be off.

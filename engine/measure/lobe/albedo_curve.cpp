@@ -16,6 +16,10 @@ namespace {
 /// Is the radius, in radians, from which on rings are spread by their logarithm.
 constexpr double innermost = 1e-5;
 
+/// Limits how many panels a ring is cut into: steps of a reflectance, such as shadows of grooves,
+/// would take as many as there may be.
+constexpr std::size_t ringPanels = 40;
+
 double radiusOf(double u) {
     return innermost * std::sinh(u);
 }
@@ -69,7 +73,7 @@ class Rings {
                 : std::array<double, 4>{-horizon, -0.5 * horizon, 0.5 * horizon, horizon};
         const double share = model_.isIsotropic() ? 2.0 : 1.0;
         // A tenth of the whole for all rings, the rest for what is between them.
-        const IntegralAim aim{0.1 * aim_.tolerance / (share * range_), aim_.panels};
+        const IntegralAim aim{0.1 * aim_.tolerance / (share * range_), ringPanels};
         const Integral part = adaptiveIntegral(integrand, ends, aim);
         if (part.uncertainty > aim.tolerance) {
             uncertainty_ = std::max(uncertainty_, share * part.uncertainty * range_);

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/command.h"
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <numbers>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "catalog/json_text.h"
+#include "cli/cost_request.h"
+#include "cli/lobe_table.h"
+#include "cli/option_numbers.h"
+#include "cli/scene_setup.h"
+#include "core/number_text.h"
+
+namespace patina {
+namespace {
+
+constexpr glm::ivec2 lobePlotSize{960, 600};
+constexpr int sliceCells = 90;
+constexpr std::string_view halfPlot = "half";
+
+struct LobeOptions {
+    std::vector<std::string> presets;
+    PictureOptions picture; ///< only its model, its Fresnel block and its values are options
+    std::string plot = "polar";
+    std::string term = "whole";
+    std::string scale = "linear";
+    double degrees = 45.0;
+    double azimuthDegrees = 0.0;
+    std::string out = "-";
+};
+
+/// Is a material that is plotted.
+struct Named {
+    std::string name;
+    Material material;
+};
+
+LobeTerm termOf(const std::string& word) {
+    return word == "diffuse"     ? LobeTerm::Diffuse
+           : word == "highlight" ? LobeTerm::Highlight
+                                 : LobeTerm::Whole;
+}
+
+Checked<Named> namedMaterial(const std::string& preset, const LobeOptions& options,
+                             const Catalog& catalog) {
+    const auto setup = sceneFor(preset, options.picture, catalog);
+    if (!setup) {
+        return tl::unexpected(setup.error());
+    }
+    report(setup->notes);
+    const Material& material = setup->scene.objects.front().material;
+    const std::string name = !material.name.empty() ? material.name
+                             : !preset.empty() ? std::filesystem::path(preset).filename().string()
+                                               : material.model.id;
+    return Named{name, material};
+}
+
+Checked<std::vector<Named>> materialsOf(const LobeOptions& options, const Catalog& catalog) {
+    std::vector<std::string> presets = options.presets;
+    if (presets.empty()) {
+        if (options.picture.model.empty()) {
+            return tl::unexpected(
+                oneError(failure("there is nothing to plot", "a preset or --model").value()));
+        }
+        presets.emplace_back();
+    }
+    std::vector<Named> all;
+    for (const std::string& preset : presets) {
+        auto named = namedMaterial(preset, options, catalog);
+        if (!named) {
+            return tl::unexpected(named.error());
+        }
+        all.push_back(std::move(*named));
+    }
+    return all;
+}
+
+/// Writes a plot in the form that the file's name asks for.
+Checked<void> writeOut(const LobeOptions& options, const std::vector<PlotShape>& shapes,
+                       const std::string& csv) {
+    if (options.out == "-") {
+        std::cout << csv;
+        return {};
+    }
+    const std::string ending = endingOf(options.out);
+    const Result<void> written = ending == ".csv" ? writeFileAtomically(options.out, csv)
+                                                  : writeDrawing(shapes, lobePlotSize, options.out);
+    return written ? Checked<void>() : tl::unexpected(oneError(written.error()));
+}
+
+Checked<void> plotSlice(const std::vector<Named>& materials, const LobeOptions& options,
+                        const Catalog& catalog) {
+    if (materials.size() > 1) {
+        return tl::unexpected(
+            oneError(failure("the slice is of one material", "a single preset").value()));
+    }
+    const Named& shown = materials.front();
+    const Block* block = catalog.find(kinds::models, shown.material.model.id);
+    if (block != nullptr && !whyNoReflectance(*block).empty()) {
+        return tl::unexpected(
+            oneError(failure(whyNoReflectance(*block), "a model of a reflectance").value()));
+    }
+    const auto model = LobeModel::create(catalog, shown.material, termOf(options.term));
+    if (!model) {
+        return tl::unexpected(oneError(model.error()));
+    }
+    const HalfDifferenceSlice slice = halfDifferenceSlice(*model, sliceCells);
+    return writeOut(options,
+                    sliceDrawing(slice, shown.name, *lobeScaleOf(options.scale), lobePlotSize),
+                    sliceCsv(slice));
+}
+
+Checked<void> plotLines(const std::vector<Named>& materials, const LobeOptions& options,
+                        const Catalog& catalog) {
+    constexpr double degree = std::numbers::pi / 180.0;
+    LobeRequest request;
+    request.plot = *lobePlotOf(options.plot);
+    request.incoming = {options.degrees * degree, options.azimuthDegrees * degree};
+    request.term = termOf(options.term);
+    std::vector<LobeSubject> subjects;
+    for (const Named& named : materials) {
+        auto lines = lobeLines(catalog, named.material, request);
+        if (!lines) {
+            Error why = lines.error();
+            if (materials.size() > 1) {
+                why.problem = fmt::format("{}: {}", named.name, why.problem);
+            }
+            return tl::unexpected(oneError(why));
+        }
+        subjects.push_back({named.name, std::move(*lines)});
+    }
+    const auto shapes =
+        request.plot == LobePlot::Polar
+            ? polarDrawing(subjects, *lobeScaleOf(options.scale), options.degrees, lobePlotSize)
+            : shareDrawing(subjects, lobePlotSize);
+    return writeOut(options, shapes, linesCsv(subjects));
+}
+
+Checked<void> lobe(const LobeOptions& options) {
+    const Catalog catalog = loadCatalog(standardBlockRoots());
+    report(catalog.errors);
+    const auto materials = materialsOf(options, catalog);
+    if (!materials) {
+        return tl::unexpected(materials.error());
+    }
+    return options.plot == halfPlot ? plotSlice(*materials, options, catalog)
+                                    : plotLines(*materials, options, catalog);
+}
+
+void addAngle(CLI::App& command, const char* option, double& degrees, double most,
+              const std::string& description) {
+    command
+        .add_option_function<std::string>(
+            option,
+            [option, &degrees, most](const std::string& text) {
+                degrees = optionNumber(
+                    option, text,
+                    {"an angle", fmt::format("degrees from 0 to {:g}", most),
+                     [most](double angle) { return angle >= 0.0 && angle <= most; }, parseNumber});
+            },
+            description)
+        ->default_str(fmt::format("{:g}", degrees));
+}
+
+std::string checkOut(const std::string& file) {
+    const std::string ending = endingOf(file);
+    const bool isKnown = file == "-" || ending == ".svg" || ending == ".png" || ending == ".csv";
+    return isKnown ? std::string() : "expected a file that ends in .svg, .png or .csv";
+}
+
+} // namespace
+
+void addLobe(CLI::App& program, int& status) {
+    CLI::App* command = program.add_subcommand(
+        "lobe", "Plot the reflectance of presets over angles, in double precision");
+    auto options = std::make_shared<LobeOptions>();
+    command->add_option("presets", options->presets, "Presets (*.patina.json)");
+    command->add_option("--model", options->picture.model,
+                        "This model in place of the presets', or by itself with its defaults");
+    command->add_option("--fresnel", options->picture.parts[std::string(kinds::fresnel)],
+                        "This Fresnel term, or none");
+    command->add_option("--set", options->picture.sets, "Set a value: id=value");
+    command
+        ->add_option("--plot", options->plot,
+                     "polar: f in the plane of incidence; albedo: what is reflected in all; "
+                     "fresnel: what the surface reflects of each polarisation, from both sides; "
+                     "half: a slice over half and difference angle")
+        ->check(CLI::IsMember({"polar", "albedo", "fresnel", "half"}));
+    command->add_option("--term", options->term, "The whole model, or a term alone")
+        ->check(CLI::IsMember({"whole", "diffuse", "highlight"}));
+    command->add_option("--scale", options->scale, "How f becomes a length, or a brightness")
+        ->check(CLI::IsMember({"linear", "cube-root", "log"}));
+    addAngle(*command, "--angle", options->degrees, 90.0,
+             "The light's angle from the normal, of a polar plot");
+    addAngle(*command, "--azimuth", options->azimuthDegrees, 360.0,
+             "The light's angle from the tangent, which matters for a grain");
+    command
+        ->add_option("-o,--output", options->out,
+                     "A file: .svg, .png or .csv; - writes .csv to standard output")
+        ->check(checkOut);
+    command->callback([options, &status] {
+        const auto done = lobe(*options);
+        status = done ? 0 : 1;
+        if (!done) {
+            report(done.error());
+        }
+    });
+}
+
+} // namespace patina

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/lobe_drawing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "core/color.h"
+
+namespace patina {
+namespace {
+
+constexpr glm::dvec3 subjectColors[] = {{1.0, 0.72, 0.3}, {0.35, 0.7, 1.0},  {0.55, 0.85, 0.4},
+                                        {0.9, 0.5, 0.85}, {0.95, 0.45, 0.4}, {0.4, 0.85, 0.8}};
+constexpr glm::dvec3 channelColors[] = {{1.0, 0.42, 0.36}, {0.45, 0.85, 0.4}, {0.45, 0.62, 1.0}};
+
+constexpr double edgeLeft = 60.0;
+constexpr double edgeRight = 270.0; ///< pixels; the legend stands there
+constexpr double edgeTop = 34.0;
+constexpr double edgeBottom = 46.0;
+constexpr double textHeight = 15.0;
+
+/// Is a line as it is drawn: points over an angle in degrees.
+struct DrawnLine {
+    std::vector<glm::dvec2> points;
+    glm::dvec3 color{1.0};
+    bool isDashed = false;
+    std::string name; ///< is in the legend; empty: it is not
+};
+
+bool isGrey(const LobeLine& line) {
+    return std::ranges::all_of(line.values, [](const glm::dvec3& v) {
+        const double most = std::max({v.x, v.y, v.z});
+        return most - std::min({v.x, v.y, v.z}) <= 1e-6 * most;
+    });
+}
+
+template <class Number>
+DrawnLine drawnLine(const LobeLine& line, const glm::dvec3& color, const std::string& name,
+                    const Number& number) {
+    DrawnLine drawn{{}, color, line.stroke != LobeStroke::Main, name};
+    for (std::size_t i = 0; i < line.values.size(); ++i) {
+        drawn.points.emplace_back(line.degrees[i], number(line.values[i]));
+    }
+    return drawn;
+}
+
+/// Returns the colour of a line that is one of several of the same material.
+glm::dvec3 strokeColor(const LobeLine& line, const glm::dvec3& color) {
+    constexpr glm::dvec3 across(0.95, 0.55, 0.4);
+    constexpr glm::dvec3 along(0.45, 0.75, 0.95);
+    const glm::dvec3 own = line.stroke == LobeStroke::Across  ? across
+                           : line.stroke == LobeStroke::Along ? along
+                                                              : color;
+    return line.isFromInside ? 0.7 * own : own;
+}
+
+std::vector<DrawnLine> drawnLines(const std::vector<LobeSubject>& subjects) {
+    std::vector<DrawnLine> all;
+    for (std::size_t i = 0; i < subjects.size(); ++i) {
+        const LobeSubject& subject = subjects[i];
+        const bool isAlone = subjects.size() == 1;
+        for (const LobeLine& line : subject.lines.lines) {
+            const std::string name = isAlone                           ? line.name
+                                     : line.stroke == LobeStroke::Main ? subject.name
+                                                                       : std::string();
+            if (isAlone && !isGrey(line)) {
+                for (int channel = 0; channel < 3; ++channel) {
+                    all.push_back(drawnLine(line, channelColors[channel],
+                                            channel == 1 ? name : std::string(),
+                                            [channel](const glm::dvec3& v) { return v[channel]; }));
+                }
+                continue;
+            }
+            const glm::dvec3& own = subjectColors[i % std::size(subjectColors)];
+            all.push_back(drawnLine(line, isAlone ? strokeColor(line, own) : own, name,
+                                    [](const glm::dvec3& v) { return luminance(v); }));
+        }
+    }
+    return all;
+}
+
+double largestOf(const std::vector<DrawnLine>& lines) {
+    double largest = 0.0;
+    for (const DrawnLine& line : lines) {
+        for (const glm::dvec2& point : line.points) {
+            largest = std::max(largest, point.y);
+        }
+    }
+    return largest;
+}
+
+void addText(std::vector<PlotShape>& shapes, const glm::dvec2& at, const std::string& text,
+             const glm::dvec3& color = plot_colors::ink) {
+    shapes.push_back({PlotShape::Kind::Text, at, {}, color, text});
+}
+
+void addLine(std::vector<PlotShape>& shapes, const glm::dvec2& from, const glm::dvec2& to,
+             const glm::dvec3& color, bool isDashed = false) {
+    shapes.push_back(
+        {isDashed ? PlotShape::Kind::Dashes : PlotShape::Kind::Line, from, to, color, {}});
+}
+
+/// Adds a line through places, cut into dashes by its own length where it is dashed.
+void addPath(std::vector<PlotShape>& shapes, const std::vector<glm::dvec2>& places,
+             const DrawnLine& line) {
+    constexpr double dash = 6.0;
+    double way = 0.0;
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        const glm::dvec2 step = places[i] - places[i - 1];
+        const double length = std::hypot(step.x, step.y);
+        const int parts = line.isDashed ? static_cast<int>(std::ceil(length / dash)) : 1;
+        for (int part = 0; part < parts; ++part) {
+            const bool isGap = line.isDashed && std::fmod(way, 2.0 * dash) >= dash;
+            way += length / parts;
+            if (!isGap) {
+                addLine(shapes, places[i - 1] + step * (double(part) / parts),
+                        places[i - 1] + step * (double(part + 1) / parts), line.color);
+            }
+        }
+    }
+}
+
+/// Adds the names of lines at the right, and below them what the lines leave out.
+void addLegend(std::vector<PlotShape>& shapes, const std::vector<DrawnLine>& lines,
+               const std::vector<LobeSubject>& subjects, glm::ivec2 size) {
+    constexpr double sample = 16.0;
+    constexpr std::size_t longest = 30; ///< letters of a name that have room
+    const double left = size.x - edgeRight + 30.0;
+    double y = edgeTop;
+    for (const DrawnLine& line : lines) {
+        if (line.name.empty()) {
+            continue;
+        }
+        addLine(shapes, {left, y + 8.0}, {left + sample, y + 8.0}, line.color, line.isDashed);
+        addText(shapes, {left + sample + 6.0, y}, line.name.substr(0, longest));
+        y += textHeight;
+    }
+    y += textHeight;
+    for (const LobeSubject& subject : subjects) {
+        for (const LobeMark& mark : subject.lines.marks) {
+            addText(shapes, {left, y}, fmt::format("{} {:.2f}", mark.name, mark.degrees));
+            y += textHeight;
+        }
+    }
+    for (const LobeSubject& subject : subjects) {
+        if (!subject.lines.note.empty()) {
+            addText(shapes, {edgeLeft, size.y - 18.0},
+                    subjects.size() == 1 ? subject.lines.note
+                                         : fmt::format("{}: {}", subject.name, subject.lines.note));
+            break; // there is room for one
+        }
+    }
+}
+
+/// Places an angle and a length in a half disc.
+struct HalfDisc {
+    glm::dvec2 center{0.0};
+    double radius = 1.0;
+
+    glm::dvec2 place(double degrees, double length) const {
+        const double angle = degrees * std::numbers::pi / 180.0;
+        return center + radius * length * glm::dvec2(std::sin(angle), -std::cos(angle));
+    }
+};
+
+void addDiscGrid(std::vector<PlotShape>& shapes, const HalfDisc& disc, LobeScale scale,
+                 double largest) {
+    for (const double length : {0.25, 0.5, 0.75, 1.0}) {
+        for (int degrees = -90; degrees < 90; degrees += 3) {
+            addLine(shapes, disc.place(degrees, length), disc.place(degrees + 3.0, length),
+                    plot_colors::grid);
+        }
+        addText(shapes, disc.place(90.0, length) + glm::dvec2(-18.0, 6.0),
+                fmt::format("{:.3g}", valueAtLength(scale, length, largest)));
+    }
+    for (int degrees = -90; degrees <= 90; degrees += 30) {
+        addLine(shapes, disc.center, disc.place(degrees, 1.0), plot_colors::grid);
+        addText(shapes, disc.place(degrees, 1.05) - glm::dvec2(9.0, 8.0),
+                fmt::format("{}", std::abs(degrees)));
+    }
+}
+
+/// Places an angle, 0 .. 90 degrees, and a share on straight axes.
+struct Axes90 {
+    double right = 0.0;
+    double bottom = 0.0;
+    double top = 1.0; ///< share
+
+    glm::dvec2 place(double degrees, double share) const {
+        return {edgeLeft + (right - edgeLeft) * degrees / 90.0,
+                bottom + (edgeTop - bottom) * share / top};
+    }
+};
+
+/// Returns the end of an axis that a largest value fits on: a round number.
+double axisEnd(double largest) {
+    if (!(largest > 1.02)) {
+        return 1.0;
+    }
+    const double magnitude = std::pow(10.0, std::floor(std::log10(largest)));
+    for (const double step : {1.2, 1.5, 2.0, 3.0, 5.0}) {
+        if (largest <= step * magnitude) {
+            return step * magnitude;
+        }
+    }
+    return 10.0 * magnitude;
+}
+
+} // namespace
+
+std::vector<PlotShape> polarDrawing(const std::vector<LobeSubject>& subjects, LobeScale scale,
+                                    double lightDegrees, glm::ivec2 size) {
+    const std::vector<DrawnLine> lines = drawnLines(subjects);
+    const double largest = std::max(largestOf(lines), 1e-300);
+    const double width = size.x - edgeRight - edgeLeft;
+    const double height = size.y - edgeTop - edgeBottom - 20.0;
+    const HalfDisc disc{{edgeLeft + 0.5 * width, size.y - edgeBottom - 14.0},
+                        std::min(0.5 * width, height)};
+    std::vector<PlotShape> shapes;
+    addDiscGrid(shapes, disc, scale, largest);
+    addLine(shapes, disc.center, disc.place(-lightDegrees, 1.0), plot_colors::ink, true);
+    addText(shapes, {8.0, 8.0},
+            fmt::format("f in 1/sr, {}, light at {:g} degrees", wordOf(scale), lightDegrees));
+    for (const DrawnLine& line : lines) {
+        std::vector<glm::dvec2> places;
+        for (const glm::dvec2& point : line.points) {
+            places.push_back(disc.place(point.x, lobeLength(scale, point.y, largest)));
+        }
+        addPath(shapes, places, line);
+    }
+    addLegend(shapes, lines, subjects, size);
+    return shapes;
+}
+
+std::vector<PlotShape> shareDrawing(const std::vector<LobeSubject>& subjects, glm::ivec2 size) {
+    const std::vector<DrawnLine> lines = drawnLines(subjects);
+    const Axes90 axes{size.x - edgeRight, size.y - edgeBottom, axisEnd(largestOf(lines))};
+    std::vector<PlotShape> shapes;
+    for (int degrees = 0; degrees <= 90; degrees += 15) {
+        addLine(shapes, axes.place(degrees, 0.0), axes.place(degrees, axes.top), plot_colors::grid);
+        addText(shapes, axes.place(degrees, 0.0) + glm::dvec2(-8.0, 8.0),
+                fmt::format("{}", degrees));
+    }
+    for (int i = 0; i <= 5; ++i) {
+        const double share = axes.top * i / 5.0;
+        addLine(shapes, axes.place(0.0, share), axes.place(90.0, share), plot_colors::grid);
+        addText(shapes, axes.place(0.0, share) - glm::dvec2(46.0, 8.0),
+                fmt::format("{:.3g}", share));
+    }
+    if (axes.top > 1.0) {
+        addLine(shapes, axes.place(0.0, 1.0), axes.place(90.0, 1.0), {0.9, 0.25, 0.2});
+        addText(shapes, axes.place(90.0, 1.0) + glm::dvec2(4.0, -8.0), "1", {0.9, 0.25, 0.2});
+    }
+    for (const LobeSubject& subject : subjects) {
+        for (const LobeMark& mark : subject.lines.marks) {
+            addLine(shapes, axes.place(mark.degrees, 0.0), axes.place(mark.degrees, axes.top),
+                    {0.5, 0.5, 0.5}, true);
+        }
+    }
+    addText(shapes, {8.0, 8.0}, "share of the light over its angle from the normal in degrees");
+    for (const DrawnLine& line : lines) {
+        std::vector<glm::dvec2> places;
+        for (const glm::dvec2& point : line.points) {
+            places.push_back(axes.place(point.x, point.y));
+        }
+        addPath(shapes, places, line);
+    }
+    addLegend(shapes, lines, subjects, size);
+    return shapes;
+}
+
+std::vector<PlotShape> sliceDrawing(const HalfDifferenceSlice& slice, const std::string& name,
+                                    LobeScale scale, glm::ivec2 size) {
+    // The few cells next to the horizon may be a thousand times the others.
+    constexpr double brightestDegrees = 75.0;
+    const int brightest = static_cast<int>(slice.size * brightestDegrees / 90.0);
+    double largest = 1e-300;
+    for (int row = 0; row < brightest; ++row) {
+        for (int column = 0; column < slice.size; ++column) {
+            const glm::dvec3& f = slice.at(column, row);
+            largest = std::max({largest, f.x, f.y, f.z});
+        }
+    }
+    const double edge = std::min(size.x - edgeRight - edgeLeft, size.y - edgeTop - edgeBottom);
+    const double cell = edge / slice.size;
+    const glm::dvec2 corner(edgeLeft, edgeTop + edge);
+    std::vector<PlotShape> shapes;
+    for (int row = 0; row < slice.size; ++row) {
+        for (int column = 0; column < slice.size; ++column) {
+            const glm::dvec3& f = slice.at(column, row);
+            const glm::dvec3 color(lobeLength(scale, f.x, largest), lobeLength(scale, f.y, largest),
+                                   lobeLength(scale, f.z, largest));
+            const glm::dvec2 low = corner + cell * glm::dvec2(column, -(row + 1));
+            shapes.push_back({PlotShape::Kind::Rectangle, low, low + glm::dvec2(cell), color, {}});
+        }
+    }
+    for (int degrees = 0; degrees <= 90; degrees += 30) {
+        const double along = edge * degrees / 90.0;
+        addText(shapes, corner + glm::dvec2(along - 8.0, 6.0), fmt::format("{}", degrees));
+        addText(shapes, corner + glm::dvec2(-34.0, -along - 8.0), fmt::format("{}", degrees));
+    }
+    addText(shapes, {8.0, 8.0}, "light from the half vector, upwards, in degrees");
+    addText(shapes, corner + glm::dvec2(0.0, 24.0),
+            "half vector from the normal, to the right, in degrees");
+    addText(shapes, {edgeLeft + edge + 20.0, edgeTop}, name);
+    addText(shapes, {edgeLeft + edge + 20.0, edgeTop + 2.0 * textHeight},
+            fmt::format("white: {:.3g} 1/sr or more, {}", largest, wordOf(scale)));
+    return shapes;
+}
+
+} // namespace patina

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/lobe_table.h"
+
+#include <iterator>
+#include <numbers>
+
+#include <fmt/format.h>
+
+namespace patina {
+namespace {
+
+/// Returns a text as a cell: in quotes where it would end the cell.
+std::string csvCell(const std::string& text) {
+    if (text.find_first_of(",\"\n") == std::string::npos) {
+        return text;
+    }
+    std::string quoted = "\"";
+    for (const char letter : text) {
+        quoted += letter == '"' ? "\"\"" : std::string(1, letter);
+    }
+    return quoted + '"';
+}
+
+void addRow(std::string& csv, const std::string& start, double degrees, const glm::dvec3& v) {
+    fmt::format_to(std::back_inserter(csv), "{},{:.10g},{:.10g},{:.10g},{:.10g}\n", start, degrees,
+                   v.x, v.y, v.z);
+}
+
+bool isOfInterface(const LobeLine& line) {
+    return line.name.starts_with("from ");
+}
+
+} // namespace
+
+std::string linesCsv(const std::vector<LobeSubject>& subjects) {
+    std::string csv = "material,line,degrees,red,green,blue\n";
+    for (const LobeSubject& subject : subjects) {
+        for (const LobeLine& line : subject.lines.lines) {
+            const std::string start = csvCell(subject.name) + ',' + csvCell(line.name);
+            for (std::size_t i = 0; i < line.values.size(); ++i) {
+                addRow(csv, start, line.degrees[i], line.values[i]);
+            }
+            if (!isOfInterface(line)) {
+                continue;
+            }
+            std::string passed = line.name;
+            passed[passed.find('R')] = 'T';
+            for (std::size_t i = 0; i < line.values.size(); ++i) {
+                addRow(csv, csvCell(subject.name) + ',' + passed, line.degrees[i],
+                       glm::dvec3(1.0) - line.values[i]);
+            }
+        }
+    }
+    return csv;
+}
+
+std::string sliceCsv(const HalfDifferenceSlice& slice) {
+    std::string csv = "half_degrees,difference_degrees,red,green,blue\n";
+    constexpr double degree = std::numbers::pi / 180.0;
+    for (int row = 0; row < slice.size; ++row) {
+        for (int column = 0; column < slice.size; ++column) {
+            addRow(csv, fmt::format("{:.10g}", slice.angleOf(column) / degree),
+                   slice.angleOf(row) / degree, slice.at(column, row));
+        }
+    }
+    return csv;
+}
+
+} // namespace patina

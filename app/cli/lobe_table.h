@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/lobe_drawing.h"
+
+namespace patina {
+
+/// Returns lines as comma-separated values, a row per angle: the material, the line, degrees and
+/// the three channels. What is reflected at an interface is followed by what is transmitted.
+std::string linesCsv(const std::vector<LobeSubject>& subjects);
+
+/// Returns a slice as comma-separated values, a row per cell: degrees of the half vector and of the
+/// difference, and the three channels in 1/sr.
+std::string sliceCsv(const HalfDifferenceSlice& slice);
+
+} // namespace patina

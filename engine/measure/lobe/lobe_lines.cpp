@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure/lobe/lobe_lines.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "material/blocks_in_use.h"
+#include "measure/lobe/albedo_curve.h"
+#include "measure/lobe/fresnel_curve.h"
+
+namespace patina {
+namespace {
+
+constexpr LobePlot linePlots[] = {LobePlot::Polar, LobePlot::Albedo, LobePlot::Fresnel};
+
+constexpr double stepDegrees = 2.5;
+constexpr double sketchStepDegrees = 12.5;
+constexpr IntegralAim sketchAim{3e-3, 10};
+
+double inDegrees(double radians) {
+    return radians * 180.0 / std::numbers::pi;
+}
+
+LobeLine polarLine(const LobeModel& model, const LobeRequest& request) {
+    LobeLine line{"reflectance", LobeStroke::Main, false, {}, {}};
+    const CurveFineness fineness =
+        request.isSketch ? CurveFineness{120, 5e-3, 400} : CurveFineness();
+    for (const LobePoint& point : polarCurve(model, request.incoming, fineness)) {
+        line.degrees.push_back(inDegrees(point.angle));
+        line.values.push_back(point.f);
+    }
+    return line;
+}
+
+LobeLine albedoLine(const LobeModel& model, const LobeRequest& request,
+                    const std::function<bool()>& isWanted) {
+    LobeLine line{"albedo", LobeStroke::Main, false, {}, {}};
+    const IntegralAim aim = request.isSketch ? sketchAim : IntegralAim();
+    const auto angles = albedoAngles(request.isSketch ? sketchStepDegrees : stepDegrees);
+    for (const AlbedoPoint& point :
+         albedoCurve(model, request.incoming.azimuth, angles, aim, isWanted)) {
+        line.degrees.push_back(inDegrees(point.angle));
+        line.values.push_back(point.albedo);
+    }
+    return line;
+}
+
+/// Tells whether the material's model, or what fills its slot, is computed less exactly.
+bool isInexact(const Catalog& catalog, const Material& material) {
+    for (const Block* block : blocksInUse(material, catalog)) {
+        for (const auto& [id, level] : material.accuracy) {
+            const AccuracyChoice* choice = block->accuracyChoice(id);
+            if (choice != nullptr && level != choice->values.front().id) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+std::string noteOf(const Block& model, const Material& material) {
+    std::string note;
+    if (!material.textures.empty()) {
+        note += "without its images";
+    }
+    if (material.part(kinds::fresnel) != nullptr && model.slot(kinds::fresnel) == nullptr) {
+        note += note.empty() ? "" : ", ";
+        note += "without the Fresnel term that is blended over the light";
+    }
+    return note;
+}
+
+Result<LobeLines> modelLines(const Catalog& catalog, const Material& material,
+                             const LobeRequest& request, const std::function<bool()>& isWanted) {
+    const Block* block = catalog.find(kinds::models, material.model.id);
+    if (block != nullptr && !whyNoReflectance(*block).empty()) {
+        return failure(whyNoReflectance(*block), "a model of a reflectance");
+    }
+    LobeLines all;
+    const auto add = [&](const Material& shown, LobeStroke stroke) -> Result<void> {
+        const auto model = LobeModel::create(catalog, shown, request.term);
+        if (!model) {
+            return tl::unexpected(model.error());
+        }
+        LobeLine line = request.plot == LobePlot::Polar ? polarLine(*model, request)
+                                                        : albedoLine(*model, request, isWanted);
+        if (stroke == LobeStroke::Exact) {
+            line.name += ", exact";
+        }
+        line.stroke = stroke;
+        all.lines.push_back(std::move(line));
+        return {};
+    };
+    if (const auto added = add(material, LobeStroke::Main); !added) {
+        return tl::unexpected(added.error());
+    }
+    if (isInexact(catalog, material)) {
+        if (const auto added = add(atExactLevels(material), LobeStroke::Exact); !added) {
+            return tl::unexpected(added.error());
+        }
+    }
+    all.note = noteOf(*block, material);
+    return all;
+}
+
+LobeLine sideLine(const InterfaceSide& side, LobeStroke stroke, bool isFromInside) {
+    const char* const light = stroke == LobeStroke::Across  ? "R_s"
+                              : stroke == LobeStroke::Along ? "R_p"
+                                                            : "R";
+    LobeLine line{fmt::format("from {} {}", isFromInside ? "inside" : "outside", light),
+                  stroke,
+                  isFromInside,
+                  {},
+                  {}};
+    for (const PolarisedPoint& point : side.points) {
+        line.degrees.push_back(inDegrees(point.angle));
+        line.values.push_back(stroke == LobeStroke::Across  ? point.s
+                              : stroke == LobeStroke::Along ? point.p
+                                                            : point.mean());
+    }
+    return line;
+}
+
+bool isEven(const glm::dvec3& v) {
+    return v.x == v.y && v.y == v.z;
+}
+
+/// Adds Brewster's and the critical angle, of the three channels' where these differ.
+void addMarks(LobeLines& all, const InterfaceSide& side, bool isFromInside) {
+    constexpr const char* channels[] = {" (red)", " (green)", " (blue)"};
+    const char* const from = isFromInside ? " from inside" : "";
+    const auto add = [&](const char* name, const glm::dvec3& angles) {
+        for (int i = 0; i < (isEven(angles) ? 1 : 3); ++i) {
+            if (inDegrees(angles[i]) < 89.995) {
+                all.marks.push_back(
+                    {fmt::format("{}{}{}", name, from, isEven(angles) ? "" : channels[i]),
+                     inDegrees(angles[i])});
+            }
+        }
+    };
+    add("Brewster", side.brewster);
+    add("critical", side.critical);
+}
+
+Result<LobeLines> fresnelLines(const Catalog& catalog, const Material& material) {
+    const Result<FresnelCurves> curves = fresnelCurves(catalog, material);
+    if (!curves) {
+        return tl::unexpected(curves.error());
+    }
+    LobeLines all;
+    LobeLine chosen{curves->label, LobeStroke::Main, false, {}, {}};
+    LobeLine exact{curves->label + ", exact", LobeStroke::Exact, false, {}, {}};
+    bool isExact = true;
+    for (const FresnelPoint& point : curves->term) {
+        for (LobeLine* line : {&chosen, &exact}) {
+            line->degrees.push_back(inDegrees(point.angle));
+        }
+        chosen.values.push_back(point.chosen);
+        exact.values.push_back(point.exact);
+        isExact = isExact && point.chosen == point.exact;
+    }
+    all.lines.push_back(std::move(chosen));
+    if (!isExact) {
+        all.lines.push_back(std::move(exact));
+    }
+    for (const bool isFromInside : {false, true}) {
+        const InterfaceSide& side = isFromInside ? curves->fromInside : curves->fromOutside;
+        for (const LobeStroke stroke : {LobeStroke::Across, LobeStroke::Along, LobeStroke::Main}) {
+            if (!side.points.empty()) {
+                all.lines.push_back(sideLine(side, stroke, isFromInside));
+            }
+        }
+        if (curves->media && curves->media->isClear() && !side.points.empty()) {
+            addMarks(all, side, isFromInside);
+        }
+    }
+    if (curves->media) {
+        const glm::dvec3& n = curves->media->index;
+        all.note = fmt::format("{}{}",
+                               curves->media->isFromReflectance
+                                   ? "polarised light as of the clear material of index "
+                                   : "index ",
+                               isEven(n) ? fmt::format("{:.4g}", n.x)
+                                         : fmt::format("{:.4g}, {:.4g}, {:.4g}", n.x, n.y, n.z));
+        if (!curves->media->isClear()) {
+            const glm::dvec3& k = curves->media->extinction;
+            all.note += fmt::format(", extinction {:.4g}, {:.4g}, {:.4g}", k.x, k.y, k.z);
+        }
+    }
+    return all;
+}
+
+} // namespace
+
+std::string_view wordOf(LobePlot plot) {
+    switch (plot) {
+    case LobePlot::Albedo:
+        return "albedo";
+    case LobePlot::Fresnel:
+        return "fresnel";
+    default:
+        return "polar";
+    }
+}
+
+std::optional<LobePlot> lobePlotOf(std::string_view word) {
+    const auto found =
+        std::ranges::find_if(linePlots, [word](LobePlot plot) { return wordOf(plot) == word; });
+    return found == std::end(linePlots) ? std::nullopt : std::optional(*found);
+}
+
+Result<LobeLines> lobeLines(const Catalog& catalog, const Material& material,
+                            const LobeRequest& request, const std::function<bool()>& isWanted) {
+    return request.plot == LobePlot::Fresnel ? fresnelLines(catalog, material)
+                                             : modelLines(catalog, material, request, isWanted);
+}
+
+} // namespace patina

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "measure/lobe/adaptive_integral.h"
+#include "measure/lobe/polar_curve.h"
+
+namespace patina {
+
+/// Names the plots of a material that are lines over an angle.
+enum class LobePlot { Polar, Albedo, Fresnel };
+
+/// Returns the word of a plot: "polar", "albedo", "fresnel"; and the plot of a word.
+std::string_view wordOf(LobePlot plot);
+std::optional<LobePlot> lobePlotOf(std::string_view word);
+
+/// Tells which side of an interface a line is of, and what kind of light.
+enum class LobeStroke {
+    Main,   ///< is what the plot is about
+    Exact,  ///< is the same with every accuracy choice at its exact level
+    Across, ///< is of light polarised across the plane of incidence (s)
+    Along   ///< is of light polarised in the plane of incidence (p)
+};
+
+/// Is a line of a plot, a value per channel over an angle.
+struct LobeLine {
+    std::string name; ///< "reflectance", "from outside R_s", ...
+    LobeStroke stroke = LobeStroke::Main;
+    bool isFromInside = false;
+    std::vector<double> degrees;    ///< from the normal, rising
+    std::vector<glm::dvec3> values; ///< as many; 1/sr in a polar plot, else shares of the light
+};
+
+/// Is an angle of a plot with a name, such as Brewster's.
+struct LobeMark {
+    std::string name; ///< "Brewster", "critical from inside (red)"
+    double degrees = 0.0;
+};
+
+/// Holds the lines of one material.
+struct LobeLines {
+    std::vector<LobeLine> lines;
+    std::vector<LobeMark> marks;
+    std::string note; ///< says what the lines leave out or assume; may be empty
+};
+
+/// Says which lines are wanted.
+struct LobeRequest {
+    LobePlot plot = LobePlot::Polar;
+    Incoming incoming; ///< of a polar plot; the others take its azimuth alone
+    LobeTerm term = LobeTerm::Whole;
+    bool isSketch = false; ///< is drawn while a slider moves: fewer angles, each within 0.003
+};
+
+/// Returns the lines of a material. It is an error where the plot means nothing for it, and why.
+/// Where `isWanted` becomes false, lines end early.
+Result<LobeLines> lobeLines(
+    const Catalog& catalog, const Material& material, const LobeRequest& request,
+    const std::function<bool()>& isWanted = [] { return true; });
+
+/// Is how far above 1 an albedo has to be to count: it is known no better.
+inline constexpr double albedoNoise = 1e-4;
+
+} // namespace patina
