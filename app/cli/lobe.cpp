@@ -152,16 +152,16 @@ Checked<void> lobe(const LobeOptions& options) {
                                     : plotLines(*materials, options, catalog);
 }
 
-void addAngle(CLI::App& command, const char* option, double& degrees, double most,
+void addAngle(CLI::App& command, const char* option, double& degrees, double max,
               const std::string& description) {
     command
         .add_option_function<std::string>(
             option,
-            [option, &degrees, most](const std::string& text) {
+            [option, &degrees, max](const std::string& text) {
                 degrees = optionNumber(
                     option, text,
-                    {"an angle", fmt::format("degrees from 0 to {:g}", most),
-                     [most](double angle) { return angle >= 0.0 && angle <= most; }, parseNumber});
+                    {"an angle", fmt::format("degrees from 0 to {:g}", max),
+                     [max](double angle) { return angle >= 0.0 && angle <= max; }, parseNumber});
             },
             description)
         ->default_str(fmt::format("{:g}", degrees));

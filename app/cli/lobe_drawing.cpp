@@ -32,8 +32,8 @@ struct DrawnLine {
 
 bool isGrey(const LobeLine& line) {
     return std::ranges::all_of(line.values, [](const glm::dvec3& v) {
-        const double most = std::max({v.x, v.y, v.z});
-        return most - std::min({v.x, v.y, v.z}) <= 1e-6 * most;
+        const double max = std::max({v.x, v.y, v.z});
+        return max - std::min({v.x, v.y, v.z}) <= 1e-6 * max;
     });
 }
 

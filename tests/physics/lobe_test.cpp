@@ -113,7 +113,7 @@ TEST(EnergyRange, OfAnEvenCurve_IsItsValue) {
     const LobeModel model =
         modelOf(materialOf("lambert", {{"diffuse.color", glm::dvec3(0.25, 0.5, 1.0)}}));
     const EnergyRange range = energyRange(albedoCurve(model, 0.0, albedoAngles(10.0)));
-    for (const glm::dvec3& each : {range.least, range.mean, range.most}) {
+    for (const glm::dvec3& each : {range.min, range.mean, range.max}) {
         EXPECT_LT(worst(each, {0.25, 0.5, 1.0}), 1e-5);
     }
 }

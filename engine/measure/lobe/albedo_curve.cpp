@@ -114,7 +114,7 @@ glm::dvec3 skyPart(const AlbedoPoint& a, const AlbedoPoint& b) {
 AlbedoPoint directionalAlbedo(const LobeModel& model, const Incoming& incoming,
                               const IntegralAim& aim) {
     Incoming lit = incoming;
-    lit.angle = std::clamp(incoming.angle, 0.0, mostGrazing);
+    lit.angle = std::clamp(incoming.angle, 0.0, maxIncoming);
     const Integral integral = Rings(model, lit, aim).integral();
     return {lit.angle, isFinite(integral.value) ? integral.value : glm::dvec3(0.0),
             integral.uncertainty};
@@ -130,7 +130,7 @@ std::vector<double> albedoAngles(double stepDegrees) {
     for (const double degrees : {86.5, 88.0, 89.0, 89.5}) {
         angles.push_back(degrees * std::numbers::pi / 180.0);
     }
-    angles.push_back(mostGrazing);
+    angles.push_back(maxIncoming);
     return angles;
 }
 
@@ -151,8 +151,8 @@ EnergyRange energyRange(std::span<const AlbedoPoint> curve) {
     EnergyRange range{curve.front().albedo, glm::dvec3(0.0), curve.front().albedo};
     double sky = 0.0;
     for (std::size_t i = 0; i < curve.size(); ++i) {
-        range.least = glm::min(range.least, curve[i].albedo);
-        range.most = glm::max(range.most, curve[i].albedo);
+        range.min = glm::min(range.min, curve[i].albedo);
+        range.max = glm::max(range.max, curve[i].albedo);
         if (i > 0) {
             range.mean += skyPart(curve[i - 1], curve[i]);
             const double from = std::sin(curve[i - 1].angle);

@@ -25,7 +25,7 @@ AlbedoPoint directionalAlbedo(const LobeModel& model, const Incoming& incoming,
                               const IntegralAim& aim = {});
 
 /// Returns angles for a curve of the albedo, in radians: even steps of this many degrees and closer
-/// ones towards mostGrazing.
+/// ones towards maxIncoming.
 std::vector<double> albedoAngles(double stepDegrees);
 
 /// Returns the albedo over the light's angle. `isWanted` is asked before each point, and the curve
@@ -36,9 +36,9 @@ std::vector<AlbedoPoint> albedoCurve(
 
 /// Is what a material reflects of all the light, per channel.
 struct EnergyRange {
-    glm::dvec3 least{0.0}; ///< over the light's angle
-    glm::dvec3 mean{0.0};  ///< of a uniform white sky: over the angle by its cosine
-    glm::dvec3 most{0.0};  ///< over the light's angle
+    glm::dvec3 min{0.0};  ///< over the light's angle
+    glm::dvec3 mean{0.0}; ///< of a uniform white sky: over the angle by its cosine
+    glm::dvec3 max{0.0};  ///< over the light's angle
 };
 
 /// Returns the range of a curve of two points or more.

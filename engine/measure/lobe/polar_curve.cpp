@@ -116,7 +116,7 @@ glm::dvec3 Incoming::across(double angleFromNormal) const {
 std::vector<LobePoint> polarCurve(const LobeModel& model, const Incoming& incoming,
                                   const CurveFineness& fineness) {
     Incoming lit = incoming;
-    lit.angle = std::clamp(incoming.angle, 0.0, mostGrazing);
+    lit.angle = std::clamp(incoming.angle, 0.0, maxIncoming);
     return PolarPoints(model, lit, fineness).points();
 }
 

@@ -20,7 +20,7 @@ struct Incoming {
 
 /// Is the angle of the light beyond which curves do not go, in radians: at 90 degrees a reflectance
 /// is a quotient of two zeros.
-inline constexpr double mostGrazing = 1.5690509975429023; // 89.9 degrees
+inline constexpr double maxIncoming = 1.5690509975429023; // 89.9 degrees
 
 /// Is a point of a curve over the viewer's angle.
 struct LobePoint {
