@@ -9,11 +9,11 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "catalog/json_text.h"
 #include "cli/cost_request.h"
 #include "cli/lobe_table.h"
 #include "cli/option_numbers.h"
 #include "cli/scene_setup.h"
+#include "core/atomic_file.h"
 #include "core/number_text.h"
 
 namespace patina {

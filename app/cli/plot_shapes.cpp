@@ -7,8 +7,8 @@
 #include <glm/common.hpp>
 
 #include "assets/asset_client.h"
-#include "catalog/json_text.h"
 #include "cli/cost_request.h"
+#include "core/atomic_file.h"
 #include "core/display_image.h"
 #include "core/label.h"
 
