@@ -10,11 +10,12 @@
 #include <fmt/format.h>
 
 #include "cli/cost_request.h"
-#include "cli/lobe_table.h"
+#include "cli/lobe_drawing.h"
 #include "cli/option_numbers.h"
 #include "cli/scene_setup.h"
 #include "core/atomic_file.h"
 #include "core/number_text.h"
+#include "measure/lobe/lobe_table.h"
 
 namespace patina {
 namespace {

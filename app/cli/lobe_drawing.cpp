@@ -30,13 +30,6 @@ struct DrawnLine {
     std::string name; ///< is in the legend; empty: it is not
 };
 
-bool isGrey(const LobeLine& line) {
-    return std::ranges::all_of(line.values, [](const glm::dvec3& v) {
-        const double max = std::max({v.x, v.y, v.z});
-        return max - std::min({v.x, v.y, v.z}) <= 1e-6 * max;
-    });
-}
-
 template <class Number>
 DrawnLine drawnLine(const LobeLine& line, const glm::dvec3& color, const std::string& name,
                     const Number& number) {

@@ -11,12 +11,6 @@
 
 namespace patina {
 
-/// Is what a plot of reflectances shows of one material.
-struct LobeSubject {
-    std::string name;
-    LobeLines lines;
-};
-
 /// Returns the polar plot for light at an angle in degrees, which stands at the left; the light's
 /// mirror direction is at the right. Of several materials the luminance is drawn, of one its
 /// channels where they differ.

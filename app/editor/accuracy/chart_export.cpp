@@ -195,14 +195,14 @@ class ChartPicture {
 
 } // namespace
 
-QString askForChartFile(QWidget* parent, const QString& ending) {
+QString askForChartFile(QWidget* parent, const QString& ending, const QString& name) {
     Session session;
     QFileDialog dialog(
         parent, QCoreApplication::translate("ChartExport", "Export what was measured"),
         session.folder("chart"), QStringLiteral("%1 (*.%2)").arg(ending.toUpper(), ending));
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(ending);
-    dialog.selectFile("accuracy." + ending);
+    dialog.selectFile(name + '.' + ending);
     if (dialog.exec() != QDialog::Accepted) {
         return {};
     }

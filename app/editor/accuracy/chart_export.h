@@ -12,7 +12,8 @@
 namespace patina {
 
 /// Asks for a file with the given suffix ("csv") and returns its path; empty if cancelled.
-QString askForChartFile(QWidget* parent, const QString& ending);
+QString askForChartFile(QWidget* parent, const QString& ending,
+                        const QString& name = QStringLiteral("accuracy"));
 
 /// Holds the lines above a chart: a title that names the subject, and below it how it was measured.
 struct ChartHeading {

@@ -17,6 +17,7 @@
 #include "docks/scene_dock.h"
 #include "docks/snapshots_dock.h"
 #include "docks/stability_dock.h"
+#include "lobe/lobe_dock.h"
 #include "sheets/sheets_dock.h"
 
 namespace patina {
@@ -49,6 +50,7 @@ std::vector<DockEntry> dockList() {
         {"stability", tr("Stability"), DockPlace::Bottom, make<StabilityDock>},
         {"effects", tr("Effects"), DockPlace::Bottom, make<EffectsDock>},
         {"accuracy", tr("Accuracy"), DockPlace::Bottom, make<AccuracyDock>},
+        {"lobe", tr("Lobe"), DockPlace::Bottom, make<LobeDock>},
         {"sheets", tr("Contact Sheet"), DockPlace::Bottom, make<SheetsDock>},
     };
 }

@@ -228,6 +228,8 @@ void Menus::makeViewMenu() {
                 [this] { parts_.layout.bringToFront("effects"); });
     addForViews(menu, tr("Acc&uracy and Its Cost"), QKeySequence("A"),
                 [this] { parts_.layout.bringToFront("accuracy"); });
+    add(menu, tr("L&obe of the Material"), QKeySequence("Ctrl+Shift+R"),
+        [this] { parts_.layout.bringToFront("lobe"); });
     menu->addSeparator();
     addForViews(menu, tr("&Frame Object"), QKeySequence("F"),
                 [this] { parts_.views.active().frameObjects(); });

@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 
 #include "material/blocks_in_use.h"
-#include "measure/lobe/albedo_curve.h"
 #include "measure/lobe/fresnel_curve.h"
 
 namespace patina {
@@ -123,7 +123,7 @@ LobeLine sideLine(const InterfaceSide& side, LobeStroke stroke, bool isFromInsid
     return line;
 }
 
-bool isEven(const glm::dvec3& v) {
+bool isEqual(const glm::dvec3& v) {
     return v.x == v.y && v.y == v.z;
 }
 
@@ -132,10 +132,10 @@ void addMarks(LobeLines& all, const InterfaceSide& side, bool isFromInside) {
     constexpr const char* channels[] = {" (red)", " (green)", " (blue)"};
     const char* const from = isFromInside ? " from inside" : "";
     const auto add = [&](const char* name, const glm::dvec3& angles) {
-        for (int i = 0; i < (isEven(angles) ? 1 : 3); ++i) {
+        for (int i = 0; i < (isEqual(angles) ? 1 : 3); ++i) {
             if (inDegrees(angles[i]) < 89.995) {
                 all.marks.push_back(
-                    {fmt::format("{}{}{}", name, from, isEven(angles) ? "" : channels[i]),
+                    {fmt::format("{}{}{}", name, from, isEqual(angles) ? "" : channels[i]),
                      inDegrees(angles[i])});
             }
         }
@@ -182,8 +182,8 @@ Result<LobeLines> fresnelLines(const Catalog& catalog, const Material& material)
                                curves->media->isFromReflectance
                                    ? "polarised light as of the clear material of index "
                                    : "index ",
-                               isEven(n) ? fmt::format("{:.4g}", n.x)
-                                         : fmt::format("{:.4g}, {:.4g}, {:.4g}", n.x, n.y, n.z));
+                               isEqual(n) ? fmt::format("{:.4g}", n.x)
+                                          : fmt::format("{:.4g}, {:.4g}, {:.4g}", n.x, n.y, n.z));
         if (!curves->media->isClear()) {
             const glm::dvec3& k = curves->media->extinction;
             all.note += fmt::format(", extinction {:.4g}, {:.4g}, {:.4g}", k.x, k.y, k.z);
@@ -215,6 +215,36 @@ Result<LobeLines> lobeLines(const Catalog& catalog, const Material& material,
                             const LobeRequest& request, const std::function<bool()>& isWanted) {
     return request.plot == LobePlot::Fresnel ? fresnelLines(catalog, material)
                                              : modelLines(catalog, material, request, isWanted);
+}
+
+glm::dvec3 valueAt(const LobeLine& line, double degrees) {
+    const auto after = std::ranges::lower_bound(line.degrees, degrees);
+    if (after == line.degrees.begin() || line.degrees.size() == 1) {
+        return line.values.front();
+    }
+    if (after == line.degrees.end()) {
+        return line.values.back();
+    }
+    const auto right = static_cast<std::size_t>(after - line.degrees.begin());
+    const double from = line.degrees[right - 1];
+    const double share = (degrees - from) / (line.degrees[right] - from);
+    return glm::mix(line.values[right - 1], line.values[right], share);
+}
+
+bool isGrey(const LobeLine& line) {
+    constexpr double rounding = 1e-6;
+    return std::ranges::all_of(line.values, [](const glm::dvec3& v) {
+        const double max = std::max({v.x, v.y, v.z});
+        return max - std::min({v.x, v.y, v.z}) <= rounding * max;
+    });
+}
+
+EnergyRange energyRange(const LobeLine& albedo) {
+    std::vector<AlbedoPoint> curve;
+    for (std::size_t i = 0; i < albedo.values.size(); ++i) {
+        curve.push_back({albedo.degrees[i] * std::numbers::pi / 180.0, albedo.values[i], 0.0});
+    }
+    return energyRange(curve);
 }
 
 } // namespace patina

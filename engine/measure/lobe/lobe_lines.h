@@ -7,8 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "measure/lobe/adaptive_integral.h"
-#include "measure/lobe/polar_curve.h"
+#include "measure/lobe/albedo_curve.h"
 
 namespace patina {
 
@@ -49,6 +48,12 @@ struct LobeLines {
     std::string note; ///< says what the lines leave out or assume; may be empty
 };
 
+/// Is a material in a plot.
+struct LobeSubject {
+    std::string name;
+    LobeLines lines;
+};
+
 /// Says which lines are wanted.
 struct LobeRequest {
     LobePlot plot = LobePlot::Polar;
@@ -62,6 +67,16 @@ struct LobeRequest {
 Result<LobeLines> lobeLines(
     const Catalog& catalog, const Material& material, const LobeRequest& request,
     const std::function<bool()>& isWanted = [] { return true; });
+
+/// Returns a line's value at an angle, between its points; the first or last one beyond its ends.
+/// The line must have a point.
+glm::dvec3 valueAt(const LobeLine& line, double degrees);
+
+/// Tells whether the three channels are the same.
+bool isGrey(const LobeLine& line);
+
+/// Returns the range of a line that is an albedo of two points or more.
+EnergyRange energyRange(const LobeLine& albedo);
 
 /// Is how far above 1 an albedo has to be to count: it is known no better.
 inline constexpr double albedoNoise = 1e-4;

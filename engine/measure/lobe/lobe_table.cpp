@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/lobe_table.h"
+#include "measure/lobe/lobe_table.h"
 
 #include <iterator>
 #include <numbers>

@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/lobe_drawing.h"
+#include "measure/lobe/half_difference_slice.h"
+#include "measure/lobe/lobe_lines.h"
 
 namespace patina {
 

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lobe/energy_bar.h"
+
+#include <algorithm>
+
+#include <QPainter>
+
+#include "accuracy/plot_colors.h"
+#include "core/color.h"
+#include "measure/lobe/lobe_lines.h"
+#include "text/display_number.h"
+
+namespace patina {
+namespace {
+
+constexpr int barHeight = 14;
+
+double strongest(const glm::dvec3& v) {
+    return std::max({v.x, v.y, v.z});
+}
+
+double weakest(const glm::dvec3& v) {
+    return std::min({v.x, v.y, v.z});
+}
+
+} // namespace
+
+EnergyBar::EnergyBar(QWidget* parent) : QWidget(parent) {
+    setObjectName("energyBar");
+    setAccessibleName(tr("Energy"));
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+void EnergyBar::setRange(const std::optional<EnergyRange>& range) {
+    range_ = range;
+    setToolTip(text());
+    setAccessibleDescription(text());
+    update();
+}
+
+QString EnergyBar::text() const {
+    if (!range_) {
+        return {};
+    }
+    const QString numbers =
+        tr("Reflects %1 at least, %2 of an even sky, %3 at most")
+            .arg(shareText(weakest(range_->min)), shareText(luminance(range_->mean)),
+                 shareText(strongest(range_->max)));
+    return isAboveOne() ? tr("%1: more than arrives").arg(numbers) : numbers;
+}
+
+bool EnergyBar::isAboveOne() const {
+    return range_ && strongest(range_->max) > 1.0 + albedoNoise;
+}
+
+QSize EnergyBar::sizeHint() const {
+    return {200, barHeight + fontMetrics().lineSpacing() + 4};
+}
+
+void EnergyBar::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    const QColor base = palette().color(QPalette::Base);
+    const QColor ink = palette().color(QPalette::Text);
+    const QRectF bar(0.0, 1.0, width() - 1.0, barHeight - 2.0);
+    painter.fillRect(bar, mixed(base, ink, 0.12));
+    if (!range_) {
+        return;
+    }
+    const double end = std::max(1.0, strongest(range_->max));
+    const auto place = [&](double share) { return bar.left() + bar.width() * share / end; };
+    const auto fill = [&](double from, double to, const QColor& color) {
+        painter.fillRect(QRectF(place(from), bar.top(), place(to) - place(from), bar.height()),
+                         color);
+    };
+    fill(weakest(range_->min), std::min(strongest(range_->max), 1.0),
+         palette().color(QPalette::Highlight));
+    if (isAboveOne()) {
+        fill(1.0, strongest(range_->max), QColor(220, 70, 60));
+    }
+    painter.setPen(QPen(ink, 2.0));
+    const double mean = place(luminance(range_->mean));
+    painter.drawLine(QPointF(mean, bar.top()), QPointF(mean, bar.bottom()));
+    painter.setPen(ink);
+    painter.drawText(QRect(0, barHeight, width(), height() - barHeight),
+                     Qt::AlignLeft | Qt::AlignVCenter,
+                     fontMetrics().elidedText(text(), Qt::ElideRight, width()));
+}
+
+} // namespace patina

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lobe/lobe_dock.h"
+
+#include <numbers>
+
+#include <QAction>
+#include <QComboBox>
+#include <QFileInfo>
+#include <QMenu>
+#include <QTabWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "accuracy/chart_export.h"
+#include "core/atomic_file.h"
+#include "docks/long_line.h"
+#include "docks/panel.h"
+#include "lobe/energy_bar.h"
+#include "lobe/polar_plot.h"
+#include "lobe/share_plot.h"
+#include "measure/lobe/lobe_table.h"
+#include "session/message_log.h"
+#include "text/as_text.h"
+
+namespace patina {
+namespace {
+
+constexpr int restMs = 200; ///< is how long values rest before the sketch becomes the plot
+
+} // namespace
+
+LobeDock::LobeDock(const DockContext& context)
+    : document_(context.document), tried_(context.tried), messages_(context.messages),
+      pages_(new QTabWidget(this)), polar_(new PolarPlot(this)),
+      albedo_(new SharePlot(LobePlot::Albedo, this)),
+      fresnel_(new SharePlot(LobePlot::Fresnel, this)), energy_(new EnergyBar(this)),
+      scale_(new QComboBox(this)), term_(new QComboBox(this)), snapshots_(new QAction(this)),
+      note_(new LongLine(this)), worker_({.name = tr("Plotting the reflectance")}) {
+    settle_.setSingleShot(true);
+    settle_.setInterval(restMs);
+    addPages();
+    note_->setObjectName("note");
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(6, 4, 6, 2);
+    layout->setSpacing(4);
+    layout->addWidget(makeControls());
+    layout->addWidget(pages_, 1);
+    layout->addWidget(note_);
+    connectParts(context);
+}
+
+void LobeDock::addPages() {
+    auto* energy = new QWidget(this);
+    auto* rows = new QVBoxLayout(energy);
+    rows->setContentsMargins(0, 4, 0, 0);
+    rows->addWidget(energy_);
+    rows->addWidget(albedo_, 1);
+    pages_->setDocumentMode(true);
+    const auto add = [this](QWidget* page, const QString& title, const QString& what) {
+        pages_->setTabToolTip(pages_->addTab(page, title), what);
+    };
+    add(polar_, tr("Lobe"), tr("Reflectance in the plane of incidence; drag to turn the light"));
+    add(energy, tr("Albedo"), tr("What is reflected in all, over the angle of the light"));
+    add(fresnel_, tr("Fresnel"), tr("What the surface mirrors, by polarisation and side"));
+}
+
+QWidget* LobeDock::makeControls() {
+    scale_->setObjectName("scale");
+    scale_->setAccessibleName(tr("Scale"));
+    scale_->addItem(tr("Linear"), static_cast<int>(LobeScale::Linear));
+    scale_->addItem(tr("Cube root"), static_cast<int>(LobeScale::CubeRoot));
+    scale_->addItem(tr("Log"), static_cast<int>(LobeScale::Log));
+    term_->setObjectName("term");
+    term_->setAccessibleName(tr("Term"));
+    term_->addItem(tr("Whole"), static_cast<int>(LobeTerm::Whole));
+    term_->addItem(tr("Diffuse"), static_cast<int>(LobeTerm::Diffuse));
+    term_->addItem(tr("Highlight"), static_cast<int>(LobeTerm::Highlight));
+    snapshots_->setText(tr("&Snapshots"));
+    snapshots_->setToolTip(tr("Show the snapshots beside what is on screen, four in all"));
+    snapshots_->setCheckable(true);
+    auto* overlay = new QToolButton(this);
+    overlay->setDefaultAction(snapshots_);
+    overlay->setObjectName("snapshots overlaid");
+    auto* write = textButton(tr("Export"), tr("Write the plot to a file"), this);
+    auto* menu = new QMenu(write);
+    for (const QString& ending :
+         {QStringLiteral("svg"), QStringLiteral("png"), QStringLiteral("csv")}) {
+        menu->addAction(tr("As %1…").arg(ending.toUpper()), this, [this, ending] {
+            const QString file = askForChartFile(this, ending, QStringLiteral("lobe"));
+            if (!file.isEmpty()) {
+                exportTo(file);
+            }
+        });
+    }
+    write->setMenu(menu);
+    write->setPopupMode(QToolButton::InstantPopup);
+    auto* row = new QWidget(this);
+    auto* widgets = new QHBoxLayout(row);
+    widgets->setContentsMargins(0, 0, 0, 0);
+    for (QWidget* widget : std::initializer_list<QWidget*>{scale_, term_, overlay}) {
+        widgets->addWidget(widget);
+    }
+    widgets->addStretch(1);
+    widgets->addWidget(write);
+    return row;
+}
+
+void LobeDock::connectParts(const DockContext& context) {
+    const auto follow = [this] { this->follow(); };
+    const auto again = [this] {
+        isStale_ = true;
+        this->follow();
+    };
+    onChange(document_, DocumentChange::Drawn | DocumentChange::Current | DocumentChange::Snapshots,
+             this, follow);
+    onChange(document_, DocumentChange::Catalog, this, again);
+    connect(&context.tried, &TriedMaterial::changed, this, follow);
+    connect(snapshots_, &QAction::toggled, this, follow);
+    connect(pages_, &QTabWidget::currentChanged, this, again);
+    connect(term_, &QComboBox::currentIndexChanged, this, again);
+    connect(scale_, &QComboBox::currentIndexChanged, this,
+            [this] { polar_->setScale(static_cast<LobeScale>(scale_->currentData().toInt())); });
+    connect(polar_, &PolarPlot::lightTurned, this, again);
+    connect(&settle_, &QTimer::timeout, this, [this] { ask(false); });
+}
+
+void LobeDock::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    follow();
+}
+
+/// Sketches what changed, unless the dock is not seen; showEvent() catches up.
+void LobeDock::follow() {
+    if (!isVisible()) {
+        return;
+    }
+    std::vector<LobeMaterial> now = lobeMaterials(document_, tried_, snapshots_->isChecked());
+    if (!isStale_ && now == materials_) {
+        return;
+    }
+    materials_ = std::move(now);
+    isStale_ = false;
+    ask(true);
+    settle_.start();
+}
+
+LobePlot LobeDock::shownPlot() const {
+    constexpr LobePlot plots[] = {LobePlot::Polar, LobePlot::Albedo, LobePlot::Fresnel};
+    return plots[std::max(pages_->currentIndex(), 0)];
+}
+
+LobePlotWidget& LobeDock::page() const {
+    switch (shownPlot()) {
+    case LobePlot::Albedo:
+        return *albedo_;
+    case LobePlot::Fresnel:
+        return *fresnel_;
+    default:
+        return *polar_;
+    }
+}
+
+void LobeDock::ask(bool isSketch) {
+    LobeRequest request;
+    request.plot = shownPlot();
+    request.incoming.angle = polar_->light() * std::numbers::pi / 180.0;
+    request.term = static_cast<LobeTerm>(term_->currentData().toInt());
+    request.isSketch = isSketch;
+    scale_->setEnabled(request.plot == LobePlot::Polar);
+    term_->setEnabled(request.plot != LobePlot::Fresnel);
+    worker_.ask(
+        [request, materials = materials_,
+         catalog = document_.sharedCatalog()](Worker::Control& control) {
+            // Every sketch is shown, so that ticks that come faster still move the plot.
+            const auto isWanted = [&control, isSketch = request.isSketch] {
+                return !control.isCancelled() && (isSketch || !control.isSuperseded());
+            };
+            Answer answer{request.plot, {}, {}};
+            for (const LobeMaterial& each : materials) {
+                auto lines = lobeLines(*catalog, each.material, request, isWanted);
+                if (lines) {
+                    answer.subjects.push_back({each.name, std::move(*lines)});
+                } else {
+                    answer.problems
+                        << tr("%1: %2.").arg(asText(each.name), asText(lines.error().problem));
+                }
+            }
+            return isWanted() ? answer : Answer{request.plot, {}, {}};
+        },
+        [this](const Result<Answer>& answer) {
+            if (answer) {
+                show(*answer);
+            }
+        },
+        QStringLiteral("lines"));
+}
+
+void LobeDock::show(const Answer& answer) {
+    if (answer.plot != shownPlot() || (answer.subjects.empty() && answer.problems.empty())) {
+        return; // another one is on its way
+    }
+    QStringList notes = answer.problems;
+    for (const LobeSubject& subject : answer.subjects) {
+        if (!subject.lines.note.empty()) {
+            notes << QStringLiteral("%1: %2.").arg(asText(subject.name),
+                                                   asText(subject.lines.note));
+        }
+    }
+    note_->tell(notes.join(' '));
+    if (answer.plot == LobePlot::Albedo) {
+        const bool isThere = !answer.subjects.empty() &&
+                             answer.subjects.front().lines.lines.front().values.size() > 1;
+        energy_->setRange(
+            isThere ? std::optional(energyRange(answer.subjects.front().lines.lines.front()))
+                    : std::nullopt);
+    }
+    page().setSubjects(answer.subjects);
+}
+
+void LobeDock::exportTo(const QString& file) {
+    const QString ending = QFileInfo(file).suffix().toLower();
+    const std::string bytes = ending == "csv"   ? linesCsv(page().subjects())
+                              : ending == "svg" ? page().svg().toStdString()
+                                                : page().png().toStdString();
+    if (const auto written = writeFileAtomically(file.toStdString(), bytes); !written) {
+        messages_.add(written.error());
+    }
+}
+
+} // namespace patina

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lobe/lobe_plot_widget.h"
+
+#include <cmath>
+
+#include <QBuffer>
+#include <QMouseEvent>
+#include <QSvgGenerator>
+#include <QToolTip>
+#include <QVBoxLayout>
+
+#include "accuracy/plot_library.h"
+#include "core/color.h"
+#include "lobe/lobe_subjects.h"
+#include "text/as_text.h"
+#include "text/display_number.h"
+#include "text/png.h"
+
+namespace patina {
+namespace {
+
+constexpr QSize plotFileSize{960, 600};
+constexpr double plotFileScale = 2.0;
+constexpr QSize minPlotSize{180, 120};
+constexpr double lineWidth = 1.6;
+
+QPen penOf(const LobeLine& line, const QColor& color) {
+    QColor own = color;
+    if (line.isFromInside) {
+        own.setAlphaF(0.6);
+    }
+    QPen pen(own, line.stroke == LobeStroke::Main ? lineWidth : 1.0);
+    if (line.stroke != LobeStroke::Main) {
+        pen.setStyle(line.stroke == LobeStroke::Along ? Qt::DotLine : Qt::DashLine);
+    }
+    return pen;
+}
+
+QString numberText(const LobeLine& line, double degrees) {
+    const glm::dvec3 v = valueAt(line, degrees);
+    if (isGrey(line)) {
+        return roundText(v.x);
+    }
+    return QStringLiteral("%1, %2, %3").arg(roundText(v.x), roundText(v.y), roundText(v.z));
+}
+
+} // namespace
+
+LobePlotWidget::LobePlotWidget(QWidget* parent) : PlotWidget(parent), plot_(new QCustomPlot(this)) {
+    plot_->setFocusPolicy(Qt::NoFocus);
+    plot_->setMouseTracking(true);
+    plot_->setMinimumSize(minPlotSize);
+    plot_->installEventFilter(this);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(1, 1, 1, 1); // leaves room for the focus frame
+    layout->addWidget(plot_);
+}
+
+void LobePlotWidget::setSubjects(std::vector<LobeSubject> subjects) {
+    subjects_ = std::move(subjects);
+    draw();
+}
+
+std::vector<LobePlotWidget::Stroke> LobePlotWidget::strokes() const {
+    std::vector<Stroke> all;
+    const bool isAlone = subjects_.size() == 1;
+    for (std::size_t i = 0; i < subjects_.size(); ++i) {
+        for (const LobeLine& line : subjects_[i].lines.lines) {
+            const bool hasChannels = isAlone && !isGrey(line);
+            for (int channel = 0; channel < (hasChannels ? 3 : 1); ++channel) {
+                const QColor color =
+                    hasChannels ? channelColor(channel, palette()) : lobeColor(i, palette());
+                Stroke stroke{line.degrees, {}, penOf(line, color)};
+                stroke.values.reserve(line.values.size());
+                for (const glm::dvec3& v : line.values) {
+                    stroke.values.push_back(hasChannels ? v[channel] : luminance(v));
+                }
+                all.push_back(std::move(stroke));
+            }
+        }
+    }
+    return all;
+}
+
+QString LobePlotWidget::readingAt(const QPointF& place) const {
+    const double degrees = degreesAt(place);
+    if (!std::isfinite(degrees)) {
+        return {};
+    }
+    QStringList lines{tr("%1° from the normal").arg(roundText(std::abs(degrees)))};
+    for (const LobeSubject& subject : subjects_) {
+        for (const LobeLine& line : subject.lines.lines) {
+            if (!line.values.empty()) {
+                lines << tr("%1, %2: %3 %4")
+                             .arg(asText(subject.name), asText(line.name),
+                                  numberText(line, degrees), unit())
+                             .trimmed();
+            }
+        }
+    }
+    return lines.size() > 1 ? lines.join('\n') : QString();
+}
+
+bool LobePlotWidget::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == plot_ && event->type() == QEvent::MouseMove) {
+        const auto* move = static_cast<QMouseEvent*>(event);
+        const QPointF place = plot_->mapTo(this, move->position());
+        QToolTip::showText(move->globalPosition().toPoint(), readingAt(place), this);
+    }
+    return false;
+}
+
+QByteArray LobePlotWidget::png() const {
+    return asPng(
+        plot_->toPixmap(plotFileSize.width(), plotFileSize.height(), plotFileScale).toImage());
+}
+
+QByteArray LobePlotWidget::svg() const {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    QSvgGenerator generator;
+    generator.setOutputDevice(&buffer);
+    generator.setSize(plotFileSize);
+    generator.setViewBox(QRect(QPoint(), plotFileSize));
+    QCPPainter painter;
+    painter.begin(&generator);
+    painter.setMode(QCPPainter::pmVectorized);
+    painter.setMode(QCPPainter::pmNoCaching);
+    plot_->toPainter(&painter, plotFileSize.width(), plotFileSize.height());
+    painter.end();
+    return bytes;
+}
+
+} // namespace patina

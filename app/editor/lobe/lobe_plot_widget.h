@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <QPen>
+
+#include "accuracy/plot_widget.h"
+#include "measure/lobe/lobe_lines.h"
+
+class QCustomPlot;
+
+namespace patina {
+
+/// Draws the lines of materials over an angle. The pointer reads the values below it.
+class LobePlotWidget : public PlotWidget {
+    Q_OBJECT
+
+  public:
+    explicit LobePlotWidget(QWidget* parent = nullptr);
+
+    void setSubjects(std::vector<LobeSubject> subjects);
+    const std::vector<LobeSubject>& subjects() const { return subjects_; }
+
+    /// Returns what the plot reads at a place of this widget, a line per material; empty beside the
+    /// plot.
+    QString readingAt(const QPointF& place) const;
+
+    /// Return the plot as the bytes of a file.
+    QByteArray png() const;
+    QByteArray svg() const;
+
+  protected:
+    /// Is a line as it is drawn: its values over its degrees, in a colour.
+    struct Stroke {
+        std::vector<double> degrees;
+        std::vector<double> values;
+        QPen pen;
+    };
+
+    /// Returns the lines to draw: of several materials the luminance, of one its channels where
+    /// they differ.
+    std::vector<Stroke> strokes() const;
+
+    /// Returns the angle below a place of the plot, in degrees from the normal; NaN beside it.
+    virtual double degreesAt(const QPointF& place) const = 0;
+    /// Returns what a value is called in a reading: "1/sr"; empty for a share.
+    virtual QString unit() const = 0;
+
+    QCustomPlot& plot() const { return *plot_; }
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+  private:
+    std::vector<LobeSubject> subjects_;
+    QCustomPlot* plot_;
+};
+
+} // namespace patina

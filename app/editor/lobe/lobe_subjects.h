@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <QColor>
+#include <QPalette>
+
+#include "document/tried_material.h"
+
+namespace patina {
+
+/// Limits how many materials a plot shows.
+inline constexpr std::size_t maxLobeSubjects = 4;
+
+/// Is a material that is plotted.
+struct LobeMaterial {
+    std::string name;
+    Material material;
+
+    friend bool operator==(const LobeMaterial&, const LobeMaterial&) = default;
+};
+
+/// Returns the current object's material on each side that is shown, with what is tried there, and
+/// then the first snapshots where `hasSnapshots` says so: four materials at most.
+std::vector<LobeMaterial> lobeMaterials(const Document& document, const TriedMaterial& tried,
+                                        bool hasSnapshots);
+
+/// Returns the colour of a material by its place in a plot.
+QColor lobeColor(std::size_t place, const QPalette& palette);
+
+/// Returns the colour of a channel (0: red) where a plot shows the channels of one material.
+QColor channelColor(int channel, const QPalette& palette);
+
+} // namespace patina

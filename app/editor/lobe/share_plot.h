@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "lobe/lobe_plot_widget.h"
+
+namespace patina {
+
+/// Draws shares of the light over its angle from the normal, with 1 marked where it is exceeded,
+/// and angles that have a name. The right axis of a Fresnel plot reads what is transmitted.
+class SharePlot : public LobePlotWidget {
+    Q_OBJECT
+
+  public:
+    explicit SharePlot(LobePlot plot, QWidget* parent = nullptr);
+
+  protected:
+    double degreesAt(const QPointF& place) const override;
+    QString unit() const override;
+    void draw() override;
+
+  private:
+    void addMarks(double top);
+};
+
+} // namespace patina

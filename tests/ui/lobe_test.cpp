@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The reflectance of what is on screen, as plots.
+#include <QAction>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QTabWidget>
+#include <QTest>
+#include <QToolButton>
+
+#include "document/compare_edits.h"
+#include "document/snapshot_edits.h"
+#include "lobe/energy_bar.h"
+#include "lobe/lobe_dock.h"
+#include "lobe/polar_plot.h"
+#include "lobe/share_plot.h"
+#include "ui/fixtures.h"
+#include "ui/window_fixture.h"
+
+namespace patina::tests::lobe_test {
+namespace {
+
+constexpr int waitMs = 20000;
+
+class LobePanel : public WindowFixture {
+  protected:
+    LobePanel() {
+        document().setModel(Side::A, "phong");
+        window().dock("lobe")->show();
+        window().dock("lobe")->raise();
+        settle();
+    }
+
+    LobeDock& dock() { return *window().dock("lobe")->findChild<LobeDock*>(); }
+    PolarPlot& polar() { return *dock().findChild<PolarPlot*>(); }
+    SharePlot& albedo() { return *dock().findChild<SharePlot*>("albedoPlot"); }
+    SharePlot& fresnel() { return *dock().findChild<SharePlot*>("fresnelPlot"); }
+    EnergyBar& energy() { return *dock().findChild<EnergyBar*>(); }
+    QString note() { return dock().findChild<QLabel*>("note")->text(); }
+    void openTab(int index) { dock().findChild<QTabWidget*>()->setCurrentIndex(index); }
+    bool wait() {
+        return QTest::qWaitFor([this] { return dock().isUpToDate(); }, waitMs);
+    }
+    void set(const char* id, const Value& value) {
+        document().setValue(document().selection().currentPath(kinds::models), id, value);
+    }
+};
+
+double peakOf(const LobeSubject& subject) {
+    double peak = 0.0;
+    for (const glm::dvec3& v : subject.lines.lines.front().values) {
+        peak = std::max(peak, v.x);
+    }
+    return peak;
+}
+
+TEST_F(LobePanel, Shown_PlotsTheMaterialOnScreen) {
+    ASSERT_TRUE(wait());
+    ASSERT_EQ(polar().subjects().size(), 1u);
+    EXPECT_EQ(polar().subjects().front().name, "A");
+    const double before = peakOf(polar().subjects().front());
+    set("shininess", 300.0);
+    ASSERT_TRUE(wait());
+    EXPECT_GT(peakOf(polar().subjects().front()), 2.0 * before);
+}
+
+TEST_F(LobePanel, Hidden_ComputesNothing) {
+    ASSERT_TRUE(wait());
+    const double before = peakOf(polar().subjects().front());
+    window().dock("lobe")->hide();
+    set("shininess", 300.0);
+    settle();
+    EXPECT_EQ(peakOf(polar().subjects().front()), before);
+    EXPECT_TRUE(dock().isUpToDate()); // nothing was asked for
+    window().dock("lobe")->show();
+    window().dock("lobe")->raise();
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return peakOf(polar().subjects().front()) > 2.0 * before; }, waitMs));
+}
+
+TEST_F(LobePanel, Compared_OverlaysBAndSnapshots) {
+    takeSnapshot(document(), {});
+    setSecondMaterial(document(), defaultMaterial(*document().catalog().find("models", "lambert")));
+    ASSERT_TRUE(wait());
+    ASSERT_EQ(polar().subjects().size(), 2u);
+    EXPECT_EQ(polar().subjects().back().name, "B");
+    dock().findChild<QToolButton*>("snapshots overlaid")->click();
+    ASSERT_TRUE(wait());
+    ASSERT_EQ(polar().subjects().size(), 3u);
+    EXPECT_EQ(polar().subjects().back().name, document().state().snapshots.front().name);
+}
+
+TEST_F(LobePanel, Drag_TurnsTheLight) {
+    ASSERT_TRUE(wait());
+    QWidget* canvas = polar().childAt(polar().rect().center());
+    const QPoint place = canvas->mapFrom(&polar(), polar().edgeAt(-60.0).toPoint());
+    QTest::mousePress(canvas, Qt::LeftButton, {}, place);
+    QTest::mouseRelease(canvas, Qt::LeftButton, {}, place);
+    EXPECT_NEAR(polar().light(), 60.0, 1.0);
+    ASSERT_TRUE(wait());
+    const LobeLine& line = polar().subjects().front().lines.lines.front();
+    const auto peak = std::ranges::max_element(line.values, {}, &glm::dvec3::x);
+    const double at = line.degrees[std::size_t(peak - line.values.begin())];
+    EXPECT_NEAR(at, polar().light(), 1.0);
+    QTest::keyClick(&polar(), Qt::Key_Right);
+    EXPECT_NEAR(polar().light(), 59.0, 1.0);
+}
+
+TEST_F(LobePanel, Pointer_ReadsValuesWithTheirUnit) {
+    ASSERT_TRUE(wait());
+    const QPointF middle = 0.5 * (polar().edgeAt(0.0) + polar().edgeAt(10.0));
+    const QString reading = polar().readingAt(middle);
+    EXPECT_TRUE(reading.contains("from the normal")) << reading.toStdString();
+    EXPECT_TRUE(reading.contains("A, reflectance")) << reading.toStdString();
+    EXPECT_TRUE(reading.endsWith("1/sr")) << reading.toStdString();
+    EXPECT_EQ(polar().readingAt({-5.0, -5.0}), "");
+}
+
+TEST_F(LobePanel, Albedo_HasAnEnergyBarThatKnowsTooMuchLight) {
+    set("diffuse.color", glm::dvec3(0.5));
+    set("specular.color", glm::dvec3(0.0));
+    openTab(1);
+    ASSERT_TRUE(wait());
+    EXPECT_FALSE(energy().isAboveOne());
+    EXPECT_TRUE(energy().text().contains("50 %")) << energy().text().toStdString();
+    set("specular.color", glm::dvec3(1.0));
+    set("diffuse.color", glm::dvec3(1.0));
+    ASSERT_TRUE(wait());
+    EXPECT_TRUE(energy().isAboveOne());
+    EXPECT_TRUE(energy().text().contains("more than arrives"));
+}
+
+TEST_F(LobePanel, Fresnel_OfAMetalIsPlotted) {
+    document().setModel(Side::A, "cook-torrance");
+    document().setBlock(document().selection().currentPath(kinds::fresnel), "dielectric");
+    openTab(2);
+    ASSERT_TRUE(wait());
+    ASSERT_EQ(fresnel().subjects().size(), 1u);
+    EXPECT_EQ(fresnel().subjects().front().lines.marks.size(), 3u);
+}
+
+TEST_F(LobePanel, DrawingModel_SaysThatThePlotMeansNothing) {
+    document().setModel(Side::A, "toon");
+    ASSERT_TRUE(wait());
+    EXPECT_TRUE(polar().subjects().empty());
+    EXPECT_TRUE(note().contains("no share of the light")) << note().toStdString();
+}
+
+TEST_F(LobePanel, Export_WritesEachForm) {
+    ASSERT_TRUE(wait());
+    const auto file = [this](const char* name) { return home("XDG_DATA_HOME") / name; };
+    for (const char* name : {"lobe.svg", "lobe.png", "lobe.csv"}) {
+        dock().exportTo(QString::fromStdString(file(name).string()));
+    }
+    EXPECT_NE(readFile(file("lobe.svg")).find("<svg"), std::string::npos);
+    EXPECT_TRUE(readFile(file("lobe.png")).starts_with("\x89PNG"));
+    EXPECT_TRUE(readFile(file("lobe.csv")).starts_with("material,line,degrees"));
+}
+
+} // namespace
+} // namespace patina::tests::lobe_test
