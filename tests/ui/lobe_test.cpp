@@ -58,17 +58,20 @@ TEST_F(LobePanel, Shown_PlotsTheMaterialOnScreen) {
     ASSERT_TRUE(wait());
     ASSERT_EQ(polar().subjects().size(), 1u);
     EXPECT_EQ(polar().subjects().front().name, "A");
+    set("specular.color", glm::dvec3(0.1));
+    ASSERT_TRUE(wait());
     const double before = peakOf(polar().subjects().front());
-    set("shininess", 300.0);
+    set("specular.color", glm::dvec3(1.0));
     ASSERT_TRUE(wait());
     EXPECT_GT(peakOf(polar().subjects().front()), 2.0 * before);
 }
 
 TEST_F(LobePanel, Hidden_ComputesNothing) {
+    set("specular.color", glm::dvec3(0.1));
     ASSERT_TRUE(wait());
     const double before = peakOf(polar().subjects().front());
     window().dock("lobe")->hide();
-    set("shininess", 300.0);
+    set("specular.color", glm::dvec3(1.0));
     settle();
     EXPECT_EQ(peakOf(polar().subjects().front()), before);
     EXPECT_TRUE(dock().isUpToDate()); // nothing was asked for
@@ -148,7 +151,7 @@ TEST_F(LobePanel, DrawingModel_SaysThatThePlotMeansNothing) {
 
 TEST_F(LobePanel, Export_WritesEachForm) {
     ASSERT_TRUE(wait());
-    const auto file = [this](const char* name) { return home("XDG_DATA_HOME") / name; };
+    const auto file = [this](const char* name) { return home(name); };
     for (const char* name : {"lobe.svg", "lobe.png", "lobe.csv"}) {
         dock().exportTo(QString::fromStdString(file(name).string()));
     }

@@ -22,6 +22,8 @@ namespace {
 constexpr QSize plotFileSize{960, 600};
 constexpr double plotFileScale = 2.0;
 constexpr QSize minPlotSize{180, 120};
+constexpr QSize usualLobeSize{480, 260};
+constexpr QPointF legendPlace{0.02, 0.04}; ///< shares of the plot from its top left
 constexpr double lineWidth = 1.6;
 
 QPen penOf(const LobeLine& line, const QColor& color) {
@@ -99,6 +101,24 @@ QString LobePlotWidget::readingAt(const QPointF& place) const {
         }
     }
     return lines.size() > 1 ? lines.join('\n') : QString();
+}
+
+QSize LobePlotWidget::sizeHint() const {
+    return usualLobeSize;
+}
+
+void LobePlotWidget::addLegend() {
+    for (std::size_t i = 0; i < subjects_.size() && subjects_.size() > 1; ++i) {
+        auto* name = new QCPItemText(plot_);
+        name->position->setType(QCPItemPosition::ptAxisRectRatio);
+        name->position->setCoords(legendPlace);
+        name->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
+        // Names stand below each other: the lines above are empty.
+        name->setText(QString(static_cast<qsizetype>(i), '\n') + asText(subjects_[i].name));
+        name->setTextAlignment(Qt::AlignLeft);
+        name->setFont(plot_->font());
+        name->setColor(lobeColor(i, palette()));
+    }
 }
 
 bool LobePlotWidget::eventFilter(QObject* watched, QEvent* event) {

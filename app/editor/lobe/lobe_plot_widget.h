@@ -30,6 +30,8 @@ class LobePlotWidget : public PlotWidget {
     QByteArray png() const;
     QByteArray svg() const;
 
+    QSize sizeHint() const override;
+
   protected:
     /// Is a line as it is drawn: its values over its degrees, in a colour.
     struct Stroke {
@@ -46,6 +48,9 @@ class LobePlotWidget : public PlotWidget {
     virtual double degreesAt(const QPointF& place) const = 0;
     /// Returns what a value is called in a reading: "1/sr"; empty for a share.
     virtual QString unit() const = 0;
+
+    /// Adds the names of materials in their colours, where there are several.
+    void addLegend();
 
     QCustomPlot& plot() const { return *plot_; }
     bool eventFilter(QObject* watched, QEvent* event) override;

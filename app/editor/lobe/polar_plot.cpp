@@ -19,6 +19,7 @@ namespace {
 constexpr double reach = 1.12; ///< radii from the middle to where the disc's labels end
 constexpr double below = 0.16; ///< radii below the middle, for labels
 constexpr int discSteps = 60;
+constexpr int roomyHeight = 260; ///< pixels; below it every second ring has its number
 
 QPointF discPlace(double degrees, double length) {
     const double angle = degrees * std::numbers::pi / 180.0;
@@ -83,7 +84,8 @@ void PolarPlot::addDisc(double largest) {
             const QPointF at = discPlace(180.0 * i / discSteps - 90.0, length);
             ring->addData(i, at.x(), at.y());
         }
-        if (largest > 0.0) {
+        const bool hasRoom = length == 1.0 || length == 0.5 || plot().height() > roomyHeight;
+        if (largest > 0.0 && hasRoom) {
             addText(discPlace(90.0, length) + QPointF(0.0, -0.02),
                     roundText(valueAtLength(scale_, length, largest)),
                     Qt::AlignTop | Qt::AlignHCenter);
@@ -135,6 +137,7 @@ void PolarPlot::draw() {
         curve->data()->set(points, true);
         curve->setPen(line.pen);
     }
+    addLegend();
     setAccessibleDescription(tr("Light at %1 degrees from the normal").arg(roundText(light_)));
     plot().replot(QCustomPlot::rpQueuedReplot);
 }

@@ -91,6 +91,7 @@ void SharePlot::draw() {
     }
     const double top = headroom * largest;
     addMarks(top);
+    addLegend();
     plot().yAxis->setRange(0.0, top);
     plot().yAxis2->setRange(1.0 - top, 1.0);
     plot().replot(QCustomPlot::rpQueuedReplot);
