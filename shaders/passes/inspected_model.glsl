@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT-0
-// The model between lit.glsl or ambient.glsl and its own function, here modelValue.
+// The model between lit.glsl or ambient.glsl and its own function, here modelValue. What leaves only
+// the highlight of its parameters, leaveHighlight, is generated; HAS_TERMS says whether it can.
 #include "passes/inspection.glsl"
 #include "lib/illumination.glsl"
 
@@ -8,6 +9,11 @@ uniform sampler2D albedoTable;
 vec3 inspectedModel(Directions d, Model p) {
     modelled = modelValue(d, p);
     lookAt(modelled);
+    if (HAS_TERMS && (shown == SHOWN_DIFFUSE || shown == SHOWN_HIGHLIGHT)) {
+        leaveHighlight(p);
+        vec3 highlight = max(modelValue(d, p), vec3(0.0));
+        modelledTerm = shown == SHOWN_HIGHLIGHT ? highlight : max(modelled - highlight, vec3(0.0));
+    }
     return modelled;
 }
 
@@ -22,6 +28,7 @@ Illumination inspectedLight(Illumination light) {
     lookAt(light.radiance);
     lookAt(abs(light.l));
     modelled = vec3(0.0);
+    modelledTerm = vec3(0.0);
     return light;
 }
 
@@ -30,5 +37,6 @@ void noteLight(Surface s, Illumination light) {
     vec3 arrived = light.radiance * modelled;
     lookAt(arrived);
     noteTerm(lightTerm, arrived, dot(s.n, light.l));
+    litTerm = vec4(litTerm.rgb + light.radiance * modelledTerm, HAS_TERMS ? 1.0 : 0.0);
     ++lightTerm;
 }

@@ -23,6 +23,15 @@ const int TERM_FOGGED = 5;   // w: the share of the surface's colour that is lef
 const int TERM_STORED = 6;   // w: opacity
 const int TERM_LIGHT = 7;    // w: n.l
 
+// What is stored in place of the numbers to check (InspectedView).
+const int SHOWN_NUMBERS = 0;
+const int SHOWN_ENERGY = 1;
+const int SHOWN_NORMALS = 2;
+const int SHOWN_TANGENTS = 3;
+const int SHOWN_DIFFUSE = 4;
+const int SHOWN_HIGHLIGHT = 5;
+
+uniform int shown;
 uniform int firstTerm;
 uniform float objectNumber; // what the pixel shows, from 1 on
 
@@ -33,6 +42,8 @@ vec4 terms[WINDOW];
 int lightTerm = TERM_LIGHT;
 vec3 modelled = vec3(0.0); // what the model returned last
 float share = 1.0;         // what was blended with last
+vec3 modelledTerm = vec3(0.0); // the shown term of what the model returned last
+vec4 litTerm = vec4(0.0);      // its sum over the lights; w: 1 where there is one
 
 // From the bits: compilers may take a comparison with a number for always true.
 float defectOf(float x) {
@@ -76,6 +87,21 @@ float shownGrey(vec3 color) {
     return storable(dot(color, vec3(0.2126, 0.7152, 0.0722)));
 }
 
+// The shown thing; alpha is a half where it is not known of this surface.
+vec4 shownOf(Surface s, vec4 albedo) {
+    if (shown == SHOWN_ENERGY) {
+        return vec4(albedo.rgb, 0.5 + 0.5 * albedo.a);
+    }
+    if (shown == SHOWN_NORMALS) {
+        return vec4(s.n, 1.0);
+    }
+    if (shown == SHOWN_TANGENTS) {
+        return vec4(s.t, 1.0);
+    }
+    return vec4(storable(litTerm.r), storable(litTerm.g), storable(litTerm.b),
+        0.5 + 0.5 * litTerm.w);
+}
+
 // Red: the picture's luminance; green: the defect; blue: the object. Nothing of it is blended or
 // averaged.
 void storeInspected(Surface s, vec3 color, vec4 albedo, float alpha) {
@@ -86,7 +112,8 @@ void storeInspected(Surface s, vec3 color, vec4 albedo, float alpha) {
     noteTerm(TERM_NORMAL, s.n, dot(s.n, s.v));
     noteTerm(TERM_ALBEDO, albedo.rgb, albedo.a);
     noteTerm(TERM_STORED, color, alpha);
-    storedColor = vec4(shownGrey(color), defect, objectNumber, 1.0);
+    storedColor = shown == SHOWN_NUMBERS ? vec4(shownGrey(color), defect, objectNumber, 1.0)
+                                         : shownOf(s, albedo);
     for (int i = 0; i < WINDOW; ++i) {
         storedTerms[i] = terms[i];
     }

@@ -46,6 +46,13 @@ class InspectionTest : public GpuTest {
         return image ? *image : Image();
     }
 
+    glm::vec3 shownInTheMiddle(const Scene& scene, InspectedView shown, bool display = false) {
+        auto image = renderer->inspection().capture(scene, viewOf(scene, size), meshSource(),
+                                                    display, shown);
+        EXPECT_TRUE(image) << (image ? "" : image.error().text());
+        return image ? middle(*image) : glm::vec3(0.0f);
+    }
+
     PixelDefect defectAt(const Image& image, int x, int y) {
         return static_cast<PixelDefect>(std::lround(pixel(image, x, y).g));
     }
@@ -134,6 +141,51 @@ TEST_F(InspectionTest, AlbedoOfANarrowLobe_IsExactToTwoPercent) {
     const auto found = probe(simpleScene("broken-test"), center);
     ASSERT_TRUE(found && found->albedo);
     EXPECT_NEAR(found->albedo->r, 1.0f, 0.02f);
+}
+
+TEST_F(InspectionTest, EnergyView_IsTheShareOfAWhiteSky) {
+    makeModel("0.5 * d.nl");
+    const Scene scene = simpleScene("broken-test");
+    EXPECT_NEAR(shownInTheMiddle(scene, InspectedView::Energy).r, 0.5f, 0.005f);
+    const glm::vec3 shown = shownInTheMiddle(scene, InspectedView::Energy, true);
+    EXPECT_EQ(shown.r, shown.g); // grey: no more than arrives
+}
+
+TEST_F(InspectionTest, EnergyViewOfMoreLightThanArrives_IsRed) {
+    makeModel("1.1 * d.nl");
+    const glm::vec3 shown =
+        shownInTheMiddle(simpleScene("broken-test"), InspectedView::Energy, true);
+    EXPECT_GT(shown.r, 2.0f * shown.g);
+    EXPECT_GT(shown.r, 2.0f * shown.b);
+}
+
+TEST_F(InspectionTest, NormalsView_HasTheNormal) {
+    makeRenderer();
+    const glm::vec3 normal = shownInTheMiddle(simpleScene(), InspectedView::Normals);
+    EXPECT_NEAR(normal.z, 1.0f, 0.01f);
+    const glm::vec3 tangent = shownInTheMiddle(simpleScene(), InspectedView::Tangents);
+    EXPECT_NEAR(glm::length(tangent), 1.0f, 0.01f);
+    EXPECT_NEAR(glm::dot(normal, tangent), 0.0f, 0.01f);
+}
+
+TEST_F(InspectionTest, DiffuseAndHighlightViews_AddUpToTheLightOfTheLamps) {
+    makeRenderer();
+    for (const char* model : {"phong", "ashikhmin-shirley", "cook-torrance", "lambert"}) {
+        const Scene scene = simpleScene(model);
+        const auto found = probe(scene, center);
+        ASSERT_TRUE(found && found->lights.size() == 1);
+        const glm::vec3 sum = shownInTheMiddle(scene, InspectedView::Diffuse) +
+                              shownInTheMiddle(scene, InspectedView::Highlight);
+        EXPECT_NEAR(sum.r, found->lights.front().value.r, 2e-3f * sum.r) << model; // half floats
+        EXPECT_NEAR(sum.b, found->lights.front().value.b, 2e-3f * sum.b) << model;
+    }
+}
+
+TEST_F(InspectionTest, TermsOfAModelThatMixesThem_AreShownAsUnknown) {
+    makeRenderer();
+    const glm::vec3 a = shownInTheMiddle(simpleScene("strauss"), InspectedView::Highlight, true);
+    EXPECT_EQ(a.r, a.g);
+    EXPECT_NEAR(a.r, 0.385f, 0.05f); // of either stripe
 }
 
 TEST_F(InspectionTest, ProbeBesideTheObject_FindsNothing) {

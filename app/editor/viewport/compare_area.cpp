@@ -61,10 +61,10 @@ void CompareArea::setMouseHabits(const MouseHabits& habits) {
     }
 }
 
-void CompareArea::setInspecting(bool on) {
-    inspecting_ = on;
+void CompareArea::setInspected(std::optional<InspectedView> shown) {
+    inspected_ = shown;
     for (SideView* view : views()) {
-        view->setInspecting(on);
+        view->setInspected(shown);
     }
 }
 
@@ -122,7 +122,7 @@ bool CompareArea::makeMissingViews() {
             continue;
         }
         made = addView(side);
-        made->setInspecting(inspecting_);
+        made->setInspected(inspected_);
         if (meter_ == nullptr) {
             makeMeter();
         }

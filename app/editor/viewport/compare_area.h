@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <QWidget>
@@ -49,7 +50,7 @@ class CompareArea : public QWidget {
     void setMouseHabits(const MouseHabits& habits);
 
     /// Lets all views show the numerical check instead of the picture.
-    void setInspecting(bool on);
+    void setInspected(std::optional<InspectedView> shown);
 
     /// Says which handles all views show.
     HandleModes& handleModes() { return modes_; }
@@ -98,7 +99,7 @@ class CompareArea : public QWidget {
     QSplitter* lower_;
     std::size_t sideCount_ = 1; ///< that are compared
     bool wantsDifference_ = false;
-    bool inspecting_ = false;
+    std::optional<InspectedView> inspected_;
     std::array<SideView*, sides.size()> views_{};
     DifferenceView* difference_ = nullptr;
     ComposedView* composed_ = nullptr;

@@ -129,10 +129,10 @@ void FrameLoop::giveUp() {
     }
 }
 
-void FrameLoop::setInspecting(bool on) {
-    if (on != inspecting_) {
+void FrameLoop::setInspected(std::optional<InspectedView> shown) {
+    if (shown != inspected_) {
         giveUp();
-        inspecting_ = on;
+        inspected_ = shown;
         refresh();
     }
 }
@@ -169,10 +169,10 @@ FrameLoop::Painted FrameLoop::beginFrame(unsigned framebuffer) {
     if (std::exchange(catalogIsNew_, false) && renderer_->catalog() != viewed_.catalog().get()) {
         renderer_->setCatalog(viewed_.catalog()); // that of all views
     }
-    if (inspecting_) {
+    if (inspected_) {
         stopwatch_.begin();
         renderer_->inspection().draw(viewed_.sources().scene(), view(), viewed_.sources().meshes,
-                                     framebuffer);
+                                     framebuffer, *inspected_);
         stopwatch_.end();
         return Painted::Frame;
     }
@@ -288,7 +288,7 @@ void FrameLoop::finishSketch() {
 }
 
 void FrameLoop::finishFrame() {
-    if (!inspecting_) {
+    if (!inspected_) {
         renderer_->job().noteTime(stopwatch_.milliseconds());
     }
     progress_ = Progress::Idle;
@@ -310,12 +310,12 @@ void FrameLoop::finishFrame() {
 }
 
 bool FrameLoop::wantsSamples() const {
-    return !inspecting_ && refinement_.wantsMore(samples());
+    return !inspected_ && refinement_.wantsMore(samples());
 }
 
 /// Refines a frame that shows the scene as it is.
 void FrameLoop::continueSoon() {
-    if (!inspecting_) {
+    if (!inspected_) {
         refinement_.continueSoon(samples());
     }
 }

@@ -10,6 +10,7 @@
 
 #include "render/lights/environment_lamps.h"
 #include "render/renderer.h"
+#include "render/surfaces/inspected_view.h"
 #include "render/surfaces/pixel_probe.h"
 #include "viewport/drawing_note.h"
 #include "viewport/frame_stopwatch.h"
@@ -62,9 +63,9 @@ class FrameLoop : public QObject {
     /// Drops the frame that is being drawn.
     void giveUp();
 
-    /// Shows the numerical check in place of the picture.
-    void setInspecting(bool on);
-    bool isInspecting() const { return inspecting_; }
+    /// Shows the numerical check or another thing in place of the picture; nothing: the picture.
+    void setInspected(std::optional<InspectedView> shown);
+    bool isInspecting() const { return inspected_.has_value(); }
 
     /// Returns the numbers of a pixel; nothing where there is no surface.
     std::optional<PixelProbe> probe(glm::ivec2 pixel);
@@ -168,9 +169,9 @@ class FrameLoop : public QObject {
     QTimer turn_;                        ///< begins its next turn
     OrderedPrograms programs_;           ///< are those of the next frame
     DrawingNote note_;
-    bool stale_ = true; ///< the picture is not of what would be drawn now
-    bool isNew_ = true; ///< no frame of this scene has been begun yet
-    bool inspecting_ = false;
+    bool stale_ = true;                      ///< the picture is not of what would be drawn now
+    bool isNew_ = true;                      ///< no frame of this scene has been begun yet
+    std::optional<InspectedView> inspected_; ///< nothing: the picture is shown
     SampleRefinement refinement_;
     bool moreSamples_ = false; ///< a frame that adds samples is asked for
     IdleRelease targets_;

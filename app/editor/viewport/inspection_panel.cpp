@@ -61,6 +61,24 @@ QString number(float x) {
     return QString::number(static_cast<double>(x), 'g', 6);
 }
 
+QString titleOf(InspectedView shown) {
+    switch (shown) {
+    case InspectedView::Energy:
+        return InspectionPanel::tr("Energy: what is sent back of a white sky; red: more than "
+                                   "arrives");
+    case InspectedView::Normals:
+        return InspectionPanel::tr("Normals: x, y and z from -1 to 1 as red, green and blue");
+    case InspectedView::Tangents:
+        return InspectionPanel::tr("Tangents: x, y and z from -1 to 1 as red, green and blue");
+    case InspectedView::Diffuse:
+        return InspectionPanel::tr("Light of the lamps by the diffuse term; striped: none apart");
+    case InspectedView::Highlight:
+        return InspectionPanel::tr("Light of the lamps by the highlight; striped: none apart");
+    default:
+        return {};
+    }
+}
+
 QString row(const QString& name, const glm::vec3& value, const QString& detail = {}) {
     const auto cell = [](const QString& text) {
         return QStringLiteral("<td align='right'>&nbsp;&nbsp;%1</td>").arg(text);
@@ -118,21 +136,29 @@ QString probeText(const PixelProbe& probe, const Scene& scene) {
     return QStringLiteral("<table cellspacing='0'>%1</table>").arg(text);
 }
 
-InspectionPanel::InspectionPanel(QWidget* parent) : QFrame(parent), numbers_(new QLabel(this)) {
+InspectionPanel::InspectionPanel(QWidget* parent)
+    : QFrame(parent), legend_(new QWidget(this)), title_(new QLabel(this)),
+      numbers_(new QLabel(this)) {
     setObjectName("inspection");
     setStyleSheet("#inspection { background: rgba(20, 20, 20, 215); border-radius: 5px; }"
                   "#inspection QLabel { color: #f0f0f0; background: transparent; }");
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(10, 8, 10, 8);
     layout->setSpacing(3);
-    layout->addWidget(legendRow(
+    auto* rows = new QVBoxLayout(legend_);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(3);
+    title_->setObjectName("inspected");
+    layout->addWidget(title_);
+    layout->addWidget(legend_);
+    rows->addWidget(legendRow(
         PixelDefect::NotANumber, tr("Not a number"),
         tr("The model, a light or a later term gives NaN here, before anything hides it.")));
-    layout->addWidget(legendRow(PixelDefect::Infinite, tr("Infinite"),
-                                tr("A value is beyond what a float can hold.")));
-    layout->addWidget(legendRow(PixelDefect::Negative, tr("Negative"),
-                                tr("Less than no light, before the picture cuts it at 0.")));
-    layout->addWidget(legendRow(
+    rows->addWidget(legendRow(PixelDefect::Infinite, tr("Infinite"),
+                              tr("A value is beyond what a float can hold.")));
+    rows->addWidget(legendRow(PixelDefect::Negative, tr("Negative"),
+                              tr("Less than no light, before the picture cuts it at 0.")));
+    rows->addWidget(legendRow(
         PixelDefect::AboveOne, tr("More light out than in"),
         tr("Under a uniform white sky this place would be brighter than the sky: its albedo "
            "towards the viewer is above 1. It is estimated from 1300 to 2700 directions of light "
@@ -145,6 +171,13 @@ InspectionPanel::InspectionPanel(QWidget* parent) : QFrame(parent), numbers_(new
     layout->addSpacing(4);
     layout->addWidget(numbers_);
     showNumbers(std::nullopt, Scene());
+    explain(InspectedView::Numbers);
+}
+
+void InspectionPanel::explain(InspectedView shown) {
+    legend_->setVisible(shown == InspectedView::Numbers);
+    title_->setVisible(shown != InspectedView::Numbers);
+    title_->setText(titleOf(shown));
 }
 
 QWidget* InspectionPanel::legendRow(PixelDefect defect, const QString& text,

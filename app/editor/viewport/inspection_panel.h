@@ -5,6 +5,7 @@
 
 #include <QFrame>
 
+#include "render/surfaces/inspected_view.h"
 #include "render/surfaces/pixel_probe.h"
 #include "scene/scene.h"
 
@@ -12,13 +13,16 @@ class QLabel;
 
 namespace patina {
 
-/// Explains, over a view in the numerical check, what the patterns mean, and shows the numbers of
+/// Explains, over a view that shows no picture, what it shows, and has the numbers of
 /// the pixel under the pointer.
 class InspectionPanel : public QFrame {
     Q_OBJECT
 
   public:
     explicit InspectionPanel(QWidget* parent = nullptr);
+
+    /// Says what a view shows, and what the patterns of the numerical check mean.
+    void explain(InspectedView shown);
 
     /// Shows the numbers of a pixel, or a hint where `probe` is empty as no surface is under the
     /// pointer.
@@ -27,6 +31,8 @@ class InspectionPanel : public QFrame {
   private:
     QWidget* legendRow(PixelDefect defect, const QString& text, const QString& toolTip);
 
+    QWidget* legend_;
+    QLabel* title_;
     QLabel* numbers_;
 };
 

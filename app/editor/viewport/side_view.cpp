@@ -179,8 +179,8 @@ void SideView::setTitleVisible(bool visible) {
     updateTitle();
 }
 
-void SideView::setInspecting(bool on) {
-    if (on && !inspection_) {
+void SideView::setInspected(std::optional<InspectedView> shown) {
+    if (shown && !inspection_) {
         inspection_ = new InspectionPanel(viewport_);
         auto* layout = new QVBoxLayout(viewport_);
         layout->setSizeConstraint(QLayout::SetNoConstraint);
@@ -191,9 +191,10 @@ void SideView::setInspecting(bool on) {
                 });
     }
     if (inspection_) {
-        inspection_->setVisible(on);
+        inspection_->setVisible(shown.has_value());
+        inspection_->explain(shown.value_or(InspectedView::Numbers));
     }
-    viewport_->setInspecting(on);
+    viewport_->setInspected(shown);
 }
 
 double SideView::aspect() const {

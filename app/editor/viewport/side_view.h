@@ -59,7 +59,7 @@ class SideView : public QFrame {
     QString caption() const;
 
     /// Shows the numerical check with its legend and the pointer's numbers, or the picture.
-    void setInspecting(bool on);
+    void setInspected(std::optional<InspectedView> shown);
 
     /// Toggles between the orthographic lens and the one before it.
     void toggleLens();

@@ -67,8 +67,8 @@ void Viewport::setCatalog(std::shared_ptr<const Catalog> catalog) {
     frames_.announceCatalog();
 }
 
-void Viewport::setInspecting(bool on) {
-    frames_.setInspecting(on);
+void Viewport::setInspected(std::optional<InspectedView> shown) {
+    frames_.setInspected(shown);
 }
 
 void Viewport::initializeGL() {

@@ -44,7 +44,7 @@ class Viewport : public QOpenGLWidget, public ColorSource {
 
     /// Shows the numerical check in place of the picture, and reads the numbers of the pixel
     /// under the pointer.
-    void setInspecting(bool on);
+    void setInspected(std::optional<InspectedView> shown);
 
     Image linearPicture() override { return capture_.linearPicture(); }
 

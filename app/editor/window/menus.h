@@ -63,6 +63,7 @@ class Menus : public QObject {
     void makeGizmos(QMenu* menu);
     void makeLightMenu();
     void makeViewMenu();
+    void makeInspections(QMenu* menu, QAction* numbers);
     void makeCompareMenu(QMenu* menu);
     void makeCameraMoves(QMenu* menu);
     void makeTurntable(QMenu* menu);

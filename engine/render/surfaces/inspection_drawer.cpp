@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include <epoxy/gl.h>
 
@@ -38,33 +39,36 @@ void InspectionDrawer::followCatalog() {
     items_.setCatalog(catalog_);
     tables_.setCatalog(catalog_);
     display_.reset();
+    viewDisplay_.reset();
     for (AlbedoTable& albedo : albedos_) {
         albedo.forget();
     }
 }
 
 const FrameReport& InspectionDrawer::draw(const Scene& scene, const View& view,
-                                          const MeshSource& meshes, unsigned framebuffer) {
-    if (drawLinear(scene, view, meshes)) {
-        show(scene, view, framebuffer);
+                                          const MeshSource& meshes, unsigned framebuffer,
+                                          InspectedView shown) {
+    if (drawLinear(scene, view, meshes, shown)) {
+        show(scene, view, framebuffer, shown);
     }
     return report();
 }
 
 Result<Image> InspectionDrawer::capture(const Scene& scene, const View& view,
-                                        const MeshSource& meshes, bool display) {
-    if (auto drawn = drawLinear(scene, view, meshes); !drawn) {
+                                        const MeshSource& meshes, bool display,
+                                        InspectedView shown) {
+    if (auto drawn = drawLinear(scene, view, meshes, shown); !drawn) {
         return tl::unexpected(drawn.error());
     }
     if (!display) {
         return readLinear(target_.resolvedFramebuffer(), view.size, 0.0);
     }
-    return readDisplay(view.size, [&](unsigned target) { show(scene, view, target); });
+    return readDisplay(view.size, [&](unsigned target) { show(scene, view, target, shown); });
 }
 
-/// Draws into the linear target: luminance in red, PixelDefect in green.
+/// Draws into the linear target: of the numbers luminance in red and PixelDefect in green.
 Result<void> InspectionDrawer::drawLinear(const Scene& scene, const View& view,
-                                          const MeshSource& meshes) {
+                                          const MeshSource& meshes, InspectedView shown) {
     Result<void> ready = prepare(scene, view, meshes);
     if (ready) {
         ready = target_.fit(view.size, 1, false).map([](bool) {});
@@ -74,12 +78,36 @@ Result<void> InspectionDrawer::drawLinear(const Scene& scene, const View& view,
         return ready;
     }
     target_.bind();
-    glClearColor(storable(luminance(scene.background)), 0.0f, 0.0f, 1.0f);
+    if (shown == InspectedView::Numbers) {
+        glClearColor(storable(luminance(scene.background)), 0.0f, 0.0f, 1.0f);
+    } else {
+        glClearColor(0.0f, 0.0f, 0.0f, 0.0f); // there is no surface
+    }
     glDepthMask(GL_TRUE);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    drawItems(scene, 0);
+    drawItems(scene, 0, shown);
     target_.resolve();
     items_.end();
+    return {};
+}
+
+Result<void> InspectionDrawer::makeDisplays() {
+    if (display_ && viewDisplay_) {
+        return {};
+    }
+    for (const auto& [made, file] : {std::pair{&display_, "passes/inspection.frag"},
+                                     std::pair{&viewDisplay_, "passes/inspected_view.frag"}}) {
+        const std::array<std::string, 1> files{file};
+        const auto source = passProgram(*catalog_, "passes/screen.vert", files);
+        if (!source) {
+            return tl::unexpected(source.error().front());
+        }
+        const ProgramCache::Found found = items_.pipelines().programs().get(*source);
+        if (!found.program) {
+            return tl::unexpected(found.errors.front());
+        }
+        *made = found.program;
+    }
     return {};
 }
 
@@ -90,17 +118,8 @@ Result<void> InspectionDrawer::prepare(const Scene& scene, const View& view,
     if (catalog_ == nullptr) {
         return failure("there are no shaders to draw with", "a call of setCatalog before draw");
     }
-    if (!display_) {
-        const std::array<std::string, 1> files{"passes/inspection.frag"};
-        const auto source = passProgram(*catalog_, "passes/screen.vert", files);
-        if (!source) {
-            return tl::unexpected(source.error().front());
-        }
-        const ProgramCache::Found found = items_.pipelines().programs().get(*source);
-        if (!found.program) {
-            return tl::unexpected(found.errors.front());
-        }
-        display_ = found.program;
+    if (const Result<void> made = makeDisplays(); !made) {
+        return made;
     }
     items_.prepare(scene, view, meshes, false);
     while (albedos_.size() < scene.objects.size()) {
@@ -126,8 +145,9 @@ void InspectionDrawer::fillAlbedo(const Material& material, const Item& item) {
 }
 
 /// Draws all items into the target that is bound. The terms from number `firstTerm` on are written.
-void InspectionDrawer::drawItems(const Scene& scene, int firstTerm) {
+void InspectionDrawer::drawItems(const Scene& scene, int firstTerm, InspectedView shown) {
     items_.draw(scene, [&](const Item& item) {
+        glUniform1i(item.pipeline->program->uniform("shown"), static_cast<int>(shown));
         glUniform1i(item.pipeline->program->uniform("firstTerm"), firstTerm);
         glUniform1f(item.pipeline->program->uniform("objectNumber"),
                     static_cast<float>(item.index + 1));
@@ -136,14 +156,19 @@ void InspectionDrawer::drawItems(const Scene& scene, int firstTerm) {
 }
 
 /// Draws the linear target into a framebuffer, with patterns for defects.
-void InspectionDrawer::show(const Scene& scene, const View& view, unsigned framebuffer) {
+void InspectionDrawer::show(const Scene& scene, const View& view, unsigned framebuffer,
+                            InspectedView shown) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, view.size.x, view.size.y);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
-    display_->use();
+    const gl::Program& display = shown == InspectedView::Numbers ? *display_ : *viewDisplay_;
+    display.use();
+    if (shown != InspectedView::Numbers) {
+        glUniform1i(display.uniform("shown"), static_cast<int>(shown));
+    }
     const double stops = std::clamp(scene.exposure, -maxStops, maxStops);
-    glUniform1f(display_->uniform("exposureFactor"), static_cast<float>(std::exp2(stops)));
+    glUniform1f(display.uniform("exposureFactor"), static_cast<float>(std::exp2(stops)));
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, target_.resolved().name());
     noVertices_.bind();

@@ -8,6 +8,7 @@
 #include "gl/vertex_array.h"
 #include "render/gpu/hdr_target.h"
 #include "render/surfaces/albedo_table.h"
+#include "render/surfaces/inspected_view.h"
 #include "render/surfaces/pixel_probe.h"
 #include "render/surfaces/probe_target.h"
 #include "render/surfaces/surface_items.h"
@@ -21,16 +22,16 @@ class InspectionDrawer {
     /// Keeps a reference to `shared`, which must outlive it.
     explicit InspectionDrawer(RenderResources& shared);
 
-    /// Draws the frame in muted grey, with patterns where a number is not finite, where one is
-    /// negative before it is clamped, or where the surface sends out more light than arrives. An
-    /// error is in the report's messages.
+    /// Draws the frame with another thing in place of its light; the numbers: in muted grey, with
+    /// patterns where a number is not finite, where one is negative before it is clamped, or where
+    /// the surface sends out more light than arrives. An error is in the report's messages.
     const FrameReport& draw(const Scene& scene, const View& view, const MeshSource& meshes,
-                            unsigned framebuffer);
+                            unsigned framebuffer, InspectedView shown = InspectedView::Numbers);
 
-    /// Returns the same frame: if `display` as draw() shows it, else with the linear luminance in
-    /// red and PixelDefect in green.
+    /// Returns the same frame: if `display` as draw() shows it, else as it is stored: of the
+    /// numbers the linear luminance in red and PixelDefect in green, else the thing itself.
     Result<Image> capture(const Scene& scene, const View& view, const MeshSource& meshes,
-                          bool display);
+                          bool display, InspectedView shown = InspectedView::Numbers);
 
     /// Returns the numbers of a pixel, which is (0, 0) at the top left; nothing where there is no
     /// object.
@@ -43,11 +44,13 @@ class InspectionDrawer {
     using Item = SurfaceItems::Item;
 
     void followCatalog();
-    Result<void> drawLinear(const Scene& scene, const View& view, const MeshSource& meshes);
-    void show(const Scene& scene, const View& view, unsigned framebuffer);
+    Result<void> drawLinear(const Scene& scene, const View& view, const MeshSource& meshes,
+                            InspectedView shown);
+    void show(const Scene& scene, const View& view, unsigned framebuffer, InspectedView shown);
+    Result<void> makeDisplays();
     Result<void> prepare(const Scene& scene, const View& view, const MeshSource& meshes);
     void fillAlbedo(const Material& material, const Item& item);
-    void drawItems(const Scene& scene, int firstTerm);
+    void drawItems(const Scene& scene, int firstTerm, InspectedView shown = InspectedView::Numbers);
     PixelProbe read(const Scene& scene, const Item& item, const ProbeTarget::Outputs& outputs);
     void readLights(const Scene& scene, const View& view, glm::ivec2 pixel, PixelProbe& probe);
 
@@ -59,7 +62,8 @@ class InspectionDrawer {
     HdrTarget target_;
     std::optional<ProbeTarget> probeTarget_;
     gl::VertexArray noVertices_ = gl::VertexArray::create();
-    std::shared_ptr<const gl::Program> display_;
+    std::shared_ptr<const gl::Program> display_;     ///< shows the numbers
+    std::shared_ptr<const gl::Program> viewDisplay_; ///< shows all else
 };
 
 } // namespace patina

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "catalog/parameter_layout.h"
 #include "shading/effects/data_layout.h"
 #include "shading/effects/effect_set.h"
 #include "shading/effects/highlight_width.h"
@@ -120,6 +121,18 @@ void ModelEffect::place(ObjectLayout& layout, const EffectSet&) const {
     }
 }
 
+/// Returns the function that leaves only the highlight of a model's parameters, and whether it can.
+std::string leaveHighlightSource(const Block& model) {
+    std::string body;
+    for (const ParameterField& field : layoutOf(model).fields) {
+        if (field.parameter != nullptr && field.parameter->role == roles::diffuse) {
+            body += fmt::format("    p.{} = vec3(0.0);\n", field.name);
+        }
+    }
+    return fmt::format("const bool HAS_TERMS = {};\nvoid leaveHighlight(inout Model p) {{\n{}}}\n",
+                       body.empty() ? "false" : "true", body);
+}
+
 void writeModel(SurfaceText& text) {
     const BlockUse& use = *text.set.model;
     const Block& model = use.block();
@@ -135,6 +148,7 @@ void writeModel(SurfaceText& text) {
                              isLitFromBehind(text) ? "false" : "(nl) <= 0.0",
                              cutSource(model, !text.leavesNormals())));
     if (text.isInspected()) {
+        text.out.add(leaveHighlightSource(model));
         text.out.addFile("passes/inspected_model.glsl");
         text.out.add("#define shadeModel inspectedModel\n");
     }
