@@ -20,8 +20,9 @@ vec3 srgbEncoded(vec3 color) {
 vec3 energyShown(vec3 albedo) {
     float largest = max(max(albedo.r, albedo.g), albedo.b);
     float above = largest - 1.0 - ALBEDO_DOUBT;
+    // Grey by the strongest channel, so that nothing else is red.
     return above > 0.0 ? mix(vec3(0.75, 0.12, 0.1), vec3(1.0, 0.45, 0.3), min(above, 1.0))
-                       : srgbEncoded(albedo);
+                       : srgbEncoded(vec3(largest));
 }
 
 vec3 valueShown(vec3 value) {

@@ -237,6 +237,39 @@ TEST_F(ArtistTask, PresetChangedInAllItsVariants) {
     }
 }
 
+/// The share of a picture's pixels that are red, as the energy view paints them.
+double redShare(const QImage& image) {
+    int red = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const QRgb pixel = image.pixel(x, y);
+            red += qRed(pixel) > 2 * qGreen(pixel) && qRed(pixel) > 2 * qBlue(pixel) ? 1 : 0;
+        }
+    }
+    return double(red) / (image.width() * image.height());
+}
+
+TEST_F(ArtistTask, TooBrightMetalIsMended) {
+    document().setModel(Side::A, "phong");
+    document().setValues(document().selection().currentPath(kinds::models),
+                         {{"diffuse.color", glm::dvec3(0.9, 0.7, 0.4)},
+                          {"specular.color", glm::dvec3(1.0, 0.8, 0.5)},
+                          {"shininess", 8.0}},
+                         "A metal");
+    const QImage before = picture();
+    const int made = steps();
+    Viewport& view = window().views().first().viewport();
+    hand.click(view);
+    hand.key(view, Qt::Key_E, Qt::ShiftModifier);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return redShare(view.grabFramebuffer()) > 0.05; }, waitMs));
+    typeInto(*row("diffuse.color").findChild<HexBox*>(), "000000"); // a metal has no matte light
+    EXPECT_TRUE(QTest::qWaitFor([&] { return redShare(view.grabFramebuffer()) == 0.0; }, waitMs));
+    hand.click(view);
+    hand.key(view, Qt::Key_E, Qt::ShiftModifier);
+    EXPECT_EQ(steps(), made + 1);
+    EXPECT_NE(picture(), before);
+}
+
 TEST_F(ArtistTask, ToonWithARampOfItsOwn) {
     chooseModel("Toon");
     hand.click(*row("tones").findChild<QComboBox*>());

@@ -16,6 +16,7 @@
 #include "lobe/share_plot.h"
 #include "ui/fixtures.h"
 #include "ui/window_fixture.h"
+#include "viewport/frame_loop.h"
 
 namespace patina::tests::lobe_test {
 namespace {
@@ -158,6 +159,25 @@ TEST_F(LobePanel, Export_WritesEachForm) {
     EXPECT_NE(readFile(file("lobe.svg")).find("<svg"), std::string::npos);
     EXPECT_TRUE(readFile(file("lobe.png")).starts_with("\x89PNG"));
     EXPECT_TRUE(readFile(file("lobe.csv")).starts_with("material,line,degrees"));
+}
+
+/// What a view shows in place of the picture: one thing, or nothing again.
+TEST_F(LobePanel, ThingsInPlaceOfThePicture_AreShownOneAtATime) {
+    QAction* energy = window().findChild<QAction*>("show energy");
+    QAction* normals = window().findChild<QAction*>("show normals");
+    QAction* numbers = window().findChild<QAction*>("inspect");
+    const auto title = [this] { return view().findChild<QLabel*>("inspected")->text(); };
+    energy->trigger();
+    EXPECT_TRUE(view().frames().isInspecting());
+    EXPECT_TRUE(title().startsWith("Energy"));
+    normals->trigger();
+    EXPECT_FALSE(energy->isChecked());
+    EXPECT_TRUE(title().startsWith("Normals"));
+    numbers->trigger();
+    EXPECT_FALSE(normals->isChecked());
+    EXPECT_EQ(title(), "");
+    numbers->trigger();
+    EXPECT_FALSE(view().frames().isInspecting());
 }
 
 } // namespace

@@ -64,16 +64,15 @@ QString number(float x) {
 QString titleOf(InspectedView shown) {
     switch (shown) {
     case InspectedView::Energy:
-        return InspectionPanel::tr("Energy: what is sent back of a white sky; red: more than "
-                                   "arrives");
+        return InspectionPanel::tr("Energy: the share of a white sky, red above 1");
     case InspectedView::Normals:
-        return InspectionPanel::tr("Normals: x, y and z from -1 to 1 as red, green and blue");
+        return InspectionPanel::tr("Normals: x, y, z as red, green, blue");
     case InspectedView::Tangents:
-        return InspectionPanel::tr("Tangents: x, y and z from -1 to 1 as red, green and blue");
+        return InspectionPanel::tr("Tangents: x, y, z as red, green, blue");
     case InspectedView::Diffuse:
-        return InspectionPanel::tr("Light of the lamps by the diffuse term; striped: none apart");
+        return InspectionPanel::tr("Diffuse light of the lamps; stripes: not told apart");
     case InspectedView::Highlight:
-        return InspectionPanel::tr("Light of the lamps by the highlight; striped: none apart");
+        return InspectionPanel::tr("Highlights of the lamps; stripes: not told apart");
     default:
         return {};
     }
