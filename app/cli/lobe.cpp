@@ -15,6 +15,7 @@
 #include "cli/scene_setup.h"
 #include "core/atomic_file.h"
 #include "core/number_text.h"
+#include "measure/eval/eval_gpu.h"
 #include "measure/lobe/lobe_table.h"
 
 namespace patina {
@@ -124,8 +125,10 @@ Checked<void> plotLines(const std::vector<Named>& materials, const LobeOptions& 
     request.incoming = {options.degrees * degree, options.azimuthDegrees * degree};
     request.term = termOf(options.term);
     std::vector<LobeSubject> subjects;
+    EvalGpu device; // opens a context only for what needs one
     for (const Named& named : materials) {
-        auto lines = lobeLines(catalog, named.material, request);
+        auto lines = lobeLines(
+            catalog, named.material, request, [] { return true; }, &device);
         if (!lines) {
             Error why = lines.error();
             if (materials.size() > 1) {
@@ -138,7 +141,8 @@ Checked<void> plotLines(const std::vector<Named>& materials, const LobeOptions& 
     const auto shapes =
         request.plot == LobePlot::Polar
             ? polarDrawing(subjects, *lobeScaleOf(options.scale), options.degrees, lobePlotSize)
-            : shareDrawing(subjects, lobePlotSize);
+        : request.plot == LobePlot::Float32 ? errorDrawing(subjects, lobePlotSize)
+                                            : shareDrawing(subjects, lobePlotSize);
     return writeOut(options, shapes, linesCsv(subjects));
 }
 
@@ -190,8 +194,9 @@ void addLobe(CLI::App& program, int& status) {
         ->add_option("--plot", options->plot,
                      "polar: f in the plane of incidence; albedo: what is reflected in all; "
                      "fresnel: what the surface reflects of each polarisation, from both sides; "
-                     "half: a slice over half and difference angle")
-        ->check(CLI::IsMember({"polar", "albedo", "fresnel", "half"}));
+                     "half: a slice over half and difference angle; float32: how far single "
+                     "precision on the device is from double")
+        ->check(CLI::IsMember({"polar", "albedo", "fresnel", "half", "float32"}));
     command->add_option("--term", options->term, "The whole model, or a term alone")
         ->check(CLI::IsMember({"whole", "diffuse", "highlight"}));
     command->add_option("--scale", options->scale, "How f becomes a length, or a brightness")

@@ -176,17 +176,44 @@ void addDiscGrid(std::vector<PlotShape>& shapes, const HalfDisc& disc, LobeScale
     }
 }
 
-/// Places an angle, 0 .. 90 degrees, and a share on straight axes.
-struct Axes90 {
+/// Places an angle up to 90 degrees, and a number, on straight axes.
+struct AngleAxes {
     double right = 0.0;
     double bottom = 0.0;
-    double top = 1.0; ///< share
+    double top = 1.0;   ///< is the number at the top
+    double first = 0.0; ///< degrees at the left
 
-    glm::dvec2 place(double degrees, double share) const {
-        return {edgeLeft + (right - edgeLeft) * degrees / 90.0,
-                bottom + (edgeTop - bottom) * share / top};
+    glm::dvec2 place(double degrees, double number) const {
+        return {edgeLeft + (right - edgeLeft) * (degrees - first) / (90.0 - first),
+                bottom + (edgeTop - bottom) * number / top};
     }
 };
+
+void addAngleGrid(std::vector<PlotShape>& shapes, const AngleAxes& axes, int step) {
+    for (int degrees = static_cast<int>(axes.first); degrees <= 90; degrees += step) {
+        addLine(shapes, axes.place(degrees, 0.0), axes.place(degrees, axes.top), plot_colors::grid);
+        addText(shapes, axes.place(degrees, 0.0) + glm::dvec2(-8.0, 8.0),
+                fmt::format("{}", degrees));
+    }
+    for (int i = 0; i <= 5; ++i) {
+        const double number = axes.top * i / 5.0;
+        addLine(shapes, axes.place(axes.first, number), axes.place(90.0, number),
+                plot_colors::grid);
+        addText(shapes, axes.place(axes.first, number) - glm::dvec2(46.0, 8.0),
+                fmt::format("{:.3g}", number));
+    }
+}
+
+void addLines(std::vector<PlotShape>& shapes, const std::vector<DrawnLine>& lines,
+              const AngleAxes& axes) {
+    for (const DrawnLine& line : lines) {
+        std::vector<glm::dvec2> places;
+        for (const glm::dvec2& point : line.points) {
+            places.push_back(axes.place(point.x, point.y));
+        }
+        addPath(shapes, places, line);
+    }
+}
 
 /// Returns the end of an axis that a largest value fits on: a round number.
 double axisEnd(double largest) {
@@ -230,19 +257,9 @@ std::vector<PlotShape> polarDrawing(const std::vector<LobeSubject>& subjects, Lo
 
 std::vector<PlotShape> shareDrawing(const std::vector<LobeSubject>& subjects, glm::ivec2 size) {
     const std::vector<DrawnLine> lines = drawnLines(subjects);
-    const Axes90 axes{size.x - edgeRight, size.y - edgeBottom, axisEnd(largestOf(lines))};
+    const AngleAxes axes{size.x - edgeRight, size.y - edgeBottom, axisEnd(largestOf(lines)), 0.0};
     std::vector<PlotShape> shapes;
-    for (int degrees = 0; degrees <= 90; degrees += 15) {
-        addLine(shapes, axes.place(degrees, 0.0), axes.place(degrees, axes.top), plot_colors::grid);
-        addText(shapes, axes.place(degrees, 0.0) + glm::dvec2(-8.0, 8.0),
-                fmt::format("{}", degrees));
-    }
-    for (int i = 0; i <= 5; ++i) {
-        const double share = axes.top * i / 5.0;
-        addLine(shapes, axes.place(0.0, share), axes.place(90.0, share), plot_colors::grid);
-        addText(shapes, axes.place(0.0, share) - glm::dvec2(46.0, 8.0),
-                fmt::format("{:.3g}", share));
-    }
+    addAngleGrid(shapes, axes, 15);
     if (axes.top > 1.0) {
         addLine(shapes, axes.place(0.0, 1.0), axes.place(90.0, 1.0), {0.9, 0.25, 0.2});
         addText(shapes, axes.place(90.0, 1.0) + glm::dvec2(4.0, -8.0), "1", {0.9, 0.25, 0.2});
@@ -254,13 +271,20 @@ std::vector<PlotShape> shareDrawing(const std::vector<LobeSubject>& subjects, gl
         }
     }
     addText(shapes, {8.0, 8.0}, "share of the light over its angle from the normal in degrees");
-    for (const DrawnLine& line : lines) {
-        std::vector<glm::dvec2> places;
-        for (const glm::dvec2& point : line.points) {
-            places.push_back(axes.place(point.x, point.y));
-        }
-        addPath(shapes, places, line);
-    }
+    addLines(shapes, lines, axes);
+    addLegend(shapes, lines, subjects, size);
+    return shapes;
+}
+
+std::vector<PlotShape> errorDrawing(const std::vector<LobeSubject>& subjects, glm::ivec2 size) {
+    const std::vector<DrawnLine> lines = drawnLines(subjects);
+    const AngleAxes axes{size.x - edgeRight, size.y - edgeBottom, axisEnd(largestOf(lines)), -90.0};
+    std::vector<PlotShape> shapes;
+    addAngleGrid(shapes, axes, 30);
+    addText(
+        shapes, {8.0, 8.0},
+        "float32 on the device against double, units in the last place over the viewer's angle");
+    addLines(shapes, lines, axes);
     addLegend(shapes, lines, subjects, size);
     return shapes;
 }

@@ -21,6 +21,9 @@ std::vector<PlotShape> polarDrawing(const std::vector<LobeSubject>& subjects, Lo
 /// axis.
 std::vector<PlotShape> shareDrawing(const std::vector<LobeSubject>& subjects, glm::ivec2 size);
 
+/// Returns the plot of errors of single precision over the viewer's angle, -90 .. 90 degrees.
+std::vector<PlotShape> errorDrawing(const std::vector<LobeSubject>& subjects, glm::ivec2 size);
+
 /// Returns the slice as a picture of cells, bright where much is reflected on this scale.
 std::vector<PlotShape> sliceDrawing(const HalfDifferenceSlice& slice, const std::string& name,
                                     LobeScale scale, glm::ivec2 size);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <numbers>
 #include <sstream>
@@ -101,7 +102,7 @@ TEST(LobeCommand, Fresnel_OfGlassHasBothPolarisationsFromBothSides) {
 
 TEST(LobeCommand, Drawing_HasAFormByItsName) {
     const TemporaryFolder folder;
-    for (const char* plot : {"polar", "albedo", "fresnel", "half"}) {
+    for (const char* plot : {"polar", "albedo", "fresnel", "half", "float32"}) {
         const std::string svg = (folder / (std::string(plot) + ".svg")).string();
         const Outcome outcome = patina({"lobe", gold, "--plot", plot, "-o", svg});
         ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
@@ -113,6 +114,43 @@ TEST(LobeCommand, Drawing_HasAFormByItsName) {
     }
     ASSERT_EQ(patina({"lobe", gold, gold, "-o", (folder / "a.png").string()}).exitCode, 0);
     EXPECT_TRUE(readFile(folder / "a.png").starts_with("\x89PNG"));
+}
+
+TEST(LobeCommand, Float32_IsAFewUnitsInTheLastPlaceOfDouble) {
+    for (const Row& row : plotted({"--model", "cook-torrance", "--plot", "float32"})) {
+        EXPECT_GE(row.red, 0.0);
+        EXPECT_LT(row.red, 100.0) << row.degrees;
+    }
+}
+
+TEST(LobeCommand, UsersModel_IsPlottedByTheDevice) {
+    const TemporaryFolder data;
+    std::filesystem::create_directories(data / "patina/shaders/models");
+    const auto stem = data / "patina/shaders/models/half-grey";
+    writeFile(stem.string() + ".json", R"({
+  "id": "half-grey", "version": 1, "label": "Half grey", "summary": "s", "applications": "a",
+  "source": "a test", "doc": "d", "parameters": [], "claims": ["finite"]
+})");
+    writeFile(stem.string() + ".glsl", "// SPDX-License-"
+                                       "Identifier: MIT-0\n"
+                                       "#include \"lib/directions.glsl\"\n"
+                                       "vec3 halfGrey(Directions d, HalfGrey p) {\n"
+                                       "    return vec3(0.5 * d.nl);\n}\n");
+    for (const auto& [plot, value] :
+         {std::pair{"polar", 0.5 / std::numbers::pi}, std::pair{"albedo", 0.5}}) {
+        const Outcome outcome =
+            patina(Start{.arguments = {"lobe", "--model", "half-grey", "--plot", plot},
+                         .environment = {{"XDG_DATA_HOME", data.path().string()}},
+                         .input = {}});
+        ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+        const auto rows = rowsOf(outcome.out);
+        ASSERT_GT(rows.size(), 5u);
+        for (const Row& row : rows) {
+            if (std::abs(row.degrees) < 89.0) {
+                EXPECT_NEAR(row.red, value, 1e-4) << plot << ' ' << row.degrees;
+            }
+        }
+    }
 }
 
 TEST(LobeCommand, DrawingModels_SayWhatMeansNothingForThem) {

@@ -4,6 +4,7 @@
 #include "measure/lobe/albedo_curve.h"
 #include "measure/lobe/fresnel_curve.h"
 #include "measure/lobe/half_difference_slice.h"
+#include "measure/lobe/lobe_lines.h"
 #include "measure/lobe/lobe_scale.h"
 #include "measure/stability/sweep_cases.h"
 #include "physics_cases.h"
@@ -69,6 +70,26 @@ TEST(AlbedoCurve, OfEveryReflectance_IsThatOf2048Points) {
             const AlbedoPoint point = directionalAlbedo(model, {degrees * degree, 0.0});
             EXPECT_LT(worst(point.albedo, counted), tolerance) << block->id << ' ' << degrees;
             EXPECT_LT(point.uncertainty, 10.0 * tolerance) << block->id << ' ' << degrees;
+        }
+    }
+}
+
+TEST(LobeSketch, OfEveryModel_IsNearTheWholePlot) {
+    LobeRequest request;
+    request.plot = LobePlot::Albedo;
+    for (const Block* block : catalog().ofKind(kinds::models)) {
+        if (!whyNoReflectance(*block).empty()) {
+            continue;
+        }
+        request.isSketch = true;
+        const auto sketch = lobeLines(catalog(), defaultMaterial(*block), request);
+        ASSERT_TRUE(sketch);
+        const LobeModel model = modelOf(defaultMaterial(*block));
+        const LobeLine& line = sketch->lines.front();
+        for (std::size_t i = 0; i < line.values.size(); i += 3) {
+            const glm::dvec3 whole =
+                directionalAlbedo(model, {line.degrees[i] * degree, 0.0}).albedo;
+            EXPECT_LT(worst(line.values[i], whole), 0.01) << block->id << ' ' << line.degrees[i];
         }
     }
 }

@@ -143,6 +143,14 @@ TEST_F(LobePanel, Fresnel_OfAMetalIsPlotted) {
     EXPECT_EQ(fresnel().subjects().front().lines.marks.size(), 3u);
 }
 
+TEST_F(LobePanel, Float32_ComparesTheDeviceWithDouble) {
+    openTab(3);
+    ASSERT_TRUE(wait());
+    auto& plot = *dock().findChild<SharePlot*>("float32Plot");
+    ASSERT_EQ(plot.subjects().size(), 1u);
+    EXPECT_TRUE(note().contains("units in the last place")) << note().toStdString();
+}
+
 TEST_F(LobePanel, DrawingModel_SaysThatThePlotMeansNothing) {
     document().setModel(Side::A, "toon");
     ASSERT_TRUE(wait());

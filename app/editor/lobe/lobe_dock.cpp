@@ -18,6 +18,7 @@
 #include "lobe/energy_bar.h"
 #include "lobe/polar_plot.h"
 #include "lobe/share_plot.h"
+#include "measure/eval/eval_gpu.h"
 #include "measure/lobe/lobe_table.h"
 #include "session/message_log.h"
 #include "text/as_text.h"
@@ -33,7 +34,8 @@ LobeDock::LobeDock(const DockContext& context)
     : document_(context.document), tried_(context.tried), messages_(context.messages),
       pages_(new QTabWidget(this)), polar_(new PolarPlot(this)),
       albedo_(new SharePlot(LobePlot::Albedo, this)),
-      fresnel_(new SharePlot(LobePlot::Fresnel, this)), energy_(new EnergyBar(this)),
+      fresnel_(new SharePlot(LobePlot::Fresnel, this)),
+      float32_(new SharePlot(LobePlot::Float32, this)), energy_(new EnergyBar(this)),
       scale_(new QComboBox(this)), term_(new QComboBox(this)), snapshots_(new QAction(this)),
       note_(new LongLine(this)), worker_({.name = tr("Plotting the reflectance")}) {
     settle_.setSingleShot(true);
@@ -62,6 +64,7 @@ void LobeDock::addPages() {
     add(polar_, tr("Lobe"), tr("Reflectance in the plane of incidence; drag to turn the light"));
     add(energy, tr("Albedo"), tr("What is reflected in all, over the angle of the light"));
     add(fresnel_, tr("Fresnel"), tr("What the surface mirrors, by polarisation and side"));
+    add(float32_, tr("Float32"), tr("How far the device is from double precision"));
 }
 
 QWidget* LobeDock::makeControls() {
@@ -145,7 +148,8 @@ void LobeDock::follow() {
 }
 
 LobePlot LobeDock::shownPlot() const {
-    constexpr LobePlot plots[] = {LobePlot::Polar, LobePlot::Albedo, LobePlot::Fresnel};
+    constexpr LobePlot plots[] = {LobePlot::Polar, LobePlot::Albedo, LobePlot::Fresnel,
+                                  LobePlot::Float32};
     return plots[std::max(pages_->currentIndex(), 0)];
 }
 
@@ -155,6 +159,8 @@ LobePlotWidget& LobeDock::page() const {
         return *albedo_;
     case LobePlot::Fresnel:
         return *fresnel_;
+    case LobePlot::Float32:
+        return *float32_;
     default:
         return *polar_;
     }
@@ -167,26 +173,10 @@ void LobeDock::ask(bool isSketch) {
     request.term = static_cast<LobeTerm>(term_->currentData().toInt());
     request.isSketch = isSketch;
     scale_->setEnabled(request.plot == LobePlot::Polar);
-    term_->setEnabled(request.plot != LobePlot::Fresnel);
+    term_->setEnabled(request.plot == LobePlot::Polar || request.plot == LobePlot::Albedo);
     worker_.ask(
-        [request, materials = materials_,
-         catalog = document_.sharedCatalog()](Worker::Control& control) {
-            // Every sketch is shown, so that ticks that come faster still move the plot.
-            const auto isWanted = [&control, isSketch = request.isSketch] {
-                return !control.isCancelled() && (isSketch || !control.isSuperseded());
-            };
-            Answer answer{request.plot, {}, {}};
-            for (const LobeMaterial& each : materials) {
-                auto lines = lobeLines(*catalog, each.material, request, isWanted);
-                if (lines) {
-                    answer.subjects.push_back({each.name, std::move(*lines)});
-                } else {
-                    answer.problems
-                        << tr("%1: %2.").arg(asText(each.name), asText(lines.error().problem));
-                }
-            }
-            return isWanted() ? answer : Answer{request.plot, {}, {}};
-        },
+        [request, materials = materials_, catalog = document_.sharedCatalog()](
+            Worker::Control& control) { return answerTo(request, materials, *catalog, control); },
         [this](const Result<Answer>& answer) {
             if (answer) {
                 show(*answer);
@@ -195,8 +185,32 @@ void LobeDock::ask(bool isSketch) {
         QStringLiteral("lines"));
 }
 
+/// Runs in the worker's thread. The device is asked when values rest, as its context takes a while.
+LobeDock::Answer LobeDock::answerTo(const LobeRequest& request,
+                                    const std::vector<LobeMaterial>& materials,
+                                    const Catalog& catalog, Worker::Control& control) {
+    // Every sketch is shown, so that ticks that come faster still move the plot.
+    const auto isWanted = [&control, &request] {
+        return !control.isCancelled() && (request.isSketch || !control.isSuperseded());
+    };
+    Answer answer{request.plot, {}, {}, request.isSketch};
+    EvalGpu device;
+    for (const LobeMaterial& each : materials) {
+        auto lines = lobeLines(catalog, each.material, request, isWanted,
+                               request.isSketch ? nullptr : &device);
+        if (lines) {
+            answer.subjects.push_back({each.name, std::move(*lines)});
+        } else {
+            answer.problems << tr("%1: %2.").arg(asText(each.name), asText(lines.error().problem));
+        }
+    }
+    return isWanted() ? answer : Answer{request.plot, {}, {}, request.isSketch};
+}
+
 void LobeDock::show(const Answer& answer) {
-    if (answer.plot != shownPlot() || (answer.subjects.empty() && answer.problems.empty())) {
+    const bool isIncomplete = answer.isSketch && !answer.problems.isEmpty();
+    if (answer.plot != shownPlot() || isIncomplete ||
+        (answer.subjects.empty() && answer.problems.isEmpty())) {
         return; // another one is on its way
     }
     QStringList notes = answer.problems;

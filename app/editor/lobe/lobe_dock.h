@@ -44,6 +44,7 @@ class LobeDock : public QWidget {
         LobePlot plot = LobePlot::Polar;
         std::vector<LobeSubject> subjects;
         QStringList problems;
+        bool isSketch = false;
     };
 
     void addPages();
@@ -51,6 +52,8 @@ class LobeDock : public QWidget {
     void connectParts(const DockContext& context);
     void follow();
     void ask(bool isSketch);
+    static Answer answerTo(const LobeRequest& request, const std::vector<LobeMaterial>& materials,
+                           const Catalog& catalog, Worker::Control& control);
     void show(const Answer& answer);
     LobePlot shownPlot() const;
     LobePlotWidget& page() const;
@@ -62,6 +65,7 @@ class LobeDock : public QWidget {
     PolarPlot* polar_;
     LobePlotWidget* albedo_;
     LobePlotWidget* fresnel_;
+    LobePlotWidget* float32_;
     EnergyBar* energy_;
     QComboBox* scale_;
     QComboBox* term_;

@@ -15,27 +15,37 @@ constexpr double headroom = 1.05;
 
 } // namespace
 
-SharePlot::SharePlot(LobePlot kind, QWidget* parent) : LobePlotWidget(parent) {
-    const bool isFresnel = kind == LobePlot::Fresnel;
-    setObjectName(isFresnel ? "fresnelPlot" : "albedoPlot");
-    setAccessibleName(isFresnel ? tr("Fresnel reflectance over the angle")
-                                : tr("Albedo over the angle of the light"));
-    plot().xAxis->setLabel(tr("degrees from the normal"));
-    plot().yAxis->setLabel(isFresnel ? tr("reflected R") : tr("albedo"));
+SharePlot::SharePlot(LobePlot kind, QWidget* parent) : LobePlotWidget(parent), kind_(kind) {
     plot().xAxis->setRange(0.0, 90.0);
+    plot().xAxis->setLabel(tr("degrees from the normal"));
     QSharedPointer<QCPAxisTickerFixed> ticks(new QCPAxisTickerFixed);
     ticks->setTickStep(15.0);
     plot().xAxis->setTicker(ticks);
-    if (isFresnel) {
+    switch (kind) {
+    case LobePlot::Fresnel:
+        setObjectName("fresnelPlot");
+        setAccessibleName(tr("Fresnel reflectance over the angle"));
+        plot().yAxis->setLabel(tr("reflected R"));
         plot().yAxis2->setVisible(true);
         plot().yAxis2->setRangeReversed(true);
         plot().yAxis2->setLabel(tr("transmitted T"));
+        break;
+    case LobePlot::Float32:
+        setObjectName("float32Plot");
+        setAccessibleName(tr("Error of single precision over the viewer's angle"));
+        plot().yAxis->setLabel(tr("units in the last place"));
+        plot().xAxis->setRange(-90.0, 90.0);
+        break;
+    default:
+        setObjectName("albedoPlot");
+        setAccessibleName(tr("Albedo over the angle of the light"));
+        plot().yAxis->setLabel(tr("albedo"));
     }
     draw();
 }
 
 QString SharePlot::unit() const {
-    return {};
+    return kind_ == LobePlot::Float32 ? tr("ulp") : QString();
 }
 
 void SharePlot::addMarks(double top) {
@@ -47,7 +57,7 @@ void SharePlot::addMarks(double top) {
         line->end->setCoords(to);
         line->setPen(pen);
     };
-    if (top > headroom) {
+    if (top > headroom && kind_ != LobePlot::Float32) {
         addLine({0.0, 1.0}, {90.0, 1.0}, QPen(QColor(220, 70, 60), 1.0));
     }
     double height = top;
@@ -100,7 +110,8 @@ void SharePlot::draw() {
 double SharePlot::degreesAt(const QPointF& place) const {
     const QPointF inPlot = plot().mapFrom(this, place);
     return plot().axisRect()->rect().contains(inPlot.toPoint())
-               ? std::clamp(plot().xAxis->pixelToCoord(inPlot.x()), 0.0, 90.0)
+               ? std::clamp(plot().xAxis->pixelToCoord(inPlot.x()), plot().xAxis->range().lower,
+                            90.0)
                : std::numeric_limits<double>::quiet_NaN();
 }
 

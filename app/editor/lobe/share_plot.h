@@ -6,7 +6,8 @@
 namespace patina {
 
 /// Draws shares of the light over its angle from the normal, with 1 marked where it is exceeded,
-/// and angles that have a name. The right axis of a Fresnel plot reads what is transmitted.
+/// and angles that have a name; the right axis of a Fresnel plot reads what is transmitted. Errors
+/// of single precision are drawn over the viewer's angle.
 class SharePlot : public LobePlotWidget {
     Q_OBJECT
 
@@ -20,6 +21,8 @@ class SharePlot : public LobePlotWidget {
 
   private:
     void addMarks(double top);
+
+    LobePlot kind_;
 };
 
 } // namespace patina

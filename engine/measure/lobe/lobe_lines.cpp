@@ -8,12 +8,15 @@
 #include <glm/common.hpp>
 
 #include "material/blocks_in_use.h"
+#include "measure/lobe/device_lobe.h"
 #include "measure/lobe/fresnel_curve.h"
+#include "measure/stability/sweep_cases.h"
 
 namespace patina {
 namespace {
 
-constexpr LobePlot linePlots[] = {LobePlot::Polar, LobePlot::Albedo, LobePlot::Fresnel};
+constexpr LobePlot linePlots[] = {LobePlot::Polar, LobePlot::Albedo, LobePlot::Fresnel,
+                                  LobePlot::Float32};
 
 constexpr double stepDegrees = 2.5;
 constexpr double sketchStepDegrees = 12.5;
@@ -72,11 +75,80 @@ std::string noteOf(const Block& model, const Material& material) {
     return note;
 }
 
+/// Returns the lines of a model that has no code in double precision.
+Result<LobeLines> deviceLines(const Catalog& catalog, const EvalCase& variant,
+                              const LobeRequest& request, EvalGpu& device) {
+    LobeLines all;
+    LobeLine& line = all.lines.emplace_back();
+    line.name = request.plot == LobePlot::Polar ? "reflectance" : "albedo";
+    if (request.plot == LobePlot::Polar) {
+        const auto curve = devicePolarCurve(device, catalog, variant, request.incoming);
+        if (!curve) {
+            return tl::unexpected(curve.error());
+        }
+        for (const LobePoint& point : *curve) {
+            line.degrees.push_back(inDegrees(point.angle));
+            line.values.push_back(point.f);
+        }
+    } else {
+        const auto curve = deviceAlbedoCurve(device, catalog, variant, request.incoming.azimuth);
+        if (!curve) {
+            return tl::unexpected(curve.error());
+        }
+        for (const AlbedoPoint& point : *curve) {
+            line.degrees.push_back(inDegrees(point.angle));
+            line.values.push_back(point.albedo);
+        }
+    }
+    all.note = "in single precision, by the device: there is no code of the model in double "
+               "precision yet";
+    return all;
+}
+
+Result<LobeLines> floatLines(const Catalog& catalog, const EvalCase& variant,
+                             const LobeRequest& request, EvalGpu& device) {
+    const auto errors = floatErrors(device, catalog, variant, request.incoming);
+    if (!errors) {
+        return tl::unexpected(errors.error());
+    }
+    LobeLines all;
+    LobeLine& line = all.lines.emplace_back();
+    line.name = "float32 error";
+    double worst = 0.0;
+    double at = 0.0;
+    for (const FloatError& error : *errors) {
+        line.degrees.push_back(inDegrees(error.angle));
+        line.values.push_back(error.ulps);
+        const double here = std::max({error.ulps.x, error.ulps.y, error.ulps.z});
+        if (here > worst) {
+            worst = here;
+            at = line.degrees.back();
+        }
+    }
+    all.note =
+        fmt::format("at worst {:.3g} units in the last place, {:.3g} degrees from the normal",
+                    worst, std::abs(at));
+    return all;
+}
+
 Result<LobeLines> modelLines(const Catalog& catalog, const Material& material,
-                             const LobeRequest& request, const std::function<bool()>& isWanted) {
+                             const LobeRequest& request, const std::function<bool()>& isWanted,
+                             EvalGpu* device) {
     const Block* block = catalog.find(kinds::models, material.model.id);
     if (block != nullptr && !whyNoReflectance(*block).empty()) {
         return failure(whyNoReflectance(*block), "a model of a reflectance");
+    }
+    const Result<EvalCase> variant = sweepVariant(catalog, material);
+    if (!variant) {
+        return tl::unexpected(variant.error());
+    }
+    if (request.plot == LobePlot::Float32) {
+        return device != nullptr ? floatLines(catalog, *variant, request, *device)
+                                 : Result<LobeLines>(failure("there is no device to compare with"));
+    }
+    const bool isWhole = request.term == LobeTerm::Whole;
+    if (device != nullptr && isWhole && !ReferenceCode::find(*variant)) {
+        return deviceLines(catalog, *variant, request, *device);
     }
     LobeLines all;
     const auto add = [&](const Material& shown, LobeStroke stroke) -> Result<void> {
@@ -200,6 +272,8 @@ std::string_view wordOf(LobePlot plot) {
         return "albedo";
     case LobePlot::Fresnel:
         return "fresnel";
+    case LobePlot::Float32:
+        return "float32";
     default:
         return "polar";
     }
@@ -212,9 +286,11 @@ std::optional<LobePlot> lobePlotOf(std::string_view word) {
 }
 
 Result<LobeLines> lobeLines(const Catalog& catalog, const Material& material,
-                            const LobeRequest& request, const std::function<bool()>& isWanted) {
-    return request.plot == LobePlot::Fresnel ? fresnelLines(catalog, material)
-                                             : modelLines(catalog, material, request, isWanted);
+                            const LobeRequest& request, const std::function<bool()>& isWanted,
+                            EvalGpu* device) {
+    return request.plot == LobePlot::Fresnel
+               ? fresnelLines(catalog, material)
+               : modelLines(catalog, material, request, isWanted, device);
 }
 
 glm::dvec3 valueAt(const LobeLine& line, double degrees) {

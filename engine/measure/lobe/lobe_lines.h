@@ -11,10 +11,17 @@
 
 namespace patina {
 
-/// Names the plots of a material that are lines over an angle.
-enum class LobePlot { Polar, Albedo, Fresnel };
+class EvalGpu;
 
-/// Returns the word of a plot: "polar", "albedo", "fresnel"; and the plot of a word.
+/// Names the plots of a material that are lines over an angle.
+enum class LobePlot {
+    Polar,
+    Albedo,
+    Fresnel,
+    Float32 ///< how far single precision on the device is from double, in the plane of incidence
+};
+
+/// Returns the word of a plot: "polar", "albedo", "fresnel", "float32"; and the plot of a word.
 std::string_view wordOf(LobePlot plot);
 std::optional<LobePlot> lobePlotOf(std::string_view word);
 
@@ -32,7 +39,8 @@ struct LobeLine {
     LobeStroke stroke = LobeStroke::Main;
     bool isFromInside = false;
     std::vector<double> degrees;    ///< from the normal, rising
-    std::vector<glm::dvec3> values; ///< as many; 1/sr in a polar plot, else shares of the light
+    std::vector<glm::dvec3> values; ///< as many; 1/sr in a polar plot, units in the last place of
+                                    ///< a float in that of single precision, else shares of light
 };
 
 /// Is an angle of a plot with a name, such as Brewster's.
@@ -59,14 +67,15 @@ struct LobeRequest {
     LobePlot plot = LobePlot::Polar;
     Incoming incoming; ///< of a polar plot; the others take its azimuth alone
     LobeTerm term = LobeTerm::Whole;
-    bool isSketch = false; ///< is drawn while a slider moves: fewer angles, each within 0.003
+    bool isSketch = false; ///< is drawn while a slider moves: fewer angles, albedos to 0.01
 };
 
 /// Returns the lines of a material. It is an error where the plot means nothing for it, and why.
-/// Where `isWanted` becomes false, lines end early.
+/// Where `isWanted` becomes false, lines end early. A model without code in double precision is
+/// evaluated on the device, and the note says so; without a device it is an error.
 Result<LobeLines> lobeLines(
     const Catalog& catalog, const Material& material, const LobeRequest& request,
-    const std::function<bool()>& isWanted = [] { return true; });
+    const std::function<bool()>& isWanted = [] { return true; }, EvalGpu* device = nullptr);
 
 /// Returns a line's value at an angle, between its points; the first or last one beyond its ends.
 /// The line must have a point.

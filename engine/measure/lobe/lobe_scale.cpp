@@ -49,7 +49,8 @@ std::string_view wordOf(LobeScale scale) {
 }
 
 std::optional<LobeScale> lobeScaleOf(std::string_view word) {
-    const auto found = std::ranges::find(scales, word, wordOf);
+    const auto found =
+        std::ranges::find_if(scales, [word](LobeScale scale) { return wordOf(scale) == word; });
     return found == std::end(scales) ? std::nullopt : std::optional(*found);
 }
 
