@@ -18,6 +18,7 @@
 #include "lobe/energy_bar.h"
 #include "lobe/polar_plot.h"
 #include "lobe/share_plot.h"
+#include "measure/error/parallel.h"
 #include "measure/eval/eval_gpu.h"
 #include "measure/lobe/lobe_table.h"
 #include "session/message_log.h"
@@ -194,14 +195,26 @@ LobeDock::Answer LobeDock::answerTo(const LobeRequest& request,
         return !control.isCancelled() && (request.isSketch || !control.isSuperseded());
     };
     Answer answer{request.plot, {}, {}, request.isSketch};
-    EvalGpu device;
-    for (const LobeMaterial& each : materials) {
-        auto lines = lobeLines(catalog, each.material, request, isWanted,
-                               request.isSketch ? nullptr : &device);
-        if (lines) {
-            answer.subjects.push_back({each.name, std::move(*lines)});
+    std::vector<Result<LobeLines>> found(materials.size());
+    const auto plot = [&](std::size_t begin, std::size_t end, EvalGpu* device) {
+        for (std::size_t i = begin; i < end; ++i) {
+            found[i] = lobeLines(catalog, materials[i].material, request, isWanted, device);
+        }
+    };
+    if (request.isSketch) {
+        inParallel(materials.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+            plot(begin, end, nullptr);
+        });
+    } else {
+        EvalGpu device;
+        plot(0, materials.size(), &device);
+    }
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+        if (found[i]) {
+            answer.subjects.push_back({materials[i].name, std::move(*found[i])});
         } else {
-            answer.problems << tr("%1: %2.").arg(asText(each.name), asText(lines.error().problem));
+            answer.problems << tr("%1: %2.").arg(asText(materials[i].name),
+                                                 asText(found[i].error().problem));
         }
     }
     return isWanted() ? answer : Answer{request.plot, {}, {}, request.isSketch};

@@ -13,6 +13,8 @@ namespace patina {
 struct IntegralAim {
     double tolerance = 3e-5; ///< is absolute, of the worst component
     std::size_t panels = 60; ///< limits how many panels the range is cut into
+    /// Takes each panel once by the Gauss rule of 5 nodes, without an estimate of the uncertainty.
+    bool isSketch = false;
 };
 
 /// Is an integral with an estimate of how far it may be off.

@@ -40,15 +40,24 @@ class Rings {
     Integral integral() {
         // A ring meets the horizon from pi/2 - angle on, and is below it from pi/2 +
         // angle on.
-        std::array<double, 7> ends{};
         const double touching = std::asinh((std::numbers::pi / 2.0 - angle_) / innermost);
         const double last = std::asinh((std::numbers::pi / 2.0 + angle_) / innermost);
-        for (std::size_t i = 0; i < 4; ++i) {
-            ends[i] = touching * double(i) / 4.0;
+        std::vector<double> ends{0.0};
+        if (aim_.isSketch) {
+            // Most light is in the outer rings; each factor of e is 1 of u.
+            for (const double fromTouching : {6.0, 3.5, 2.0, 1.0}) {
+                ends.push_back(std::max(touching - fromTouching, 0.0));
+            }
+        } else {
+            for (const double share : {0.25, 0.5, 0.75}) {
+                ends.push_back(share * touching);
+            }
         }
-        ends[4] = touching;
-        ends[5] = 0.5 * (touching + last);
-        ends[6] = last;
+        ends.push_back(touching);
+        const int beyond = aim_.isSketch ? 4 : 2;
+        for (int i = 1; i <= beyond; ++i) {
+            ends.push_back(touching + (last - touching) * i / beyond);
+        }
         range_ = last;
         Integral whole = adaptiveIntegral([this](double u) { return ring(u); }, ends, aim_);
         whole.uncertainty += uncertainty_;
@@ -67,13 +76,14 @@ class Rings {
                 c * mirror_ + s * (std::cos(psi) * towardsNormal_ + std::sin(psi) * across_);
             return v.z > 0.0 ? model_.reflectance(light_, v) * (v.z * weight) : glm::dvec3(0.0);
         };
+        const double firstEnd = aim_.isSketch ? 0.5 * horizon : horizon;
         const std::array<double, 4> ends =
             model_.isIsotropic()
-                ? std::array<double, 4>{0.0, horizon, horizon, horizon}
-                : std::array<double, 4>{-horizon, -0.5 * horizon, 0.5 * horizon, horizon};
+                ? std::array<double, 4>{0.0, firstEnd, horizon, horizon}
+                : std::array<double, 4>{-horizon, -0.3 * horizon, 0.3 * horizon, horizon};
         const double share = model_.isIsotropic() ? 2.0 : 1.0;
         // A tenth of the whole for all rings, the rest for what is between them.
-        const IntegralAim aim{0.1 * aim_.tolerance / (share * range_), ringPanels};
+        const IntegralAim aim{0.1 * aim_.tolerance / (share * range_), ringPanels, aim_.isSketch};
         const Integral part = adaptiveIntegral(integrand, ends, aim);
         if (part.uncertainty > aim.tolerance) {
             uncertainty_ = std::max(uncertainty_, share * part.uncertainty * range_);

@@ -19,8 +19,8 @@ constexpr LobePlot linePlots[] = {LobePlot::Polar, LobePlot::Albedo, LobePlot::F
                                   LobePlot::Float32};
 
 constexpr double stepDegrees = 2.5;
-constexpr double sketchStepDegrees = 12.5;
-constexpr IntegralAim sketchAim{3e-3, 10};
+constexpr double sketchDegrees[] = {0.0, 25.0, 45.0, 60.0, 70.0, 78.0, 84.0, 88.0, 89.5};
+constexpr IntegralAim sketchAim{.isSketch = true};
 
 double inDegrees(double radians) {
     return radians * 180.0 / std::numbers::pi;
@@ -41,7 +41,13 @@ LobeLine albedoLine(const LobeModel& model, const LobeRequest& request,
                     const std::function<bool()>& isWanted) {
     LobeLine line{"albedo", LobeStroke::Main, false, {}, {}};
     const IntegralAim aim = request.isSketch ? sketchAim : IntegralAim();
-    const auto angles = albedoAngles(request.isSketch ? sketchStepDegrees : stepDegrees);
+    std::vector<double> angles = albedoAngles(stepDegrees);
+    if (request.isSketch) {
+        angles.clear();
+        for (const double degrees : sketchDegrees) {
+            angles.push_back(degrees * std::numbers::pi / 180.0);
+        }
+    }
     for (const AlbedoPoint& point :
          albedoCurve(model, request.incoming.azimuth, angles, aim, isWanted)) {
         line.degrees.push_back(inDegrees(point.angle));

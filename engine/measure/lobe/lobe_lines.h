@@ -67,7 +67,8 @@ struct LobeRequest {
     LobePlot plot = LobePlot::Polar;
     Incoming incoming; ///< of a polar plot; the others take its azimuth alone
     LobeTerm term = LobeTerm::Whole;
-    bool isSketch = false; ///< is drawn while a slider moves: fewer angles, albedos to 0.01
+    bool isSketch =
+        false; ///< is drawn while a slider moves: fewer angles, albedos to 0.02 up to 85 degrees
 };
 
 /// Returns the lines of a material. It is an error where the plot means nothing for it, and why.
