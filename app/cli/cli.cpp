@@ -17,9 +17,9 @@
 namespace patina {
 namespace {
 
-constexpr std::array<AddCommand, 12> commands{addRender, addCompare,  addEffects, addCost,
-                                              addEval,   addValidate, addModels,  addCheck,
-                                              addExport, addImport,   addSheet,   addLobe};
+constexpr std::array<AddCommand, 13> commands{
+    addRender, addCompare, addEffects, addCost, addEval,  addValidate, addModels,
+    addCheck,  addExport,  addImport,  addLobe, addMatch, addSheet};
 
 void addCommands(CLI::App& program, int& status) {
     program.description("Patina edits lighting models. Without a command it opens the editor:\n"

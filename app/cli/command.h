@@ -22,6 +22,7 @@ void addEval(CLI::App& program, int& status);
 void addExport(CLI::App& program, int& status);
 void addImport(CLI::App& program, int& status);
 void addLobe(CLI::App& program, int& status);
+void addMatch(CLI::App& program, int& status);
 void addModels(CLI::App& program, int& status);
 void addRender(CLI::App& program, int& status);
 void addSheet(CLI::App& program, int& status);

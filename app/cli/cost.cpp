@@ -10,10 +10,8 @@
 #include "assets/asset_client.h"
 #include "catalog/json_text.h"
 #include "cli/cost_drawing.h"
+#include "cli/cost_subject.h"
 #include "cli/cost_sweeps.h"
-#include "cli/environment_setup.h"
-#include "cli/scene_meshes.h"
-#include "cli/scene_setup.h"
 #include "core/atomic_file.h"
 #include "core/display_image.h"
 #include "gl/headless_context.h"
@@ -21,7 +19,6 @@
 #include "measure/cost/ranking_table.h"
 #include "measure/error/error_colors.h"
 #include "render/gpu/hdr_target.h"
-#include "render/gpu/texture_loader.h"
 
 namespace patina {
 namespace {
@@ -35,55 +32,6 @@ struct Measured {
     ChosenLevels mapped;
     std::vector<double> errors;
 };
-
-/// Holds what is read of a preset before anything is measured.
-struct Prepared {
-    std::string preset;
-    Scene scene;
-    SceneMeshes meshes;
-    std::shared_ptr<const EnvironmentImage> environment;
-};
-
-Checked<Prepared> prepared(const std::string& preset, const CostRequest& options,
-                           const Catalog& catalog, AssetClient& files) {
-    auto setup = sceneFor(preset, options.picture, catalog);
-    if (!setup) {
-        return tl::unexpected(setup.error());
-    }
-    report(setup->notes);
-    files.setRights(setup->rights);
-    auto loaded = SceneMeshes::load(setup->scene, catalog, files);
-    if (!loaded) {
-        return tl::unexpected(loaded.error());
-    }
-    report(loaded->remarks());
-    const auto environment = environmentPicture(setup->scene, options.picture, catalog, files);
-    if (!environment) {
-        return tl::unexpected(oneError(environment.error()));
-    }
-    return Prepared{preset, std::move(setup->scene), std::move(*loaded), *environment};
-}
-
-/// Holds what all measurements use.
-struct Tools {
-    std::shared_ptr<const Catalog> catalog;
-    AssetClient& files;
-    LongWork& work;
-};
-
-/// Calls `measure` with what was prepared, and reports images that could not be read.
-template <class Measure>
-auto withSubject(const Prepared& subject, const CostRequest& options, const Tools& tools,
-                 const Measure& measure) {
-    TextureLoader textures(tools.files);
-    auto measured =
-        measure({subject.scene, 0, subject.scene.camera,
-                 [&subject](const Object& object) { return subject.meshes.view(object); },
-                 tools.catalog, textures.source(), subject.environment},
-                options, tools.work);
-    report(textures.takeProblems());
-    return measured;
-}
 
 Result<void> writeShown(const Image& image, const std::string& file) {
     AssetClient files;
@@ -166,7 +114,7 @@ void print(const std::vector<Measured>& all, const CostRequest& options) {
 }
 
 Checked<bool> rankModels(const CostRequest& options, const Tools& tools) {
-    const auto subject = prepared({}, options, *tools.catalog, tools.files);
+    const auto subject = prepared({}, options.picture, *tools.catalog, tools.files);
     if (!subject) {
         return tl::unexpected(subject.error());
     }
@@ -182,7 +130,7 @@ Checked<bool> rankModels(const CostRequest& options, const Tools& tools) {
 
 Checked<bool> scale(const CostRequest& options, const Tools& tools) {
     const std::string preset = options.presets.empty() ? std::string() : options.presets.front();
-    const auto subject = prepared(preset, options, *tools.catalog, tools.files);
+    const auto subject = prepared(preset, options.picture, *tools.catalog, tools.files);
     if (!subject) {
         return tl::unexpected(subject.error());
     }
@@ -203,7 +151,7 @@ Checked<std::vector<Prepared>> readAll(const std::vector<std::string>& presets,
                                        AssetClient& files) {
     std::vector<Prepared> all;
     for (const std::string& preset : presets) {
-        auto subject = prepared(preset, options, catalog, files);
+        auto subject = prepared(preset, options.picture, catalog, files);
         if (!subject) {
             return tl::unexpected(subject.error());
         }

@@ -75,7 +75,10 @@ class BundleWriter {
         Material material = preset.material;
         setParent(material, {});
         for (auto& [key, use] : material.textures) {
-            const Result<std::string> name = addImage(use.file);
+            const Result<std::string> name =
+                use.outside ? failure(fmt::format("\"{}\" lies outside its folder and is not read",
+                                                  use.file))
+                            : addImage(use.file);
             if (!name) {
                 return {preset.name, name.error().problem};
             }
@@ -98,7 +101,9 @@ class BundleWriter {
         const auto [known, isNew] = images_.try_emplace(file);
         if (isNew) {
             const fs::path path(file);
-            const Result<std::string> bytes = readFile(path, BundleLimits{}.fileBytes);
+            const Result<std::string> bytes =
+                isImage(path) ? readFile(path, BundleLimits{}.fileBytes)
+                              : failure(fmt::format("\"{}\" is no image", file));
             if (!bytes) {
                 images_.erase(known);
                 return tl::unexpected(bytes.error());

@@ -95,6 +95,24 @@ TEST_F(PresetBundle, PresetWhoseImageIsMissing_IsLeftOutAndTold) {
     EXPECT_FALSE(fs::exists(out() / "set/broken.patina.json"));
 }
 
+TEST_F(PresetBundle, FilesThatMayNotBeRead_AreNotPutIntoIt) {
+    writeFile(folder_ / "secret.png", "a secret");
+    writeFile(folder_ / "id_rsa", "a secret");
+    Material outside = material("Outside");
+    outside.textures["diffuse.color"].file = (folder_ / "secret.png").string();
+    outside.textures["diffuse.color"].outside = true;
+    Material noImage = material("No image");
+    noImage.textures["diffuse.color"].file = (folder_ / "id_rsa").string();
+    const auto exported = exportBundle(
+        file(), {{"outside", outside}, {"no-image", noImage}, {"good", material("Good")}});
+    ASSERT_TRUE(exported);
+    EXPECT_NE(exported->at(0).problem.find("outside its folder"), std::string::npos);
+    EXPECT_NE(exported->at(1).problem.find("no image"), std::string::npos);
+    EXPECT_EQ(exported->at(2).problem, "");
+    EXPECT_EQ(readFile(file()).find("secret"), std::string::npos);
+    EXPECT_EQ(readFile(file()).find("id_rsa"), std::string::npos);
+}
+
 TEST_F(PresetBundle, FullDisk_IsAnErrorAndLeavesTheOldFileAndNoOther) {
     writeFile(file(), "old");
     std::string noise(10'000, ' '); // which takes as much room packed

@@ -11,6 +11,7 @@
 
 #include "catalog/json_text.h"
 #include "core/atomic_file.h"
+#include "core/ordinary_file.h"
 #include "library/preset_library.h"
 #include "material/file_suffixes.h"
 #include "material/variant.h"
@@ -33,9 +34,8 @@ namespace fs = std::filesystem;
 const char* const shippedProblem = "it comes with Patina and stays as it is";
 
 std::optional<std::string> contentOf(const fs::path& file) {
-    QFile content(QString::fromStdString(file.string()));
-    return content.open(QIODevice::ReadOnly) ? std::optional(content.readAll().toStdString())
-                                             : std::nullopt;
+    Result<std::string> content = readFile(file, maxAssetBytes);
+    return content ? std::optional(std::move(*content)) : std::nullopt;
 }
 
 std::string asProblem(const Error& error) {

@@ -47,8 +47,8 @@ QString searchedOf(const PresetEntry& entry) {
     return all.toCaseFolded();
 }
 
-/// Collects the preset files in and below a folder, and all folders. A depth limit ends circles of
-/// links.
+/// Collects the preset files in and below a folder, and all folders. Links to folders are not
+/// followed, since one may lead to all of the disk, or in a circle.
 void walk(const fs::path& folder, int depth, std::vector<fs::path>& files,
           std::vector<fs::path>& folders) {
     std::error_code unreadable;
@@ -61,7 +61,7 @@ void walk(const fs::path& folder, int depth, std::vector<fs::path>& files,
     std::vector<fs::path> below;
     for (const fs::directory_entry& entry : entries) {
         std::error_code gone;
-        if (entry.is_directory(gone)) {
+        if (entry.is_directory(gone) && !entry.is_symlink(gone)) {
             below.push_back(entry.path());
         } else if (entry.path().filename().string().ends_with(presetSuffix)) {
             files.push_back(entry.path());

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include <QCryptographicHash>
-#include <QFile>
 
+#include "core/ordinary_file.h"
 #include "library/preset_entry.h"
 #include "material/blocks_in_use.h"
 #include "material/preset_file.h"
@@ -105,15 +105,15 @@ QByteArray ThumbnailKeys::renderer(const Catalog& catalog) {
     return hash.result();
 }
 
-/// Returns the hash of a file's content; empty if it does not exist.
+/// Returns the hash of a file's content; empty if it cannot be read or is no ordinary file.
 QByteArray ThumbnailKeys::hashOf(const fs::path& file) {
     const FileStamp stamp = stampOf(file);
     Hashed& known = files_[file.string()];
     if (known.hash.isEmpty() || known.bytes != stamp.bytes || known.written != stamp.written) {
-        QFile content(QString::fromStdString(file.string()));
         QCryptographicHash hash(QCryptographicHash::Sha1);
         known = {stamp.bytes, stamp.written, {}};
-        if (stamp.bytes >= 0 && content.open(QIODevice::ReadOnly) && hash.addData(&content)) {
+        if (const Result<std::string> content = readFile(file, maxAssetBytes)) {
+            hash.addData(QByteArrayView(content->data(), qsizetype(content->size())));
             known.hash = hash.result();
         }
     }

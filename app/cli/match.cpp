@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <chrono>
+#include <future>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "catalog/json_text.h"
+#include "catalog/suggestion.h"
+#include "catalog/value_json.h"
+#include "cli/command.h"
+#include "cli/cost_subject.h"
+#include "cli/cost_sweeps.h"
+#include "gl/headless_context.h"
+#include "material/model_swap.h"
+#include "material/preset_file.h"
+#include "measure/match/model_matches.h"
+#include "measure/stability/sweep_cases.h"
+
+namespace patina {
+namespace {
+
+struct MatchRequest {
+    std::string preset;
+    std::string to;
+    std::vector<std::string> models;
+    bool allModels = false;
+    std::string error = "log";
+    std::size_t samples = 4096;
+    double within = 2.0; ///< percent
+    bool withoutTime = false;
+    bool json = false;
+    std::string output;
+};
+
+Checked<Material> presetIn(const std::string& file, const Catalog& catalog) {
+    auto reading = readPreset(file, catalog);
+    if (!reading) {
+        return tl::unexpected(reading.error());
+    }
+    report(reading->notes);
+    return std::move(reading->material);
+}
+
+/// Is what is to be matched; a measured file has no material.
+struct Wanted {
+    MatchTarget target;
+    std::optional<Material> material;
+};
+
+Checked<Wanted> wantedOf(const MatchRequest& request, const Catalog& catalog) {
+    if (isMeasuredFile(request.to)) {
+        const auto measured = readMeasured(request.to);
+        if (!measured) {
+            return tl::unexpected(oneError(measured.error()));
+        }
+        return Wanted{matchTarget(**measured, request.samples), {}};
+    }
+    const Checked<Material> material = presetIn(request.to, catalog);
+    if (!material) {
+        return tl::unexpected(material.error());
+    }
+    auto target = sweepVariant(catalog, *material).and_then([&](const EvalCase& model) {
+        return matchTarget(model, request.samples);
+    });
+    if (!target) {
+        return tl::unexpected(oneError(target.error()));
+    }
+    return Wanted{std::move(*target), *material};
+}
+
+/// Returns the materials that fits begin with: the preset's, and those of the models that are asked
+/// for, with what they can take over of the wanted material or else their defaults.
+Checked<std::vector<Material>> startsOf(const MatchRequest& request, const Wanted& wanted,
+                                        const Catalog& catalog) {
+    const auto startOf = [&](const Block& model) {
+        return wanted.material ? swappedModel(*wanted.material, model, catalog)
+                               : defaultMaterial(model);
+    };
+    std::vector<Material> starts;
+    if (!request.preset.empty()) {
+        const Checked<Material> material = presetIn(request.preset, catalog);
+        if (!material) {
+            return tl::unexpected(material.error());
+        }
+        starts.push_back(*material);
+    }
+    if (request.allModels) {
+        for (const Block* model : matchedModels(catalog)) {
+            starts.push_back(startOf(*model));
+        }
+    }
+    std::vector<std::string> known;
+    for (const Block* model : catalog.ofKind(kinds::models)) {
+        known.push_back(model->id);
+    }
+    for (const std::string& id : request.models) {
+        const Block* model = catalog.find(kinds::models, id);
+        if (model == nullptr) {
+            return tl::unexpected(oneError(
+                failure(fmt::format("there is no model \"{}\"", id), oneOf(id, known)).value()));
+        }
+        starts.push_back(startOf(*model));
+    }
+    return starts;
+}
+
+Errors checkRequest(const MatchRequest& request) {
+    if (request.preset.empty() && request.models.empty() && !request.allModels) {
+        return oneError(
+            failure("nothing is to be fitted", "a preset, --model ID or --all-models").value());
+    }
+    return {};
+}
+
+/// Measures how long the models take per pixel, with their defaults. Without a graphics device the
+/// reason is reported, and nothing is returned.
+std::vector<ModelCost> timesOf(const std::shared_ptr<const Catalog>& catalog, LongWork& work) {
+    const auto context = gl::HeadlessContext::create();
+    if (!context) {
+        report({context.error()});
+        return {};
+    }
+    AssetClient files;
+    const CostRequest options;
+    const Tools tools{catalog, files, work};
+    const auto subject = prepared({}, options.picture, *catalog, files);
+    if (!subject) {
+        report(subject.error());
+        return {};
+    }
+    auto costs = withSubject(*subject, options, tools, ranked);
+    if (!costs) {
+        report(costs.error());
+        return {};
+    }
+    return std::move(*costs);
+}
+
+Result<void> writeBest(const ModelMatches& matches, const MatchRequest& request,
+                       const Catalog& catalog) {
+    if (request.output.empty() || matches.rows.empty()) {
+        return {};
+    }
+    return writePreset(request.output, matches.rows.front().material, catalog);
+}
+
+/// Fits all materials until that is done or stopped.
+ModelMatches fitted(const std::vector<Material>& starts, const MatchTarget& target,
+                    const FitOptions& options, const Catalog& catalog, LongWork& work) {
+    Progress progress;
+    std::future<ModelMatches> matches = std::async(std::launch::async, [&] {
+        return fittedMaterials(starts, target, options, catalog, progress);
+    });
+    while (matches.wait_for(std::chrono::milliseconds(100)) != std::future_status::ready) {
+        progress.cancelled = work.isStopped();
+        work.tell(
+            fmt::format("{:3.0f} %  fitting {} models ", 100.0f * progress.done, starts.size()));
+    }
+    return matches.get();
+}
+
+/// Gives each match the time of its model, where it was measured.
+void addTimes(ModelMatches& matches, const std::vector<ModelCost>& costs) {
+    for (ModelMatch& row : matches.rows) {
+        const auto found = std::ranges::find(costs, row.material.model.id, &ModelCost::model);
+        if (found != costs.end()) {
+            row.nanoseconds = found->cost.nanosecondsPerPixel;
+        }
+    }
+    markFront(matches);
+}
+
+/// Returns the exit status.
+Checked<int> match(const MatchRequest& request) {
+    if (const Errors wrong = checkRequest(request); !wrong.empty()) {
+        return tl::unexpected(wrong);
+    }
+    const auto catalog = std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()));
+    report(catalog->errors);
+    const auto wanted = wantedOf(request, *catalog);
+    if (!wanted) {
+        return tl::unexpected(wanted.error());
+    }
+    const auto starts = startsOf(request, *wanted, *catalog);
+    if (!starts) {
+        return tl::unexpected(starts.error());
+    }
+    LongWork work;
+    const FitOptions options{.error = *matchErrorOf(request.error)};
+    ModelMatches matches = fitted(*starts, wanted->target, options, *catalog, work);
+    if (!request.withoutTime && request.allModels && !work.isStopped()) {
+        addTimes(matches, timesOf(catalog, work));
+    }
+    report(matches.problems);
+    std::cout << (request.json ? writeJson(matchesJson(matches))
+                               : matchesText(matches, request.within / 100.0));
+    if (const auto written = writeBest(matches, request, *catalog); !written) {
+        return tl::unexpected(oneError(written.error()));
+    }
+    return work.isStopped() ? LongWork::stoppedStatus : matches.rows.empty() ? 1 : 0;
+}
+
+} // namespace
+
+void addMatch(CLI::App& program, int& status) {
+    CLI::App* command = program.add_subcommand(
+        "match", "Find the values of models that look like another preset or a measured surface");
+    auto options = std::make_shared<MatchRequest>();
+    command->add_option("preset", options->preset, "Preset whose values are changed");
+    command
+        ->add_option("--to", options->to,
+                     "What is to be matched: a preset, or a file of the MERL (.binary) or RGL "
+                     "(.bsdf) collection")
+        ->required();
+    command->add_option("--model", options->models,
+                        "Fit this model; it may be given several times");
+    command->add_flag("--all-models", options->allModels,
+                      "Fit every model that reflects light, and compare errors and times");
+    command
+        ->add_option("--error", options->error,
+                     "What is made small: log of 1 + pi f cos (the default), relative or linear")
+        ->check(CLI::IsMember({"log", "relative", "linear"}));
+    command->add_option("--samples", options->samples, "Pairs of directions; 4096 without this")
+        ->check(CLI::Range(16UL, 1000000UL));
+    command
+        ->add_option("--within", options->within,
+                     "Name the quickest model with at most this error in percent; 2 without this")
+        ->check(CLI::Range(0.0, 1000.0));
+    command->add_flag("--no-time", options->withoutTime, "Measure no times");
+    command->add_flag("--json", options->json, "Print JSON");
+    command->add_option("-o,--output", options->output, "Write the best fit as a preset");
+    command->callback([options, &status] {
+        const Checked<int> ended = match(*options);
+        status = ended.value_or(1);
+        if (!ended) {
+            report(ended.error());
+        }
+    });
+}
+
+} // namespace patina

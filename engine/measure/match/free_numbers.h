@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "measure/eval/eval_case.h"
+
+namespace patina {
+
+/// Lists the numbers of a model, and of what fills its slot, that a fit may change: those of
+/// parameters with a continuous range. Choices, switches, images, functions and what is emitted
+/// stay. A number is counted in lengths of its slider, from 0 at the slider's start to 1 at its
+/// end, on the slider's scale; typed ranges may go beyond.
+class FreeNumbers {
+  public:
+    explicit FreeNumbers(const EvalCase& model);
+
+    std::size_t size() const { return numbers_.size(); }
+    double min(std::size_t index) const { return numbers_[index].min; }
+    double max(std::size_t index) const { return numbers_[index].max; }
+
+    std::vector<double> of(const EvalCase& model) const;
+
+    /// Sets all numbers of a case that has the blocks of the one this was made for.
+    void set(EvalCase& model, const double* values) const;
+
+  private:
+    struct Number {
+        bool isOfSlot = false;
+        const Parameter* parameter = nullptr;
+        int component = 0;
+        double min = 0.0;
+        double max = 1.0;
+    };
+
+    void add(const Block& block, bool isOfSlot);
+
+    std::vector<Number> numbers_;
+};
+
+} // namespace patina

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure/match/match_target.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "measure/match/model_values.h"
+
+namespace patina {
+namespace {
+
+using std::numbers::pi;
+const double minCosine = std::cos(80.0 * pi / 180.0);
+
+bool isUsable(const DirectionPair& pair) {
+    return pair.l.z > minCosine && pair.v.z > minCosine;
+}
+
+/// Returns the number of an index of the sequence of van der Corput in a base, 0 .. 1.
+double radicalInverse(std::size_t index, std::size_t base) {
+    double result = 0.0;
+    double digit = 1.0;
+    for (; index > 0; index /= base) {
+        digit /= double(base);
+        result += digit * double(index % base);
+    }
+    return result;
+}
+
+/// Returns a pair of directions by its half vector (dense around the normal) and the light around
+/// it, of Halton's sequence.
+DirectionPair haltonPair(std::size_t index) {
+    const double root = radicalInverse(index, 2);
+    const double half = root * root * 0.5 * pi;
+    const double difference = radicalInverse(index, 3) * 0.5 * pi;
+    const double around = radicalInverse(index, 5) * 2.0 * pi;
+    const double azimuth = radicalInverse(index, 7) * 2.0 * pi;
+    const glm::dvec3 d(std::sin(difference) * std::cos(around),
+                       std::sin(difference) * std::sin(around), std::cos(difference));
+    const double c = std::cos(half);
+    const double s = std::sin(half);
+    const auto turned = [azimuth](const glm::dvec3& v) {
+        return glm::dvec3(v.x * std::cos(azimuth) - v.y * std::sin(azimuth),
+                          v.x * std::sin(azimuth) + v.y * std::cos(azimuth), v.z);
+    };
+    const glm::dvec3 h(s, 0.0, c);
+    const glm::dvec3 l(d.x * c + d.z * s, d.y, d.z * c - d.x * s);
+    return {turned(l), turned(2.0 * glm::dot(l, h) * h - l)};
+}
+
+} // namespace
+
+MatchTarget MatchTarget::thinned(std::size_t count) const {
+    if (count >= pairs.size()) {
+        return *this;
+    }
+    MatchTarget fewer;
+    fewer.isIsotropic = isIsotropic;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t taken = i * pairs.size() / count;
+        fewer.pairs.push_back(pairs[taken]);
+        fewer.values.push_back(values[taken]);
+    }
+    return fewer;
+}
+
+MatchTarget matchTarget(const MeasuredReflectance& measured, std::size_t samples) {
+    MatchTarget target;
+    target.isIsotropic = measured.isIsotropic();
+    for (const DirectionPair& pair : measured.samples(2 * samples)) {
+        if (isUsable(pair)) {
+            target.pairs.push_back(pair);
+            target.values.push_back(pi * pair.l.z * measured.evaluate(pair));
+        }
+    }
+    return target.thinned(samples);
+}
+
+Result<MatchTarget> matchTarget(const EvalCase& model, std::size_t samples) {
+    const Result<ModelValues> values = ModelValues::of(model);
+    if (!values) {
+        return tl::unexpected(values.error());
+    }
+    MatchTarget target;
+    target.isIsotropic = false;
+    for (std::size_t index = 1; target.pairs.size() < samples; ++index) {
+        const DirectionPair pair = haltonPair(index);
+        if (isUsable(pair)) {
+            target.pairs.push_back(pair);
+            target.values.push_back(values->at(pair));
+        }
+    }
+    return target;
+}
+
+} // namespace patina

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure/match/model_fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <random>
+#include <utility>
+
+#include <ceres/dynamic_numeric_diff_cost_function.h>
+#include <ceres/problem.h>
+#include <ceres/solver.h>
+
+#include "measure/match/free_numbers.h"
+#include "measure/match/model_values.h"
+
+namespace patina {
+namespace {
+
+constexpr std::size_t triedSets = 128;
+constexpr std::size_t triedDirections = 96;
+constexpr std::size_t roughDirections = 256;
+constexpr std::size_t fineDirections = 1536;
+constexpr int roughSteps = 15;
+constexpr int fineSteps = 40;
+
+/// Is an error that no eye sees.
+constexpr double isTheSame = 1e-5;
+/// Is how much less error other choices must have to be taken.
+constexpr double isBetter = 0.95;
+/// Bounds how many choices are changed, one after the other.
+constexpr int maxChoices = 4;
+
+/// Keeps a relative error finite where the target is black.
+constexpr double relativeFloor = 0.01;
+
+/// Returns the difference of one channel in the measure of a fit.
+double difference(MatchError error, double model, double target) {
+    switch (error) {
+    case MatchError::Relative:
+        return (model - target) / (target + relativeFloor);
+    case MatchError::Linear:
+        return model - target;
+    default:
+        return std::log1p(model) - std::log1p(target);
+    }
+}
+
+double rootMeanSquare(const std::vector<double>& numbers) {
+    double sum = 0.0;
+    for (const double number : numbers) {
+        sum += number * number;
+    }
+    return std::sqrt(sum / double(std::max<std::size_t>(numbers.size(), 1)));
+}
+
+/// Holds a fit in work: the free numbers of a model against a target.
+class Fit {
+  public:
+    Fit(EvalCase model, const MatchTarget& target, MatchError error)
+        : model_(std::move(model)), free_(model_), numbers_(free_.of(model_)), target_(target),
+          error_(error) {}
+
+    /// Writes the differences of all directions and channels; they are those of these numbers.
+    bool differences(const double* numbers, double* out) const {
+        const Result<ModelValues> values = ModelValues::of(modelWith(numbers));
+        if (!values) {
+            return false;
+        }
+        for (std::size_t i = 0; i < target_.pairs.size(); ++i) {
+            const glm::dvec3 value = values->at(target_.pairs[i]);
+            for (int c = 0; c < 3; ++c) {
+                *out++ = difference(error_, value[c], target_.values[i][c]);
+            }
+        }
+        return true;
+    }
+
+    double error() const {
+        std::vector<double> all(3 * target_.pairs.size());
+        return differences(numbers_.data(), all.data()) ? rootMeanSquare(all)
+                                                        : std::numeric_limits<double>::infinity();
+    }
+
+    /// Sets all numbers to random places of their sliders.
+    void scatter(std::minstd_rand& random) {
+        std::uniform_real_distribution<double> uniform(0.0, 1.0);
+        for (std::size_t k = 0; k < numbers_.size(); ++k) {
+            numbers_[k] = std::clamp(uniform(random), free_.min(k), free_.max(k));
+        }
+    }
+
+    /// Improves the numbers.
+    void improve(int steps, const Progress& progress);
+
+    EvalCase model() const { return modelWith(numbers_.data()); }
+
+  private:
+    EvalCase modelWith(const double* numbers) const {
+        EvalCase model = model_;
+        free_.set(model, numbers);
+        return model;
+    }
+
+    EvalCase model_;
+    FreeNumbers free_;
+    std::vector<double> numbers_;
+    const MatchTarget& target_;
+    MatchError error_;
+};
+
+/// Is how Ceres asks for the differences.
+struct Residuals {
+    const Fit* fit;
+    bool operator()(const double* const* numbers, double* out) const {
+        return fit->differences(numbers[0], out);
+    }
+};
+
+/// Ends a solver when the work is cancelled.
+class Canceller : public ceres::IterationCallback {
+  public:
+    explicit Canceller(const Progress& progress) : progress_(progress) {}
+    ceres::CallbackReturnType operator()(const ceres::IterationSummary& /*summary*/) override {
+        return progress_.cancelled ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+    }
+
+  private:
+    const Progress& progress_;
+};
+
+void Fit::improve(int steps, const Progress& progress) {
+    if (numbers_.empty() || progress.cancelled) {
+        return;
+    }
+    using Cost = ceres::DynamicNumericDiffCostFunction<Residuals, ceres::FORWARD>;
+    auto cost = std::make_unique<Cost>(new Residuals{this});
+    cost->AddParameterBlock(int(numbers_.size()));
+    cost->SetNumResiduals(int(3 * target_.pairs.size()));
+    ceres::Problem problem;
+    problem.AddResidualBlock(cost.release(), nullptr, numbers_.data());
+    for (std::size_t i = 0; i < numbers_.size(); ++i) {
+        problem.SetParameterLowerBound(numbers_.data(), int(i), free_.min(i));
+        problem.SetParameterUpperBound(numbers_.data(), int(i), free_.max(i));
+    }
+    Canceller canceller(progress);
+    ceres::Solver::Options options;
+    options.linear_solver_type = ceres::DENSE_QR;
+    options.max_num_iterations = steps;
+    options.function_tolerance = 1e-9;
+    options.parameter_tolerance = 1e-9;
+    options.logging_type = ceres::SILENT;
+    options.num_threads = 1;
+    options.callbacks.push_back(&canceller);
+    ceres::Solver::Summary summary;
+    ceres::Solve(options, &problem, &summary);
+}
+
+/// Adds the model with each other state of each choice that a block's descriptor offers.
+void addChoices(std::vector<EvalCase>& others, const EvalCase& model, EvalBlock EvalCase::*of) {
+    const EvalBlock& block = model.*of;
+    for (const Parameter& parameter : block.block->parameters) {
+        const ParameterTypeInfo& type = infoOf(parameter.type);
+        if (parameter.compiled != Compiled::Yes || type.states == nullptr ||
+            type.function != nullptr) {
+            continue;
+        }
+        const auto held = block.values.find(parameter.id);
+        const Value& now = held != block.values.end() ? held->second : parameter.defaultValue;
+        for (const Value& state : type.states(parameter)) {
+            if (state != now) {
+                others.push_back(model);
+                (others.back().*of).values[parameter.id] = state;
+            }
+        }
+    }
+}
+
+/// Returns the model with each other choice, and with each other block in its slot.
+std::vector<EvalCase> withOtherChoices(const EvalCase& model, const Catalog& catalog) {
+    std::vector<EvalCase> others;
+    addChoices(others, model, &EvalCase::block);
+    if (model.slot.block != nullptr) {
+        addChoices(others, model, &EvalCase::slot);
+        for (const Block* filler : catalog.ofKind(model.slot.block->kind)) {
+            if (filler != model.slot.block) {
+                others.push_back(model);
+                others.back().slot = {filler, defaultValues(*filler), {}};
+            }
+        }
+    }
+    return others;
+}
+
+/// Holds a target at more and more directions: the fewer, the quicker.
+struct Targets {
+    MatchTarget few;
+    MatchTarget some;
+    MatchTarget many;
+
+    explicit Targets(const MatchTarget& all)
+        : few(all.thinned(triedDirections)), some(all.thinned(roughDirections)),
+          many(all.thinned(fineDirections)) {}
+};
+
+/// Returns the best of random sets of values.
+std::vector<EvalCase> scattered(const EvalCase& model, const Targets& targets,
+                                const FitOptions& options) {
+    std::minstd_rand random(1);
+    std::vector<std::pair<double, EvalCase>> tried;
+    for (std::size_t i = 0; i < triedSets; ++i) {
+        Fit fit(model, targets.few, options.error);
+        fit.scatter(random);
+        tried.emplace_back(fit.error(), fit.model());
+    }
+    std::ranges::stable_sort(tried, {}, &std::pair<double, EvalCase>::first);
+    std::vector<EvalCase> best;
+    for (std::size_t i = 0; i < std::min(options.starts, tried.size()); ++i) {
+        best.push_back(std::move(tried[i].second));
+    }
+    return best;
+}
+
+/// Improves these a little, and of them the best one as far as it goes.
+Fit improved(std::vector<EvalCase> starts, const Targets& targets, const FitOptions& options,
+             const Progress& progress) {
+    EvalCase best = starts.front();
+    double least = std::numeric_limits<double>::infinity();
+    for (EvalCase& start : starts) {
+        Fit rough(std::move(start), targets.some, options.error);
+        rough.improve(roughSteps, progress);
+        if (const double error = rough.error(); error < least) {
+            least = error;
+            best = rough.model();
+        }
+    }
+    Fit fine(std::move(best), targets.many, options.error);
+    fine.improve(fineSteps, progress);
+    return fine;
+}
+
+double relativeError(const EvalCase& model, const MatchTarget& target) {
+    const Result<ModelValues> values = ModelValues::of(model);
+    double missed = 0.0;
+    double all = 0.0;
+    for (std::size_t i = 0; values && i < target.pairs.size(); ++i) {
+        const glm::dvec3 off = values->at(target.pairs[i]) - target.values[i];
+        missed += glm::dot(off, off);
+        all += glm::dot(target.values[i], target.values[i]);
+    }
+    return all > 0.0 ? std::sqrt(missed / all) : 0.0;
+}
+
+} // namespace
+
+std::optional<MatchError> matchErrorOf(std::string_view word) {
+    constexpr std::array<std::string_view, 3> words{"log", "relative", "linear"};
+    const auto found = std::ranges::find(words, word);
+    return found == words.end() ? std::nullopt
+                                : std::optional(static_cast<MatchError>(found - words.begin()));
+}
+
+Result<ModelFit> fittedModel(const EvalCase& model, const MatchTarget& target,
+                             const FitOptions& options, const Catalog& catalog,
+                             const Progress& progress) {
+    if (const auto code = ModelValues::of(model); !code) {
+        return tl::unexpected(code.error());
+    }
+    const Targets targets(target);
+    std::vector<EvalCase> starts = scattered(model, targets, options);
+    starts.insert(starts.begin(), model);
+    const Fit own = improved(std::move(starts), targets, options, progress);
+    EvalCase found = own.model();
+    double least = own.error();
+    // Other choices may look the same with other numbers: they have to be better.
+    for (int round = 0; round < maxChoices && least > isTheSame; ++round) {
+        std::vector<EvalCase> others = withOtherChoices(found, catalog);
+        if (others.empty() || progress.cancelled) {
+            break;
+        }
+        const Fit other = improved(std::move(others), targets, options, progress);
+        if (other.error() > isBetter * least) {
+            break;
+        }
+        found = other.model();
+        least = other.error();
+    }
+    return ModelFit{found, Fit(found, target, options.error).error(), relativeError(found, target)};
+}
+
+} // namespace patina

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure/match/model_matches.h"
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "material/preset_file.h"
+#include "measure/error/parallel.h"
+#include "measure/lobe/lobe_model.h"
+#include "measure/stability/sweep_cases.h"
+
+namespace patina {
+namespace {
+
+/// Writes the fitted values of a block into those of a material.
+void takeValues(BlockValues& values, const EvalBlock& fitted) {
+    for (const auto& [id, value] : fitted.values) {
+        values.parameters[id] = roundedToFloat(value);
+    }
+}
+
+Result<ModelMatch> fittedMaterial(const Material& material, const MatchTarget& target,
+                                  const FitOptions& options, const Catalog& catalog,
+                                  const Progress& progress) {
+    const Result<EvalCase> model = sweepVariant(catalog, material);
+    if (!model) {
+        return tl::unexpected(model.error());
+    }
+    const Result<ModelFit> fit = fittedModel(*model, target, options, catalog, progress);
+    if (!fit) {
+        return tl::unexpected(fit.error());
+    }
+    const Block& block = *model->block.block;
+    ModelMatch match{material, block.label, fit->error, fit->relative, {}};
+    takeValues(match.material.model, fit->model.block);
+    if (const Block* filler = fit->model.slot.block) {
+        BlockValues part;
+        part.id = filler->id;
+        part.version = filler->version;
+        takeValues(part, fit->model.slot);
+        setPart(match.material.parts, filler->kind, part);
+    }
+    return match;
+}
+
+} // namespace
+
+std::vector<const Block*> matchedModels(const Catalog& catalog) {
+    std::vector<const Block*> models = catalog.ofKind(kinds::models);
+    std::erase_if(models, [](const Block* model) { return !whyNoReflectance(*model).empty(); });
+    return models;
+}
+
+ModelMatches fittedMaterials(const std::vector<Material>& materials, const MatchTarget& target,
+                             const FitOptions& options, const Catalog& catalog,
+                             Progress& progress) {
+    ModelMatches matches;
+    std::mutex guard;
+    std::atomic<std::size_t> next = 0;
+    std::size_t done = 0;
+    const auto work = [&] {
+        for (std::size_t i = next++; i < materials.size() && !progress.cancelled; i = next++) {
+            auto match = fittedMaterial(materials[i], target, options, catalog, progress);
+            const std::scoped_lock lock(guard);
+            if (match) {
+                matches.rows.push_back(std::move(*match));
+            } else {
+                matches.problems.push_back(match.error());
+            }
+            progress.done = float(++done) / float(materials.size());
+        }
+    };
+    {
+        std::vector<std::jthread> threads(parallelParts());
+        for (std::jthread& thread : threads) {
+            thread = std::jthread(work);
+        }
+    }
+    std::ranges::sort(matches.rows, {}, [](const ModelMatch& match) {
+        return std::pair(match.error, match.material.model.id);
+    });
+    return matches;
+}
+
+void markFront(ModelMatches& matches) {
+    for (ModelMatch& row : matches.rows) {
+        row.isOnFront = std::ranges::none_of(matches.rows, [&row](const ModelMatch& other) {
+            return row.nanoseconds && other.nanoseconds && other.error < row.error &&
+                   *other.nanoseconds < *row.nanoseconds;
+        });
+    }
+}
+
+const ModelMatch* quickestWithin(const ModelMatches& matches, double within) {
+    const ModelMatch* quickest = nullptr;
+    for (const ModelMatch& row : matches.rows) {
+        if (row.nanoseconds && row.relative <= within &&
+            (quickest == nullptr || *row.nanoseconds < *quickest->nanoseconds)) {
+            quickest = &row;
+        }
+    }
+    return quickest;
+}
+
+std::string matchesText(const ModelMatches& matches, double within) {
+    std::string text =
+        fmt::format("{:<28} {:>10} {:>10} {:>10}\n", "model", "error", "relative", "ns/pixel");
+    bool hasTimes = false;
+    for (const ModelMatch& row : matches.rows) {
+        const std::string time = row.nanoseconds ? fmt::format("{:.1f}", *row.nanoseconds) : "-";
+        hasTimes = hasTimes || row.nanoseconds.has_value();
+        text += fmt::format("{:<28} {:>10.5f} {:>8.2f} % {:>10}{}\n", row.label, row.error,
+                            100.0 * row.relative, time,
+                            row.nanoseconds && row.isOnFront ? "  front" : "");
+    }
+    if (!hasTimes) {
+        return text;
+    }
+    const ModelMatch* quickest = quickestWithin(matches, within);
+    return text + (quickest != nullptr ? fmt::format("the quickest within {:g} %: {}\n",
+                                                     100.0 * within, quickest->label)
+                                       : fmt::format("none is within {:g} %\n", 100.0 * within));
+}
+
+nlohmann::json matchesJson(const ModelMatches& matches) {
+    nlohmann::json rows = nlohmann::json::array();
+    for (const ModelMatch& row : matches.rows) {
+        rows.push_back({{"model", row.material.model.id},
+                        {"label", row.label},
+                        {"error", row.error},
+                        {"relative", row.relative},
+                        {"nanosecondsPerPixel",
+                         row.nanoseconds ? nlohmann::json(*row.nanoseconds) : nlohmann::json()},
+                        {"front", row.nanoseconds.has_value() && row.isOnFront},
+                        {"preset", toJson(row.material)}});
+    }
+    return rows;
+}
+
+} // namespace patina

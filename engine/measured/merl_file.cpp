@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measured/merl_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "measured/byte_reader.h"
+
+namespace patina {
+namespace {
+
+using std::numbers::pi;
+
+/// Turns a file's number into 1/sr, per channel.
+constexpr std::array<double, 3> unit{1.0 / 1500.0, 1.15 / 1500.0, 1.66 / 1500.0};
+
+constexpr std::size_t headerBytes = 3 * sizeof(std::int32_t);
+constexpr std::size_t maxBins = std::size_t(1) << 25;
+
+/// Holds Rusinkiewicz' angles of a pair of directions, without the azimuth of the half vector.
+struct Angles {
+    double half = 0.0;       ///< radians, 0 .. pi/2: between normal and half vector
+    double difference = 0.0; ///< radians, 0 .. pi/2: between half vector and light
+    double azimuth = 0.0;    ///< radians, 0 .. pi: of the light around the half vector
+};
+
+Angles anglesOf(const DirectionPair& pair) {
+    const glm::dvec3 h = glm::normalize(pair.l + pair.v);
+    const double sine = std::hypot(h.x, h.y);
+    const double half = std::atan2(sine, h.z);
+    const glm::dvec2 around = sine > 0.0 ? glm::dvec2(h) / sine : glm::dvec2(1.0, 0.0);
+    // The light in the frame in which the half vector is z: turned back by the azimuth, then
+    // tilted.
+    const glm::dvec2 flat(around.x * pair.l.x + around.y * pair.l.y,
+                          around.x * pair.l.y - around.y * pair.l.x);
+    const glm::dvec3 d(flat.x * h.z - pair.l.z * sine, flat.y, flat.x * sine + pair.l.z * h.z);
+    const double azimuth = std::atan2(d.y, d.x);
+    return {half, std::atan2(std::hypot(d.x, d.y), d.z), azimuth < 0.0 ? azimuth + pi : azimuth};
+}
+
+DirectionPair directionsAt(const Angles& angles) {
+    const glm::dvec3 d(std::sin(angles.difference) * std::cos(angles.azimuth),
+                       std::sin(angles.difference) * std::sin(angles.azimuth),
+                       std::cos(angles.difference));
+    const double c = std::cos(angles.half);
+    const double s = std::sin(angles.half);
+    const glm::dvec3 h(s, 0.0, c);
+    const glm::dvec3 l(d.x * c + d.z * s, d.y, d.z * c - d.x * s);
+    return {l, 2.0 * glm::dot(l, h) * h - l};
+}
+
+/// Is a place between two bins of an axis.
+struct Between {
+    std::size_t low = 0;
+    std::size_t high = 0;
+    double share = 0.0; ///< 0 .. 1, of `high`
+};
+
+/// Returns the bins around a place that is counted in bins from the axis' start.
+Between between(double place, std::size_t bins, bool isRing) {
+    const double middle = place - 0.5; // values belong to the middle of a bin
+    const double floor = std::floor(middle);
+    const double last = double(bins) - 1.0;
+    if (isRing) {
+        const auto low = static_cast<std::size_t>(floor < 0.0 ? last : std::min(floor, last));
+        return {low, (low + 1) % bins, middle - floor};
+    }
+    const auto low = static_cast<std::size_t>(std::clamp(floor, 0.0, last));
+    return {low, std::min(low + 1, bins - 1), floor < 0.0 ? 0.0 : middle - floor};
+}
+
+class MerlReflectance : public MeasuredReflectance {
+  public:
+    MerlReflectance(const std::array<std::size_t, 3>& bins, std::vector<float> values)
+        : bins_(bins), values_(std::move(values)) {}
+
+    glm::dvec3 evaluate(const DirectionPair& pair) const override {
+        if (!(pair.l.z > 0.0 && pair.v.z > 0.0)) {
+            return glm::dvec3(0.0);
+        }
+        const Angles angles = anglesOf(pair);
+        const Between half =
+            between(std::sqrt(angles.half / (0.5 * pi)) * double(bins_[0]), bins_[0], false);
+        const Between difference =
+            between(angles.difference / (0.5 * pi) * double(bins_[1]), bins_[1], false);
+        const Between azimuth = between(angles.azimuth / pi * double(bins_[2]), bins_[2], true);
+        return mean(half, difference, azimuth);
+    }
+
+    std::vector<DirectionPair> samples(std::size_t most) const override {
+        std::vector<std::size_t> usable;
+        for (std::size_t i = 0; i < count(); ++i) {
+            const DirectionPair pair = directionsAt(middleOf(i));
+            if (isMeasured(i) && pair.l.z > 0.0 && pair.v.z > 0.0) {
+                usable.push_back(i);
+            }
+        }
+        std::vector<DirectionPair> pairs;
+        const std::size_t taken = std::min(most, usable.size());
+        for (std::size_t k = 0; k < taken; ++k) {
+            // The step is no divisor of a row, so the places spread over all three axes.
+            pairs.push_back(directionsAt(middleOf(usable[k * usable.size() / taken])));
+        }
+        return pairs;
+    }
+
+    bool isIsotropic() const override { return true; }
+
+    std::string description() const override {
+        return fmt::format("MERL, {} x {} x {}", bins_[0], bins_[1], bins_[2]);
+    }
+
+  private:
+    std::size_t count() const { return bins_[0] * bins_[1] * bins_[2]; }
+    bool isMeasured(std::size_t bin) const { return values_[bin] >= 0.0f; }
+
+    Angles middleOf(std::size_t bin) const {
+        const double third = double(bin % bins_[2]) + 0.5;
+        const double second = double(bin / bins_[2] % bins_[1]) + 0.5;
+        const double first = (double(bin / bins_[2] / bins_[1]) + 0.5) / double(bins_[0]);
+        return {first * first * 0.5 * pi, second / double(bins_[1]) * 0.5 * pi,
+                third / double(bins_[2]) * pi};
+    }
+
+    /// Returns the mean of the measured ones of the eight bins around, by their shares.
+    glm::dvec3 mean(const Between& half, const Between& difference, const Between& azimuth) const {
+        glm::dvec3 sum(0.0);
+        double weights = 0.0;
+        for (int corner = 0; corner < 8; ++corner) {
+            const auto [i, a] = side(half, (corner & 1) != 0);
+            const auto [j, b] = side(difference, (corner & 2) != 0);
+            const auto [k, c] = side(azimuth, (corner & 4) != 0);
+            const std::size_t bin = (i * bins_[1] + j) * bins_[2] + k;
+            const double weight = a * b * c;
+            if (weight > 0.0 && isMeasured(bin)) {
+                sum += weight *
+                       glm::dvec3(values_[bin], values_[bin + count()], values_[bin + 2 * count()]);
+                weights += weight;
+            }
+        }
+        return weights > 0.0 ? glm::max(sum / weights, glm::dvec3(0.0)) : glm::dvec3(0.0);
+    }
+
+    static std::pair<std::size_t, double> side(const Between& place, bool isHigh) {
+        return isHigh ? std::pair(place.high, place.share)
+                      : std::pair(place.low, 1.0 - place.share);
+    }
+
+    std::array<std::size_t, 3> bins_;
+    std::vector<float> values_; ///< are in 1/sr: all of red, of green, of blue
+};
+
+Result<std::array<std::size_t, 3>> binsOf(std::string_view bytes) {
+    ByteReader reader(bytes);
+    std::array<std::size_t, 3> bins{};
+    std::size_t product = 1;
+    for (std::size_t& count : bins) {
+        const auto number = reader.next<std::int32_t>();
+        if (!number) {
+            return failure("is too short", "a MERL or RGL file");
+        }
+        if (*number < 1 || std::size_t(*number) > maxBins / product) {
+            return failure(fmt::format("byte {}: {} is no number of bins",
+                                       reader.place() - sizeof(std::int32_t), *number),
+                           "a MERL or RGL file");
+        }
+        count = std::size_t(*number);
+        product *= count;
+    }
+    const std::size_t wanted = headerBytes + 3 * product * sizeof(double);
+    if (bytes.size() != wanted) {
+        return failure(fmt::format("has {} bytes", bytes.size()),
+                       fmt::format("{} for {} x {} x {} values of three colours", wanted, bins[0],
+                                   bins[1], bins[2]));
+    }
+    return bins;
+}
+
+} // namespace
+
+Result<std::shared_ptr<const MeasuredReflectance>> merlReflectance(std::string_view bytes) {
+    const auto bins = binsOf(bytes);
+    if (!bins) {
+        return tl::unexpected(bins.error());
+    }
+    const std::size_t count = (*bins)[0] * (*bins)[1] * (*bins)[2];
+    std::vector<float> values;
+    values.reserve(3 * count);
+    ByteReader reader(bytes, headerBytes);
+    bool isEmpty = true;
+    while (const auto number = reader.next<double>()) {
+        const double value = *number * unit[values.size() / count];
+        if (!std::isfinite(value) || std::abs(value) > std::numeric_limits<float>::max()) {
+            return failure(fmt::format("byte {}: {} is no reflectance",
+                                       reader.place() - sizeof(double), *number),
+                           "a finite number");
+        }
+        values.push_back(float(value));
+        isEmpty = isEmpty && value < 0.0;
+    }
+    if (isEmpty) {
+        return failure("holds no measured value");
+    }
+    return std::make_shared<const MerlReflectance>(*bins, std::move(values));
+}
+
+} // namespace patina

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measured/rgl_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "measured/spectrum_color.h"
+#include "measured/tensor_file.h"
+#include "measured/warp_table.h"
+
+namespace patina {
+namespace {
+
+using std::numbers::pi;
+
+/// Bounds what a grazing light divides by: a file holds f times the cosine, which fades more slowly
+/// in the interpolation.
+constexpr double minCosine = 1e-4;
+
+/// Maps a polar angle of 0 .. pi/2 to 0 .. 1, with more room near the normal.
+double unitOfPolar(double theta) {
+    return std::sqrt(theta * 2.0 / pi);
+}
+
+double polarOfUnit(double unit) {
+    return unit * unit * 0.5 * pi;
+}
+
+double unitOfAzimuth(double phi) {
+    const double unit = (phi + pi) / (2.0 * pi);
+    return unit - std::floor(unit);
+}
+
+double azimuthOfUnit(double unit) {
+    return (2.0 * unit - 1.0) * pi;
+}
+
+double polarOf(const glm::dvec3& d) {
+    return std::atan2(std::hypot(d.x, d.y), d.z);
+}
+
+double azimuthOf(const glm::dvec3& d) {
+    return std::atan2(d.y, d.x);
+}
+
+glm::dvec3 direction(double polar, double azimuth) {
+    return {std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth),
+            std::cos(polar)};
+}
+
+/// Holds the tables of a file.
+struct RglTables {
+    SquareTable normals;                 ///< is the distribution of normals, over the half vector
+    SquareTable area;                    ///< is what of them the eye sees, over its direction
+    WarpTable seenNormals;               ///< are normals seen, over the half vector, per eye
+    std::array<SquareTable, 3> channels; ///< are linear Rec. 709, over the warped square, per eye
+    std::string description;
+};
+
+class RglReflectance : public MeasuredReflectance {
+  public:
+    explicit RglReflectance(RglTables tables) : tables_(std::move(tables)) {}
+
+    glm::dvec3 evaluate(const DirectionPair& pair) const override {
+        if (!(pair.l.z > 0.0 && pair.v.z > 0.0)) {
+            return glm::dvec3(0.0);
+        }
+        const glm::dvec3 h = glm::normalize(pair.l + pair.v);
+        const double eyePolar = polarOf(pair.v);
+        const double eyeAzimuth = azimuthOf(pair.v);
+        const SquareTable::Slices slices =
+            tables_.seenNormals.density().slicesAt(eyeAzimuth, eyePolar);
+        const glm::dvec2 half(unitOfPolar(polarOf(h)),
+                              unitOfAzimuth(azimuthOf(h) - (isIsotropic() ? eyeAzimuth : 0.0)));
+        return value(tables_.seenNormals.inverse(half, slices), slices, half,
+                     {unitOfPolar(eyePolar), unitOfAzimuth(eyeAzimuth)}) /
+               std::max(pair.l.z, minCosine);
+    }
+
+    std::vector<DirectionPair> samples(std::size_t most) const override {
+        std::vector<DirectionPair> usable;
+        const SquareTable& grid = tables_.channels[0];
+        const std::size_t all = grid.slices() * grid.sliceSize();
+        const std::size_t step = std::max<std::size_t>(all / std::max<std::size_t>(2 * most, 1), 1);
+        for (std::size_t i = 0; i < all; i += step) {
+            if (const auto pair = pairAt(i)) {
+                usable.push_back(*pair);
+            }
+        }
+        std::vector<DirectionPair> pairs;
+        const std::size_t taken = std::min(most, usable.size());
+        for (std::size_t k = 0; k < taken; ++k) {
+            pairs.push_back(usable[k * usable.size() / taken]);
+        }
+        return pairs;
+    }
+
+    bool isIsotropic() const override { return tables_.seenNormals.density().first().size() <= 2; }
+
+    std::string description() const override { return tables_.description; }
+
+  private:
+    glm::dvec3 value(const glm::dvec2& warped, const SquareTable::Slices& slices,
+                     const glm::dvec2& half, const glm::dvec2& eye) const {
+        const SquareTable::Slices one;
+        const double area = tables_.area.at(eye, one);
+        if (!(area > 0.0)) {
+            return glm::dvec3(0.0);
+        }
+        glm::dvec3 light;
+        for (int c = 0; c < 3; ++c) {
+            light[c] = tables_.channels[static_cast<std::size_t>(c)].at(warped, slices);
+        }
+        return glm::max(light, glm::dvec3(0.0)) * tables_.normals.at(half, one) / (4.0 * area);
+    }
+
+    /// Returns the directions of a grid point; nothing where the light would be below the surface.
+    std::optional<DirectionPair> pairAt(std::size_t index) const {
+        const SquareTable& grid = tables_.channels[0];
+        const std::size_t slice = index / grid.sliceSize();
+        const std::size_t point = index % grid.sliceSize();
+        const auto columns = static_cast<std::size_t>(grid.size().x);
+        const glm::dvec2 warped(double(point % columns) / double(grid.size().x - 1),
+                                double(point / columns) / double(grid.size().y - 1));
+        const auto& polars = grid.second();
+        const double eyePolar = polars[slice % polars.size()];
+        const double eyeAzimuth = grid.first()[slice / polars.size()];
+        const SquareTable::Slices slices =
+            tables_.seenNormals.density().slicesAt(eyeAzimuth, eyePolar);
+        const glm::dvec2 half = tables_.seenNormals.forward(warped, slices);
+        const glm::dvec3 v = direction(eyePolar, eyeAzimuth);
+        const glm::dvec3 h = direction(polarOfUnit(half.x),
+                                       azimuthOfUnit(half.y) + (isIsotropic() ? eyeAzimuth : 0.0));
+        const glm::dvec3 l = 2.0 * glm::dot(v, h) * h - v;
+        constexpr double grazing = 1e-3;
+        return l.z > grazing && v.z > grazing && glm::dot(v, h) > grazing
+                   ? std::optional(DirectionPair{l, v})
+                   : std::nullopt;
+    }
+
+    RglTables tables_;
+};
+
+/// Takes the arrays of a file apart, and remembers the first thing that is wrong.
+class RglReader {
+  public:
+    explicit RglReader(TensorFields fields) : fields_(std::move(fields)) {}
+
+    Result<RglTables> tables() {
+        std::vector<float> azimuths = numbers("phi_i", {0});
+        std::vector<float> polars = numbers("theta_i", {0});
+        checkRising("phi_i", azimuths);
+        checkRising("theta_i", polars);
+        SquareTable normals = square("ndf", {}, {});
+        SquareTable area = square("sigma", {}, {});
+        SquareTable seen = square("vndf", azimuths, polars);
+        std::optional<std::array<SquareTable, 3>> channels = colours(azimuths, polars);
+        if (problem_ || !channels) {
+            return tl::unexpected(problem_.value_or(Error{{}, 0, 0, "has no colours", {}}));
+        }
+        const double turn = azimuths.size() > 2 ? azimuths.back() - azimuths.front() : 2.0 * pi;
+        if (std::abs(turn - 2.0 * pi) > 0.5) {
+            return failure(fmt::format("\"phi_i\" covers {:.3} radians", turn), "a whole turn");
+        }
+        const auto text = fields_.find("description");
+        return RglTables{std::move(normals), std::move(area), WarpTable(std::move(seen)),
+                         std::move(*channels),
+                         text != fields_.end() ? text->second.bytes : std::string("RGL")};
+    }
+
+  private:
+    void note(std::string problem) {
+        if (!problem_) {
+            problem_ = Error{{}, 0, 0, std::move(problem), "an RGL file"};
+        }
+    }
+
+    /// Returns the numbers of an array of floats with these sizes; 0 stands for any.
+    std::vector<float> numbers(const std::string& name, const std::vector<std::size_t>& shape) {
+        const auto found = fields_.find(name);
+        const bool fits =
+            found != fields_.end() && found->second.type == TensorField::Type::Floats &&
+            std::ranges::equal(found->second.shape, shape, [](std::size_t has, std::size_t wanted) {
+                return wanted == 0 || has == wanted;
+            });
+        if (!fits) {
+            note(fmt::format("the array \"{}\" is missing or has another shape", name));
+            return {};
+        }
+        return found->second.floats;
+    }
+
+    std::vector<std::size_t> shapeOf(const std::string& name) const {
+        const auto found = fields_.find(name);
+        return found != fields_.end() ? found->second.shape : std::vector<std::size_t>();
+    }
+
+    void checkRising(const std::string& name, const std::vector<float>& values) {
+        if (values.empty() ||
+            std::ranges::adjacent_find(values, std::greater_equal()) != values.end()) {
+            note(fmt::format("the numbers of \"{}\" do not rise", name));
+        }
+    }
+
+    void checkDensity(const std::string& name, const std::vector<float>& values) {
+        const auto below = std::ranges::find_if(values, [](float value) { return value < 0.0f; });
+        if (below != values.end()) {
+            note(fmt::format("number {} of \"{}\" is {}, below 0", below - values.begin(), name,
+                             *below));
+        }
+    }
+
+    /// Reads an array over the unit square; with parameters, one for each pair of them.
+    SquareTable square(const std::string& name, const std::vector<float>& azimuths,
+                       const std::vector<float>& polars) {
+        std::vector<std::size_t> shape{0, 0};
+        if (!azimuths.empty()) {
+            shape = {azimuths.size(), polars.size(), 0, 0};
+        }
+        std::vector<float> values = numbers(name, shape);
+        checkDensity(name, values);
+        const std::vector<std::size_t> has = shapeOf(name);
+        return {std::move(values), gridOf(name, has), azimuths, polars};
+    }
+
+    /// Returns the columns and rows that the last two sizes of an array are.
+    glm::ivec2 gridOf(const std::string& name, const std::vector<std::size_t>& shape) {
+        constexpr std::size_t most = 1u << 14;
+        if (shape.size() < 2 || shape.back() < 2 || shape[shape.size() - 2] < 2 ||
+            shape.back() > most || shape[shape.size() - 2] > most) {
+            note(fmt::format("the array \"{}\" has no grid", name));
+            return glm::ivec2(2);
+        }
+        return {int(shape.back()), int(shape[shape.size() - 2])};
+    }
+
+    /// Returns the colours over the warped square: those of an RGB file, or those that a spectrum
+    /// has for the eye.
+    std::optional<std::array<SquareTable, 3>> colours(const std::vector<float>& azimuths,
+                                                      const std::vector<float>& polars) {
+        const bool isSpectral = fields_.contains("spectra");
+        const std::string name = isSpectral ? "spectra" : "rgb";
+        const std::vector<std::size_t> shape = shapeOf(name);
+        const std::vector<float> values =
+            numbers(name, {azimuths.size(), polars.size(), isSpectral ? 0u : 3u, 0, 0});
+        const std::vector<float> wavelengths =
+            isSpectral ? numbers("wavelengths", {shape.size() > 2 ? shape[2] : 1})
+                       : std::vector<float>();
+        const glm::ivec2 grid = gridOf(name, shape);
+        if (problem_) {
+            return std::nullopt;
+        }
+        const std::vector<glm::dvec3> weights =
+            isSpectral ? spectrumWeights(wavelengths)
+                       : std::vector<glm::dvec3>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        const std::size_t points = std::size_t(grid.x) * std::size_t(grid.y);
+        const std::size_t slices = azimuths.size() * polars.size();
+        std::array<std::vector<float>, 3> colours;
+        for (std::size_t c = 0; c < 3; ++c) {
+            colours[c].resize(slices * points);
+            for (std::size_t i = 0; i < colours[c].size(); ++i) {
+                const std::size_t start = i / points * weights.size() * points + i % points;
+                double sum = 0.0;
+                for (std::size_t k = 0; k < weights.size(); ++k) {
+                    sum += weights[k][int(c)] * double(values[start + k * points]);
+                }
+                colours[c][i] = float(sum);
+            }
+        }
+        const auto table = [&](std::size_t c) {
+            return SquareTable(std::move(colours[c]), grid, azimuths, polars);
+        };
+        return std::array{table(0), table(1), table(2)};
+    }
+
+    TensorFields fields_;
+    std::optional<Error> problem_;
+};
+
+} // namespace
+
+Result<std::shared_ptr<const MeasuredReflectance>> rglReflectance(std::string_view bytes) {
+    auto fields = tensorFields(bytes);
+    if (!fields) {
+        return tl::unexpected(fields.error());
+    }
+    Result<RglTables> tables = RglReader(std::move(*fields)).tables();
+    if (!tables) {
+        return tl::unexpected(tables.error());
+    }
+    return std::make_shared<const RglReflectance>(std::move(*tables));
+}
+
+} // namespace patina

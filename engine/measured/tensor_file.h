@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/error.h"
+
+namespace patina {
+
+/// Is one array of a tensor file.
+struct TensorField {
+    enum class Type : std::uint8_t { Bytes, Floats };
+    Type type = Type::Floats;
+    std::vector<std::size_t> shape; ///< slowest index first
+    std::string bytes{};            ///< holds the numbers of an array of bytes
+    std::vector<float> floats{};    ///< holds those of an array of floats, all finite
+};
+
+using TensorFields = std::map<std::string, TensorField, std::less<>>;
+
+/// Tells by its first bytes whether a file is a tensor file.
+bool isTensorFile(std::string_view bytes);
+
+/// Reads the arrays of bytes and of 32-bit floats of a tensor file; others are left out. Errors
+/// name the array and the byte.
+Result<TensorFields> tensorFields(std::string_view bytes);
+
+} // namespace patina

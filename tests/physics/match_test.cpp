@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A model that wrote a file finds its own values in it again.
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "catalog/catalog.h"
+#include "measure/match/model_matches.h"
+#include "measure/match/model_values.h"
+#include "measure/stability/sweep_cases.h"
+#include "support/measured_files.h"
+#include "support/program.h"
+
+namespace patina::match_test {
+namespace {
+
+using std::numbers::pi;
+using tests::merlBytes;
+using tests::RglFile;
+using tests::TemporaryFolder;
+using tests::writeFile;
+
+const Catalog& catalog() {
+    static const Catalog shipped = loadCatalog(standardBlockRoots());
+    return shipped;
+}
+
+/// A material whose values are none of the defaults.
+Material hidden(const std::string& model, const Values& values) {
+    Material material = defaultMaterial(*catalog().find(kinds::models, model));
+    for (const auto& [id, value] : values) {
+        material.model.parameters[id] = value;
+    }
+    return material;
+}
+
+tests::Reflectance reflectanceOf(const Material& material) {
+    const ModelValues values = *ModelValues::of(*sweepVariant(catalog(), material));
+    return [values](const DirectionPair& pair) { return values.at(pair) / (pi * pair.l.z); };
+}
+
+/// Compares all numbers that a fit may change.
+void expectFound(const Material& found, const Values& values) {
+    for (const auto& [id, value] : values) {
+        const Value& fitted = found.model.parameters.at(id);
+        if (const auto* color = std::get_if<glm::dvec3>(&value)) {
+            for (int c = 0; c < 3; ++c) {
+                EXPECT_NEAR(std::get<glm::dvec3>(fitted)[c], (*color)[c], 1e-3) << id;
+            }
+        } else {
+            const double wanted = std::get<double>(value);
+            EXPECT_NEAR(std::get<double>(fitted), wanted, 1e-3 * std::max(wanted, 1.0)) << id;
+        }
+    }
+}
+
+ModelMatches matched(const std::string& model, const MatchTarget& target) {
+    Progress progress;
+    return fittedMaterials({defaultMaterial(*catalog().find(kinds::models, model))}, target, {},
+                           catalog(), progress);
+}
+
+struct Case {
+    const char* model;
+    Values values;
+};
+
+class Recovered : public testing::TestWithParam<Case> {};
+
+TEST_P(Recovered, FromAMerlFile_WithinAThousandth) {
+    const TemporaryFolder folder;
+    const Material material = hidden(GetParam().model, GetParam().values);
+    writeFile(folder / "a.binary", merlBytes({30, 30, 60}, reflectanceOf(material)));
+    const auto measured = readMeasured(folder / "a.binary");
+    ASSERT_TRUE(measured) << measured.error().text();
+    const ModelMatches matches = matched(GetParam().model, matchTarget(**measured, 4096));
+    ASSERT_EQ(matches.rows.size(), 1u);
+    EXPECT_LT(matches.rows[0].relative, 1e-4);
+    expectFound(matches.rows[0].material, GetParam().values);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Models, Recovered,
+    testing::Values(Case{"lambert", {{"diffuse.color", glm::dvec3(0.7, 0.3, 0.1)}}},
+                    Case{"ward",
+                         {{"diffuse.color", glm::dvec3(0.2, 0.3, 0.6)},
+                          {"specular.color", glm::dvec3(0.15, 0.1, 0.05)}}},
+                    Case{"oren-nayar", {{"diffuse.color", glm::dvec3(0.5, 0.4, 0.2)}}}),
+    [](const auto& instance) {
+        std::string name = instance.param.model;
+        std::erase(name, '-');
+        return name;
+    });
+
+TEST(Matched, PresetByItsOwnModelFromOtherValues_IsFound) {
+    const Values values{{"diffuse.color", glm::dvec3(0.1, 0.4, 0.3)}};
+    const Material material = hidden("phong", values);
+    const auto target = matchTarget(*sweepVariant(catalog(), material), 2048);
+    ASSERT_TRUE(target);
+    const ModelMatches matches = matched("phong", *target);
+    ASSERT_EQ(matches.rows.size(), 1u);
+    EXPECT_LT(matches.rows[0].relative, 1e-3);
+    expectFound(matches.rows[0].material, values);
+}
+
+TEST(Matched, Cancelled_ReturnsWhatWasFitted) {
+    const auto target = matchTarget(*sweepVariant(catalog(), hidden("lambert", {})), 64);
+    ASSERT_TRUE(target);
+    Progress progress;
+    progress.cancelled = true;
+    const ModelMatches matches = fittedMaterials({hidden("lambert", {}), hidden("phong", {})},
+                                                 *target, {}, catalog(), progress);
+    EXPECT_TRUE(matches.rows.empty());
+    EXPECT_TRUE(matches.problems.empty());
+}
+
+TEST(Matched, Drawings_AreNoReflectances) {
+    for (const Block* model : matchedModels(catalog())) {
+        EXPECT_EQ(model->lighting, LightsWanted::All) << model->id;
+    }
+    EXPECT_GE(matchedModels(catalog()).size(), 15u);
+}
+
+TEST(Matched, QuickestWithin_IsTheQuickestThatIsNearEnough) {
+    ModelMatches matches;
+    const auto row = [](const char* id, double relative, double time) {
+        ModelMatch match;
+        match.material.model.id = id;
+        match.error = relative;
+        match.relative = relative;
+        match.nanoseconds = time;
+        return match;
+    };
+    matches.rows = {row("a", 0.01, 9.0), row("b", 0.019, 4.0), row("c", 0.019, 5.0),
+                    row("d", 0.5, 1.0)};
+    markFront(matches);
+    ASSERT_NE(quickestWithin(matches, 0.02), nullptr);
+    EXPECT_EQ(quickestWithin(matches, 0.02)->material.model.id, "b");
+    EXPECT_EQ(quickestWithin(matches, 0.001), nullptr);
+    EXPECT_TRUE(matches.rows[0].isOnFront && matches.rows[1].isOnFront &&
+                matches.rows[3].isOnFront);
+}
+
+} // namespace
+} // namespace patina::match_test

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files of measured reflectances, written here by formula in both formats, are read back within
+// what the format keeps; damaged ones end in a message with the place.
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "measured/measured_reflectance.h"
+#include "measured/spectrum_color.h"
+#include "support/measured_files.h"
+#include "support/program.h"
+
+namespace patina::measured_test {
+namespace {
+
+using std::numbers::pi;
+using tests::merlBytes;
+using tests::RglFile;
+using tests::TemporaryFolder;
+using tests::writeFile;
+
+/// A matte part and a broad lobe that changes with the azimuth around the mirror direction.
+glm::dvec3 smooth(const DirectionPair& pair) {
+    const glm::dvec3 h = glm::normalize(pair.l + pair.v);
+    const double lobe = std::exp(-8.0 * (1.0 - h.z));
+    return glm::dvec3(0.3, 0.2, 0.1) / pi + glm::dvec3(0.2, 0.4, 0.8) * lobe;
+}
+
+class Measured : public testing::Test {
+  protected:
+    Result<std::shared_ptr<const MeasuredReflectance>> read(const std::string& bytes) const {
+        writeFile(folder_ / "a.binary", bytes);
+        return readMeasured(folder_ / "a.binary");
+    }
+    std::string problemOf(const std::string& bytes) const {
+        const auto reading = read(bytes);
+        return reading ? "" : reading.error().text();
+    }
+
+    /// The largest difference from a function at what the file holds exactly, relative to it.
+    static double largestError(const MeasuredReflectance& measured,
+                               const std::function<glm::dvec3(const DirectionPair&)>& expected) {
+        double largest = 0.0;
+        for (const DirectionPair& pair : measured.samples(500)) {
+            const glm::dvec3 wanted = expected(pair);
+            for (int c = 0; c < 3; ++c) {
+                largest =
+                    std::max(largest, std::abs(measured.evaluate(pair)[c] - wanted[c]) / wanted[c]);
+            }
+        }
+        return largest;
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(Measured, MerlFile_IsReadBackAsItWasWritten) {
+    const auto reading = read(merlBytes({30, 30, 60}, smooth));
+    ASSERT_TRUE(reading) << reading.error().text();
+    EXPECT_TRUE((*reading)->isIsotropic());
+    EXPECT_EQ((*reading)->samples(500).size(), 500u);
+    EXPECT_LT(largestError(**reading, smooth), 1e-6);
+}
+
+TEST_F(Measured, MerlFile_IsNearBetweenTheBins) {
+    const auto reading = read(merlBytes({90, 90, 180}, smooth));
+    ASSERT_TRUE(reading);
+    for (const double theta : {0.1, 0.4, 0.9, 1.2}) {
+        const DirectionPair pair{{std::sin(theta), 0.0, std::cos(theta)},
+                                 glm::normalize(glm::dvec3(-0.3, 0.5, 0.8))};
+        EXPECT_LT(glm::length((*reading)->evaluate(pair) - smooth(pair)),
+                  0.01 * glm::length(smooth(pair)));
+        EXPECT_LT(glm::length((*reading)->evaluate({pair.v, pair.l}) - smooth(pair)),
+                  0.01 * glm::length(smooth(pair)));
+    }
+}
+
+TEST_F(Measured, MerlValuesBelowZero_WereNotMeasured) {
+    const auto reading = read(merlBytes({8, 8, 16}, [](const DirectionPair& pair) {
+        return pair.l.z > 0.6 ? smooth(pair) : glm::dvec3(-1.0);
+    }));
+    ASSERT_TRUE(reading);
+    for (const DirectionPair& pair : (*reading)->samples(1000)) {
+        EXPECT_GT(pair.l.z, 0.6);
+    }
+}
+
+TEST_F(Measured, RglFile_IsReadBackAsItWasWritten) {
+    const auto reading = read(RglFile{}.bytes(smooth));
+    ASSERT_TRUE(reading) << reading.error().text();
+    EXPECT_TRUE((*reading)->isIsotropic());
+    EXPECT_GT((*reading)->samples(500).size(), 200u);
+    EXPECT_LT(largestError(**reading, smooth), 1e-4);
+}
+
+TEST_F(Measured, AnisotropicRglFile_IsReadBackAsItWasWritten) {
+    const auto brushed = [](const DirectionPair& pair) {
+        const glm::dvec3 h = glm::normalize(pair.l + pair.v);
+        return glm::dvec3(0.1 + std::exp(-3.0 * h.x * h.x - 20.0 * h.y * h.y));
+    };
+    const auto reading = read(RglFile{.azimuths = 9}.bytes(brushed));
+    ASSERT_TRUE(reading) << reading.error().text();
+    EXPECT_FALSE((*reading)->isIsotropic());
+    EXPECT_LT(largestError(**reading, brushed), 1e-4);
+}
+
+TEST_F(Measured, SpectralRglFile_HasTheColourThatTheSpectrumIs) {
+    const auto reading = read(RglFile{.isSpectral = true}.bytes(
+        [](const DirectionPair& pair) { return glm::dvec3(smooth(pair).x); }));
+    ASSERT_TRUE(reading) << reading.error().text();
+    EXPECT_LT(largestError(**reading,
+                           [](const DirectionPair& pair) { return glm::dvec3(smooth(pair).x); }),
+              1e-4);
+}
+
+TEST(SpectrumColor, SpectrumOfOnes_IsWhite) {
+    std::vector<float> wavelengths;
+    for (float nm = 360.0f; nm <= 1000.0f; nm += 5.0f) {
+        wavelengths.push_back(nm);
+    }
+    glm::dvec3 sum(0.0);
+    for (const glm::dvec3& weight : spectrumWeights(wavelengths)) {
+        sum += weight;
+    }
+    EXPECT_NEAR(sum.r, 1.0, 1e-3);
+    EXPECT_NEAR(sum.g, 1.0, 1e-3);
+    EXPECT_NEAR(sum.b, 1.0, 1e-3);
+}
+
+TEST_F(Measured, GrazingAndHiddenDirections_AreFiniteAndNotNegative) {
+    const auto merl = read(merlBytes({8, 8, 16}, smooth));
+    const auto rgl = read(RglFile{}.bytes(smooth));
+    for (const double z : {0.0, -0.5, 1e-300, 1e-9, 1.0}) {
+        const DirectionPair pair{{std::sqrt(1.0 - z * z), 0.0, z}, {0.0, 0.0, 1.0}};
+        for (const auto& measured : {*merl, *rgl}) {
+            const glm::dvec3 value = measured->evaluate(pair);
+            for (int c = 0; c < 3; ++c) {
+                EXPECT_TRUE(std::isfinite(value[c]) && value[c] >= 0.0) << z;
+            }
+        }
+    }
+}
+
+TEST_F(Measured, DamagedFiles_EndInAMessageWithThePlace) {
+    const std::string merl = merlBytes({8, 8, 16}, smooth);
+    EXPECT_NE(problemOf("").find("too short"), std::string::npos);
+    EXPECT_NE(problemOf("plain text that is no file of numbers").find("byte 0"), std::string::npos);
+    EXPECT_NE(problemOf(merl.substr(0, 1000)).find("has 1000 bytes"), std::string::npos);
+    std::string broken = merl;
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    std::memcpy(broken.data() + 12 + 8 * 5, &none, sizeof none);
+    EXPECT_NE(problemOf(broken).find("byte 52"), std::string::npos) << problemOf(broken);
+    const std::string rgl = RglFile{}.bytes(smooth);
+    for (std::size_t length = 13; length < rgl.size(); length += rgl.size() / 37) {
+        EXPECT_NE(problemOf(rgl.substr(0, length)), "") << length;
+    }
+    for (std::size_t place = 12; place < 400; ++place) { // every byte of the descriptions
+        std::string changed = rgl;
+        changed[place] = static_cast<char>(changed[place] ^ 0x5a);
+        (void)read(changed); // an error or another reading, but no crash
+    }
+}
+
+TEST_F(Measured, FileOfTenGigabytesOfNothing_IsRefused) {
+    const auto file = folder_ / "huge.binary";
+    writeFile(file, "x");
+    std::filesystem::resize_file(file, std::uintmax_t(10) << 30);
+    const auto reading = readMeasured(file);
+    ASSERT_FALSE(reading);
+    EXPECT_NE(reading.error().text().find("1 GiB"), std::string::npos) << reading.error().text();
+}
+
+} // namespace
+} // namespace patina::measured_test
