@@ -309,9 +309,9 @@ Result<glm::dvec3> readUnit(const Json& json, const std::string& key) {
 /// Reads a number within the field's range, which fills all three components, or a colour.
 Result<glm::dvec3> readNumbers(const Json& json, const ArgumentField& field) {
     const std::string key(field.key);
-    const Result<glm::dvec3> value =
-        field.isTriple() ? vector(json, key)
-                         : number(json, key).map([](double x) { return glm::dvec3(x); });
+    Result<glm::dvec3> value = field.isTriple()
+                                   ? vector(json, key)
+                                   : number(json, key).map([](double x) { return glm::dvec3(x); });
     if (!value) {
         return value;
     }

@@ -91,7 +91,7 @@ class RequestDrawer {
         Scene exposed = scene;
         if (options_.autoExposure) {
             exposed.exposure = 0.0;
-            const auto linear = maker_->draw(exposed, source, options_.picture.size, false);
+            auto linear = maker_->draw(exposed, source, options_.picture.size, false);
             if (!linear) {
                 return linear;
             }

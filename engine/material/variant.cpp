@@ -82,7 +82,7 @@ class VariantReader {
             return unread(variant, fmt::format("the parent \"{}\" cannot be read: {}", named,
                                                document.error().problem));
         }
-        below_.push_back(variant.file);
+        below_.emplace_back(variant.file);
         const ReadingRights above = references.rightsOf(named);
         Checked<PresetReading> parent = document->value.contains(parentKey)
                                             ? read(*document, above)

@@ -152,7 +152,7 @@ Result<void> assignInAllLights(Scene& scene, std::string_view kind, const Assign
             continue;
         }
         isThere = true;
-        const auto done = assignInBlock(
+        auto done = assignInBlock(
             blockOf(light.parts, kind, catalog), light.part(kind), inner,
             fmt::format("the {} of the light \"{}\"", word, light.name), fmt::format("--{}", word));
         if (!done) {

@@ -34,7 +34,7 @@ std::vector<std::array<Corner, 3>> trianglesOf(const MeshView& mesh) {
                                    v.normal.y,   v.normal.z,   v.uv.x,       v.uv.y};
     }
     for (auto& triangle : triangles) {
-        std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+        std::rotate(triangle.begin(), std::ranges::min_element(triangle), triangle.end());
     }
     std::ranges::sort(triangles);
     return triangles;

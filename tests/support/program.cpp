@@ -77,10 +77,12 @@ TemporaryFolder::~TemporaryFolder() {
 }
 
 void makeCacheFolder(const std::filesystem::path& cache) {
-    const std::filesystem::path shared = PATINA_BINARY_DIR "/openness";
-    std::filesystem::create_directories(shared);
     std::filesystem::create_directories(cache / "patina");
-    std::filesystem::create_directory_symlink(shared, cache / "patina/openness");
+    for (const char* name : {"openness", "thumbnails"}) {
+        const auto shared = std::filesystem::path(PATINA_BINARY_DIR) / name;
+        std::filesystem::create_directories(shared);
+        std::filesystem::create_directory_symlink(shared, cache / "patina" / name);
+    }
 }
 
 std::string readFile(const std::filesystem::path& path) {

@@ -42,8 +42,9 @@ class TemporaryFolder {
     std::filesystem::path path_;
 };
 
-/// Makes a user's cache folder that shares the openness of meshes with all tests: finding that of
-/// the default mesh takes as long as the rest of a short test.
+/// Makes a user's cache folder that shares the openness of meshes and the pictures of presets with
+/// all tests: finding the openness of the default mesh takes as long as the rest of a short test,
+/// and every window with presets in it draws those that are in sight.
 void makeCacheFolder(const std::filesystem::path& cache);
 
 std::string readFile(const std::filesystem::path& path);

@@ -192,7 +192,14 @@ TEST_F(PresetFolders, NewFolderInsideOne_IsWatchedToo) {
     EXPECT_TRUE(isShown("Within too"));
 }
 
-class PresetPictures : public PresetWindow {};
+/// Shows presets whose pictures nobody made before.
+class PresetPictures : public PresetWindow {
+  protected:
+    void SetUp() override {
+        std::filesystem::remove(home("XDG_CACHE_HOME") / "patina/thumbnails");
+        PresetWindow::SetUp();
+    }
+};
 
 TEST_F(PresetPictures, InSight_AreMade) {
     const auto picture = [this] {

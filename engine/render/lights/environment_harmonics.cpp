@@ -44,9 +44,9 @@ std::array<glm::vec3, 9> irradianceHarmonics(glm::ivec2 size, std::span<const gl
     std::array<glm::dvec3, 9> sums{};
     const auto columns = static_cast<std::size_t>(size.x);
     for (std::size_t i = 0; i < radiance.size(); ++i) {
-        const double row = double(i / columns);
-        const double from = pi * row / size.y;
-        const double to = pi * (row + 1.0) / size.y;
+        const std::size_t row = i / columns;
+        const double from = pi * double(row) / size.y;
+        const double to = pi * double(row + 1) / size.y;
         const double solidAngle = (std::cos(from) - std::cos(to)) * 2.0 * pi / size.x;
         const double down = 0.5 * (from + to);
         const double across = ((double(i % columns) + 0.5) / size.x - 0.5) * 2.0 * pi;

@@ -53,13 +53,14 @@ class Sky {
     glm::dvec3 color(std::size_t i) const { return glm::dvec3(environment_.texels[i]); }
 
     double solidAngle(std::size_t i) const {
-        const double row = double(i / std::size_t(size().x));
-        return (std::cos(pi * row / size().y) - std::cos(pi * (row + 1.0) / size().y)) * 2.0 * pi /
-               size().x;
+        const std::size_t row = i / std::size_t(size().x);
+        return (std::cos(pi * double(row) / size().y) - std::cos(pi * double(row + 1) / size().y)) *
+               2.0 * pi / size().x;
     }
 
     glm::dvec3 direction(std::size_t i) const {
-        const double down = pi * (double(i / std::size_t(size().x)) + 0.5) / size().y;
+        const std::size_t row = i / std::size_t(size().x);
+        const double down = pi * (double(row) + 0.5) / size().y;
         const double across =
             ((double(i % std::size_t(size().x)) + 0.5) / size().x - 0.5) * 2.0 * pi;
         return {std::sin(down) * std::sin(across), std::cos(down),

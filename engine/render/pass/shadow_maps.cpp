@@ -41,7 +41,7 @@ Result<void> ShadowMaps::plan(const Scene& scene, const Scene& effects,
         return {};
     }
     unneeded_ = 0;
-    if (const Result<void> made = prepare(programs, textures, texels); !made) {
+    if (Result<void> made = prepare(programs, textures, texels); !made) {
         layers_.clearViews();
         layers_.forget();
         return made;
