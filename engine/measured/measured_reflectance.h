@@ -29,9 +29,9 @@ class MeasuredReflectance {
     /// measured; 0 where l or v is not above the surface.
     virtual glm::dvec3 evaluate(const DirectionPair& directions) const = 0;
 
-    /// Returns at most `most` pairs of directions at which evaluate() is what the file holds,
+    /// Returns at most `maxCount` pairs of directions at which evaluate() is what the file holds,
     /// evenly taken from all that have a value.
-    virtual std::vector<DirectionPair> samples(std::size_t most) const = 0;
+    virtual std::vector<DirectionPair> samples(std::size_t maxCount) const = 0;
 
     /// Tells whether only the difference of both azimuths counts.
     virtual bool isIsotropic() const = 0;

@@ -95,7 +95,7 @@ class MerlReflectance : public MeasuredReflectance {
         return mean(half, difference, azimuth);
     }
 
-    std::vector<DirectionPair> samples(std::size_t most) const override {
+    std::vector<DirectionPair> samples(std::size_t maxCount) const override {
         std::vector<std::size_t> usable;
         for (std::size_t i = 0; i < count(); ++i) {
             const DirectionPair pair = directionsAt(middleOf(i));
@@ -104,7 +104,7 @@ class MerlReflectance : public MeasuredReflectance {
             }
         }
         std::vector<DirectionPair> pairs;
-        const std::size_t taken = std::min(most, usable.size());
+        const std::size_t taken = std::min(maxCount, usable.size());
         for (std::size_t k = 0; k < taken; ++k) {
             // The step is no divisor of a row, so the places spread over all three axes.
             pairs.push_back(directionsAt(middleOf(usable[k * usable.size() / taken])));

@@ -85,18 +85,19 @@ class RglReflectance : public MeasuredReflectance {
                std::max(pair.l.z, minCosine);
     }
 
-    std::vector<DirectionPair> samples(std::size_t most) const override {
+    std::vector<DirectionPair> samples(std::size_t maxCount) const override {
         std::vector<DirectionPair> usable;
         const SquareTable& grid = tables_.channels[0];
         const std::size_t all = grid.slices() * grid.sliceSize();
-        const std::size_t step = std::max<std::size_t>(all / std::max<std::size_t>(2 * most, 1), 1);
+        const std::size_t step =
+            std::max<std::size_t>(all / std::max<std::size_t>(2 * maxCount, 1), 1);
         for (std::size_t i = 0; i < all; i += step) {
             if (const auto pair = pairAt(i)) {
                 usable.push_back(*pair);
             }
         }
         std::vector<DirectionPair> pairs;
-        const std::size_t taken = std::min(most, usable.size());
+        const std::size_t taken = std::min(maxCount, usable.size());
         for (std::size_t k = 0; k < taken; ++k) {
             pairs.push_back(usable[k * usable.size() / taken]);
         }
@@ -233,9 +234,9 @@ class RglReader {
 
     /// Returns the columns and rows that the last two sizes of an array are.
     glm::ivec2 gridOf(const std::string& name, const std::vector<std::size_t>& shape) {
-        constexpr std::size_t most = 1u << 14;
+        constexpr std::size_t maxSize = 1u << 14;
         if (shape.size() < 2 || shape.back() < 2 || shape[shape.size() - 2] < 2 ||
-            shape.back() > most || shape[shape.size() - 2] > most) {
+            shape.back() > maxSize || shape[shape.size() - 2] > maxSize) {
             note(fmt::format("the array \"{}\" has no grid", name));
             return glm::ivec2(2);
         }

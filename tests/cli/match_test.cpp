@@ -15,7 +15,7 @@ using tests::TemporaryFolder;
 using tests::writeFile;
 
 std::string preset(const std::string& name) {
-    return (tests::dataFolder() / "presets" / name).string();
+    return PATINA_SOURCE_DIR "/presets/" + name;
 }
 
 TEST(Match, ShippedPreset_IsFoundByItsOwnModelAndWritten) {

@@ -227,12 +227,12 @@ std::vector<EvalCase> scattered(const EvalCase& model, const Targets& targets,
 Fit improved(std::vector<EvalCase> starts, const Targets& targets, const FitOptions& options,
              const Progress& progress) {
     EvalCase best = starts.front();
-    double least = std::numeric_limits<double>::infinity();
+    double smallest = std::numeric_limits<double>::infinity();
     for (EvalCase& start : starts) {
         Fit rough(std::move(start), targets.some, options.error);
         rough.improve(roughSteps, progress);
-        if (const double error = rough.error(); error < least) {
-            least = error;
+        if (const double error = rough.error(); error < smallest) {
+            smallest = error;
             best = rough.model();
         }
     }
@@ -273,19 +273,19 @@ Result<ModelFit> fittedModel(const EvalCase& model, const MatchTarget& target,
     starts.insert(starts.begin(), model);
     const Fit own = improved(std::move(starts), targets, options, progress);
     EvalCase found = own.model();
-    double least = own.error();
+    double smallest = own.error();
     // Other choices may look the same with other numbers: they have to be better.
-    for (int round = 0; round < maxChoices && least > isTheSame; ++round) {
+    for (int round = 0; round < maxChoices && smallest > isTheSame; ++round) {
         std::vector<EvalCase> others = withOtherChoices(found, catalog);
         if (others.empty() || progress.cancelled) {
             break;
         }
         const Fit other = improved(std::move(others), targets, options, progress);
-        if (other.error() > isBetter * least) {
+        if (other.error() > isBetter * smallest) {
             break;
         }
         found = other.model();
-        least = other.error();
+        smallest = other.error();
     }
     return ModelFit{found, Fit(found, target, options.error).error(), relativeError(found, target)};
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/cost_subject.h"
+#include "cli/prepared_subject.h"
 
 #include "cli/environment_setup.h"
 #include "cli/scene_setup.h"
