@@ -82,26 +82,59 @@ TEST_P(Recovered, FromAMerlFile_WithinAThousandth) {
 
 INSTANTIATE_TEST_SUITE_P(
     Models, Recovered,
-    testing::Values(Case{"lambert", {{"diffuse.color", glm::dvec3(0.7, 0.3, 0.1)}}},
-                    Case{"ward",
-                         {{"diffuse.color", glm::dvec3(0.2, 0.3, 0.6)},
-                          {"specular.color", glm::dvec3(0.15, 0.1, 0.05)}}},
-                    Case{"oren-nayar", {{"diffuse.color", glm::dvec3(0.5, 0.4, 0.2)}}}),
+    testing::Values(
+        Case{"lambert", {{"diffuse.color", glm::dvec3(0.7, 0.3, 0.1)}}},
+        Case{"minnaert", {{"diffuse.color", glm::dvec3(0.2, 0.3, 0.6)}, {"darkening", 1.7}}},
+        Case{"oren-nayar", {{"diffuse.color", glm::dvec3(0.5, 0.4, 0.2)}, {"roughness", 0.6}}}),
     [](const auto& instance) {
         std::string name = instance.param.model;
         std::erase(name, '-');
         return name;
     });
 
-TEST(Matched, PresetByItsOwnModelFromOtherValues_IsFound) {
-    const Values values{{"diffuse.color", glm::dvec3(0.1, 0.4, 0.3)}};
-    const Material material = hidden("phong", values);
-    const auto target = matchTarget(*sweepVariant(catalog(), material), 2048);
+/// Compares both roughnesses; the grain may also be turned by 90 degrees, and these exchanged.
+void expectGrain(const Material& found, double along, double across) {
+    const auto number = [&found](const char* id) {
+        return std::get<double>(found.model.parameters.at(id));
+    };
+    const double angle = std::abs(std::remainder(number("tangent.angle"), 180.0));
+    EXPECT_NEAR(angle < 45.0 ? angle : 90.0 - angle, 0.0, 0.1);
+    EXPECT_NEAR(number(angle < 45.0 ? "roughness.x" : "roughness.y"), along, 1e-3);
+    EXPECT_NEAR(number(angle < 45.0 ? "roughness.y" : "roughness.x"), across, 1e-3);
+}
+
+TEST(Matched, AnisotropicPreset_IsFoundFromTheDefaults) {
+    const Values values{
+        {"diffuse.color", glm::dvec3(0.1, 0.4, 0.3)}, {"roughness.x", 0.35}, {"roughness.y", 0.2}};
+    const auto target = matchTarget(*sweepVariant(catalog(), hidden("ward", values)), 2048);
     ASSERT_TRUE(target);
-    const ModelMatches matches = matched("phong", *target);
+    const ModelMatches matches = matched("ward", *target);
     ASSERT_EQ(matches.rows.size(), 1u);
-    EXPECT_LT(matches.rows[0].relative, 1e-3);
-    expectFound(matches.rows[0].material, values);
+    EXPECT_LT(matches.rows[0].relative, 1e-4);
+    expectGrain(matches.rows[0].material, 0.35, 0.2);
+}
+
+TEST(Matched, OtherChoiceOfTheModel_IsFound) {
+    Material material = hidden("oren-nayar", {{"roughness", 0.9}});
+    material.model.parameters["form"] = std::string("eon");
+    const auto target = matchTarget(*sweepVariant(catalog(), material), 1024);
+    ASSERT_TRUE(target);
+    const ModelMatches matches = matched("oren-nayar", *target);
+    ASSERT_EQ(matches.rows.size(), 1u);
+    EXPECT_EQ(std::get<std::string>(matches.rows[0].material.model.parameters.at("form")), "eon");
+    EXPECT_LT(matches.rows[0].relative, 1e-4);
+}
+
+TEST(Matched, AnisotropicSurfaceInAnRglFile_IsFound) {
+    const TemporaryFolder folder;
+    const Values values{{"roughness.x", 0.4}, {"roughness.y", 0.25}};
+    const auto bytes = RglFile{.azimuths = 9}.bytes(reflectanceOf(hidden("ward", values)));
+    writeFile(folder / "a.bsdf", bytes);
+    const auto measured = readMeasured(folder / "a.bsdf");
+    ASSERT_TRUE(measured) << measured.error().text();
+    const ModelMatches matches = matched("ward", matchTarget(**measured, 2048));
+    ASSERT_EQ(matches.rows.size(), 1u);
+    expectGrain(matches.rows[0].material, 0.4, 0.25);
 }
 
 TEST(Matched, Cancelled_ReturnsWhatWasFitted) {

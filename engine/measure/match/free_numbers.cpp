@@ -52,7 +52,7 @@ double& numberOf(Value& value, int component) {
 
 bool mayChange(const Parameter& parameter) {
     return infoOf(parameter.type).isContinuous && parameter.softMax > parameter.softMin &&
-           !parameter.emission && parameter.compiled == Compiled::No;
+           !parameter.emission && parameter.compiled != Compiled::Yes;
 }
 
 Value& valueOf(EvalCase& model, bool isOfSlot, const Parameter& parameter) {

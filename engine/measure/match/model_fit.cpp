@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <random>
 #include <utility>
 
@@ -22,9 +23,17 @@ namespace {
 constexpr std::size_t triedSets = 128;
 constexpr std::size_t triedDirections = 96;
 constexpr std::size_t roughDirections = 256;
-constexpr std::size_t fineDirections = 1536;
+constexpr std::size_t fineDirections = 1024;
 constexpr int roughSteps = 15;
 constexpr int fineSteps = 40;
+/// Counts fits that are improved as far as they go: the best, and others with at most so many times
+/// its error.
+constexpr std::size_t finished = 2;
+constexpr double isNear = 1.5;
+
+/// Keeps a number away from its upper end while it is fitted: a derivative is found by a step up,
+/// which changes nothing beyond the end.
+constexpr double derivativeRoom = 1e-5;
 
 /// Is an error that no eye sees.
 constexpr double isTheSame = 1e-5;
@@ -142,8 +151,10 @@ void Fit::improve(int steps, const Progress& progress) {
     ceres::Problem problem;
     problem.AddResidualBlock(cost.release(), nullptr, numbers_.data());
     for (std::size_t i = 0; i < numbers_.size(); ++i) {
+        const double upper = free_.max(i) - derivativeRoom;
+        numbers_[i] = std::clamp(numbers_[i], free_.min(i), upper);
         problem.SetParameterLowerBound(numbers_.data(), int(i), free_.min(i));
-        problem.SetParameterUpperBound(numbers_.data(), int(i), free_.max(i));
+        problem.SetParameterUpperBound(numbers_.data(), int(i), upper);
     }
     Canceller canceller(progress);
     ceres::Solver::Options options;
@@ -156,6 +167,10 @@ void Fit::improve(int steps, const Progress& progress) {
     options.callbacks.push_back(&canceller);
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem, &summary);
+    for (std::size_t i = 0; i < numbers_.size(); ++i) {
+        const bool isAtEnd = numbers_[i] > free_.max(i) - 1.5 * derivativeRoom;
+        numbers_[i] = isAtEnd ? free_.max(i) : numbers_[i];
+    }
 }
 
 /// Adds the model with each other state of each choice that a block's descriptor offers.
@@ -223,22 +238,32 @@ std::vector<EvalCase> scattered(const EvalCase& model, const Targets& targets,
     return best;
 }
 
-/// Improves these a little, and of them the best one as far as it goes.
-Fit improved(std::vector<EvalCase> starts, const Targets& targets, const FitOptions& options,
-             const Progress& progress) {
-    EvalCase best = starts.front();
-    double smallest = std::numeric_limits<double>::infinity();
+/// Improves these a little, and the best of them as far as it goes.
+Fit improved(std::vector<EvalCase> starts, const MatchTarget& roughly, const Targets& targets,
+             const FitOptions& options, const Progress& progress) {
+    std::vector<std::pair<double, EvalCase>> rough;
     for (EvalCase& start : starts) {
-        Fit rough(std::move(start), targets.some, options.error);
-        rough.improve(roughSteps, progress);
-        if (const double error = rough.error(); error < smallest) {
-            smallest = error;
-            best = rough.model();
+        Fit fit(std::move(start), roughly, options.error);
+        fit.improve(roughSteps, progress);
+        rough.emplace_back(fit.error(), fit.model());
+    }
+    std::ranges::stable_sort(rough, {}, &std::pair<double, EvalCase>::first);
+    std::optional<Fit> best;
+    const double nearest = isNear * rough.front().first;
+    for (std::size_t i = 0; i < std::min(finished, rough.size()); ++i) {
+        if (i > 0 && rough[i].first > nearest) {
+            break;
+        }
+        Fit fine(std::move(rough[i].second), targets.many, options.error);
+        fine.improve(fineSteps, progress);
+        if (!best || fine.error() < best->error()) {
+            best.emplace(std::move(fine));
+        }
+        if (best->error() < isTheSame) {
+            break;
         }
     }
-    Fit fine(std::move(best), targets.many, options.error);
-    fine.improve(fineSteps, progress);
-    return fine;
+    return std::move(*best);
 }
 
 double relativeError(const EvalCase& model, const MatchTarget& target) {
@@ -271,7 +296,7 @@ Result<ModelFit> fittedModel(const EvalCase& model, const MatchTarget& target,
     const Targets targets(target);
     std::vector<EvalCase> starts = scattered(model, targets, options);
     starts.insert(starts.begin(), model);
-    const Fit own = improved(std::move(starts), targets, options, progress);
+    const Fit own = improved(std::move(starts), targets.some, targets, options, progress);
     EvalCase found = own.model();
     double smallest = own.error();
     // Other choices may look the same with other numbers: they have to be better.
@@ -280,7 +305,7 @@ Result<ModelFit> fittedModel(const EvalCase& model, const MatchTarget& target,
         if (others.empty() || progress.cancelled) {
             break;
         }
-        const Fit other = improved(std::move(others), targets, options, progress);
+        const Fit other = improved(std::move(others), targets.few, targets, options, progress);
         if (other.error() > isBetter * smallest) {
             break;
         }
