@@ -12,6 +12,7 @@
 #include "catalog/descriptor.h"
 #include "catalog/settings.h"
 #include "catalog/value_json.h"
+#include "cli/family_table.h"
 #include "scene/picture_choice_text.h"
 
 namespace patina {
@@ -137,11 +138,22 @@ void addModels(CLI::App& program, int& status) {
     CLI::App* command = program.add_subcommand(
         "models", "List every block of every kind and the settings of scenes, with parameters");
     auto json = std::make_shared<bool>(false);
-    command->add_flag("--json", *json, "Print an array of the descriptors as they were loaded");
-    command->callback([json, &status] {
+    auto family = std::make_shared<bool>(false);
+    auto* asJson =
+        command->add_flag("--json", *json, "Print an array of the descriptors as they were loaded");
+    command
+        ->add_flag(
+            "--table", *family,
+            "Print a table of the lighting models in Markdown: claims, albedo, formula, source")
+        ->excludes(asJson);
+    command->callback([json, family, &status] {
         const Catalog catalog = loadCatalog(standardBlockRoots());
         report(catalog.errors);
-        *json ? printJson(catalog) : printTable(catalog);
+        if (*family) {
+            std::cout << familyTable(catalog);
+        } else {
+            *json ? printJson(catalog) : printTable(catalog);
+        }
         status = hasShippedBlocks(catalog) ? 0 : 1;
     });
 }

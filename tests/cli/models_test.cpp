@@ -33,6 +33,15 @@ TEST(ModelsCommand, Text_LeavesStandardErrorEmpty) {
     EXPECT_EQ(patina({"models"}).err, "");
 }
 
+TEST(ModelsCommand, Table_IsTheOneInTheDocuments) {
+    const Outcome outcome = patina({"models", "--table"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const std::string page = readFile(shipped("docs/models.md"));
+    EXPECT_NE(page.find(outcome.out), std::string::npos)
+        << "docs/models.md has another table; `patina models --table` prints this one:\n"
+        << outcome.out;
+}
+
 TEST(ModelsCommand, Json_HasOneObjectPerShippedBlockAndThePicture) {
     const auto list = nlohmann::json::parse(patina({"models", "--json"}).out);
     EXPECT_EQ(list.size(), shippedDescriptors().size() + 1);
