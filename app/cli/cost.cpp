@@ -12,7 +12,6 @@
 #include "cli/cost_drawing.h"
 #include "cli/cost_sweeps.h"
 #include "cli/prepared_subject.h"
-#include "core/atomic_file.h"
 #include "core/display_image.h"
 #include "gl/headless_context.h"
 #include "measure/cost/cost_table.h"

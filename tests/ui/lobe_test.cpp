@@ -75,11 +75,20 @@ TEST_F(LobePanel, Hidden_ComputesNothing) {
     set("specular.color", glm::dvec3(1.0));
     settle();
     EXPECT_EQ(peakOf(polar().subjects().front()), before);
-    EXPECT_TRUE(dock().isUpToDate()); // nothing was asked for
+    EXPECT_FALSE(dock().isComputing());
     window().dock("lobe")->show();
     window().dock("lobe")->raise();
     ASSERT_TRUE(
         QTest::qWaitFor([&] { return peakOf(polar().subjects().front()) > 2.0 * before; }, waitMs));
+}
+
+TEST_F(LobePanel, HiddenWhileItComputes_GivesUp) {
+    ASSERT_TRUE(wait());
+    document().setModel(Side::A, "poulin-fournier");
+    openTab(1); // takes seconds
+    EXPECT_TRUE(dock().isComputing());
+    window().dock("lobe")->hide();
+    EXPECT_FALSE(dock().isComputing());
 }
 
 TEST_F(LobePanel, Compared_OverlaysBAndSnapshots) {

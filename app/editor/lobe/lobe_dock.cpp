@@ -133,6 +133,13 @@ void LobeDock::showEvent(QShowEvent* event) {
     follow();
 }
 
+void LobeDock::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    settle_.stop();
+    worker_.forget();
+    isStale_ = true;
+}
+
 /// Sketches what changed, unless the dock is not seen; showEvent() catches up.
 void LobeDock::follow() {
     if (!isVisible()) {

@@ -29,13 +29,15 @@ class LobeDock : public QWidget {
     explicit LobeDock(const DockContext& context);
 
     /// Says that what is shown is what is on screen, and no sketch.
-    bool isUpToDate() const { return worker_.isIdle() && !settle_.isActive() && !isStale_; }
+    bool isUpToDate() const { return !isComputing() && !isStale_; }
+    bool isComputing() const { return !worker_.isIdle() || settle_.isActive(); }
 
     /// Writes the plot that is seen into a file: .svg, .png or .csv.
     void exportTo(const QString& file);
 
   protected:
     void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
   private:
     /// Is what the worker found: the lines of each material that has some, and why the others have

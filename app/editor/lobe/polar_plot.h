@@ -8,7 +8,7 @@ namespace patina {
 
 /// Draws reflectances in the plane of incidence as a half disc, the light at the left. A drag turns
 /// the light, as do the left and right keys by a degree.
-class PolarPlot : public LobePlotWidget {
+class PolarPlot final : public LobePlotWidget {
     Q_OBJECT
 
   public:

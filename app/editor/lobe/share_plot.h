@@ -8,7 +8,7 @@ namespace patina {
 /// Draws shares of the light over its angle from the normal, with 1 marked where it is exceeded,
 /// and angles that have a name; the right axis of a Fresnel plot reads what is transmitted. Errors
 /// of single precision are drawn over the viewer's angle.
-class SharePlot : public LobePlotWidget {
+class SharePlot final : public LobePlotWidget {
     Q_OBJECT
 
   public:
