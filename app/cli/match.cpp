@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <chrono>
-#include <future>
 #include <iostream>
+#include <map>
 #include <memory>
-#include <optional>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -16,10 +14,8 @@
 #include "cli/cost_sweeps.h"
 #include "cli/prepared_subject.h"
 #include "gl/headless_context.h"
-#include "material/model_swap.h"
 #include "material/preset_file.h"
 #include "measure/match/model_matches.h"
-#include "measure/stability/sweep_cases.h"
 
 namespace patina {
 namespace {
@@ -46,40 +42,12 @@ Checked<Material> presetIn(const std::string& file, const Catalog& catalog) {
     return std::move(reading->material);
 }
 
-/// Is what is to be matched; a measured file has no material.
-struct Wanted {
-    MatchTarget target;
-    std::optional<Material> material;
-};
-
-Checked<Wanted> wantedOf(const MatchRequest& request, const Catalog& catalog) {
-    if (isMeasuredFile(request.to)) {
-        const auto measured = readMeasured(request.to);
-        if (!measured) {
-            return tl::unexpected(oneError(measured.error()));
-        }
-        return Wanted{matchTarget(**measured, request.samples), {}};
-    }
-    const Checked<Material> material = presetIn(request.to, catalog);
-    if (!material) {
-        return tl::unexpected(material.error());
-    }
-    auto target = sweepVariant(catalog, *material).and_then([&](const EvalCase& model) {
-        return matchTarget(model, request.samples);
-    });
-    if (!target) {
-        return tl::unexpected(oneError(target.error()));
-    }
-    return Wanted{std::move(*target), *material};
-}
-
 /// Returns the materials that fits begin with: the preset's, and those of the models that are asked
 /// for, with what they can take over of the wanted material or else their defaults.
-Checked<std::vector<Material>> startsOf(const MatchRequest& request, const Wanted& wanted,
+Checked<std::vector<Material>> startsOf(const MatchRequest& request, const MatchAim& aim,
                                         const Catalog& catalog) {
     const auto startOf = [&](const Block& model) {
-        return wanted.material ? swappedModel(*wanted.material, model, catalog)
-                               : defaultMaterial(model);
+        return matchStart(defaultMaterial(model), aim, model, catalog);
     };
     std::vector<Material> starts;
     if (!request.preset.empty()) {
@@ -119,7 +87,8 @@ Errors checkRequest(const MatchRequest& request) {
 
 /// Measures how long the models take per pixel, with their defaults. Without a graphics device the
 /// reason is reported, and nothing is returned.
-std::vector<ModelCost> timesOf(const std::shared_ptr<const Catalog>& catalog, LongWork& work) {
+std::map<std::string, double> timesOf(const std::shared_ptr<const Catalog>& catalog,
+                                      LongWork& work) {
     const auto context = gl::HeadlessContext::create();
     if (!context) {
         report({context.error()});
@@ -133,12 +102,16 @@ std::vector<ModelCost> timesOf(const std::shared_ptr<const Catalog>& catalog, Lo
         report(subject.error());
         return {};
     }
-    auto costs = withSubject(*subject, options, tools, ranked);
+    const auto costs = withSubject(*subject, options, tools, ranked);
     if (!costs) {
         report(costs.error());
         return {};
     }
-    return std::move(*costs);
+    std::map<std::string, double> nanoseconds;
+    for (const ModelCost& cost : *costs) {
+        nanoseconds[cost.model] = cost.cost.nanosecondsPerPixel;
+    }
+    return nanoseconds;
 }
 
 Result<void> writeBest(const ModelMatches& matches, const MatchRequest& request,
@@ -149,32 +122,6 @@ Result<void> writeBest(const ModelMatches& matches, const MatchRequest& request,
     return writePreset(request.output, matches.rows.front().material, catalog);
 }
 
-/// Fits all materials until that is done or stopped.
-ModelMatches fitted(const std::vector<Material>& starts, const MatchTarget& target,
-                    const FitOptions& options, const Catalog& catalog, LongWork& work) {
-    Progress progress;
-    std::future<ModelMatches> matches = std::async(std::launch::async, [&] {
-        return fittedMaterials(starts, target, options, catalog, progress);
-    });
-    while (matches.wait_for(std::chrono::milliseconds(100)) != std::future_status::ready) {
-        progress.cancelled = work.isStopped();
-        work.tell(
-            fmt::format("{:3.0f} %  fitting {} models ", 100.0f * progress.done, starts.size()));
-    }
-    return matches.get();
-}
-
-/// Gives each match the time of its model, where it was measured.
-void addTimes(ModelMatches& matches, const std::vector<ModelCost>& costs) {
-    for (ModelMatch& row : matches.rows) {
-        const auto found = std::ranges::find(costs, row.material.model.id, &ModelCost::model);
-        if (found != costs.end()) {
-            row.nanoseconds = found->cost.nanosecondsPerPixel;
-        }
-    }
-    markFront(matches);
-}
-
 /// Returns the exit status.
 Checked<int> match(const MatchRequest& request) {
     if (const Errors wrong = checkRequest(request); !wrong.empty()) {
@@ -182,17 +129,22 @@ Checked<int> match(const MatchRequest& request) {
     }
     const auto catalog = std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()));
     report(catalog->errors);
-    const auto wanted = wantedOf(request, *catalog);
-    if (!wanted) {
-        return tl::unexpected(wanted.error());
+    const auto aim = readMatchAim(request.to, *catalog, request.samples);
+    if (!aim) {
+        return tl::unexpected(aim.error());
     }
-    const auto starts = startsOf(request, *wanted, *catalog);
+    report(aim->notes);
+    const auto starts = startsOf(request, *aim, *catalog);
     if (!starts) {
         return tl::unexpected(starts.error());
     }
     LongWork work;
     const FitOptions options{.error = *matchErrorOf(request.error)};
-    ModelMatches matches = fitted(*starts, wanted->target, options, *catalog, work);
+    ModelMatches matches =
+        fittedMaterials(*starts, aim->target, options, *catalog, [&](double done) {
+            work.tell(fmt::format("{:3.0f} %  fitting {} models ", 100.0 * done, starts->size()));
+            return !work.isStopped();
+        });
     if (!request.withoutTime && request.allModels && !work.isStopped()) {
         addTimes(matches, timesOf(catalog, work));
     }

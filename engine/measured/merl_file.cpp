@@ -10,7 +10,9 @@
 #include <optional>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include "measured/byte_reader.h"
 
@@ -123,9 +125,11 @@ class MerlReflectance : public MeasuredReflectance {
     bool isMeasured(std::size_t bin) const { return values_[bin] >= 0.0f; }
 
     Angles middleOf(std::size_t bin) const {
+        const std::size_t row = bin / bins_[2];
+        const std::size_t layer = row / bins_[1];
         const double third = double(bin % bins_[2]) + 0.5;
-        const double second = double(bin / bins_[2] % bins_[1]) + 0.5;
-        const double first = (double(bin / bins_[2] / bins_[1]) + 0.5) / double(bins_[0]);
+        const double second = double(row % bins_[1]) + 0.5;
+        const double first = (double(layer) + 0.5) / double(bins_[0]);
         return {first * first * 0.5 * pi, second / double(bins_[1]) * 0.5 * pi,
                 third / double(bins_[2]) * pi};
     }

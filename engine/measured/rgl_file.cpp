@@ -129,8 +129,9 @@ class RglReflectance : public MeasuredReflectance {
         const std::size_t slice = index / grid.sliceSize();
         const std::size_t point = index % grid.sliceSize();
         const auto columns = static_cast<std::size_t>(grid.size().x);
+        const std::size_t row = point / columns;
         const glm::dvec2 warped(double(point % columns) / double(grid.size().x - 1),
-                                double(point / columns) / double(grid.size().y - 1));
+                                double(row) / double(grid.size().y - 1));
         const auto& polars = grid.second();
         const double eyePolar = polars[slice % polars.size()];
         const double eyeAzimuth = grid.first()[slice / polars.size()];

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "accuracy/accuracy_page.h"
+#include "accuracy/match_page.h"
 #include "accuracy/material_target.h"
 #include "accuracy/measure_turn.h"
 #include "accuracy/models_page.h"
@@ -28,13 +29,14 @@ AccuracyDock::AccuracyDock(const DockContext& context) {
         page->setWindowTitle(title);
         setTabToolTip(addTab(page, title), what);
     };
-    add(material, tr("This Material"),
-        tr("Every way to compute the material: time against error"));
+    add(material, tr("This Material"), tr("Every way to compute the material: time against error"));
     add(picture, tr("This Picture"), tr("Every way to draw the picture: time against error"));
-    add(new ModelsPage(context, turn), tr("All Models"),
-        tr("Every model on this scene: time, instructions, lost light"));
+    auto* models = new ModelsPage(context, turn);
+    add(models, tr("All Models"), tr("Every model on this scene: time, instructions, lost light"));
     add(new ScalingPage(context, turn), tr("Scaling"),
         tr("Time against pixels, lights and objects"));
+    add(new MatchPage(context, turn, *models), tr("Match"),
+        tr("Values with which a model looks like another material or a measured surface"));
 }
 
 } // namespace patina

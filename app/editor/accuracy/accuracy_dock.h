@@ -7,8 +7,9 @@
 
 namespace patina {
 
-/// Shows what accuracy costs on four pages, of which only one measures at a time: This Material and
-/// This Picture chart time against error, All Models compares models, Scaling shows how time grows.
+/// Shows what accuracy costs on five pages, of which only one measures at a time: This Material and
+/// This Picture chart time against error, All Models compares models, Scaling shows how time grows,
+/// Match finds the models that look like something else.
 class AccuracyDock : public QTabWidget {
     Q_OBJECT
 

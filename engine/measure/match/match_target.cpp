@@ -3,11 +3,14 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "material/preset_file.h"
 #include "measure/match/model_values.h"
+#include "measure/stability/sweep_cases.h"
 
 namespace patina {
 namespace {
@@ -94,6 +97,33 @@ Result<MatchTarget> matchTarget(const EvalCase& model, std::size_t samples) {
         }
     }
     return target;
+}
+
+Result<MatchAim> matchAim(const Material& material, const Catalog& catalog, std::size_t samples) {
+    return sweepVariant(catalog, material)
+        .and_then([samples](const EvalCase& model) { return matchTarget(model, samples); })
+        .map([&material](MatchTarget target) {
+            return MatchAim{std::move(target), material, {}};
+        });
+}
+
+Checked<MatchAim> readMatchAim(const std::filesystem::path& file, const Catalog& catalog,
+                               std::size_t samples) {
+    if (isMeasuredFile(file)) {
+        const auto measured = readMeasured(file);
+        return measured ? Checked<MatchAim>(MatchAim{matchTarget(**measured, samples), {}, {}})
+                        : tl::unexpected(oneError(measured.error()));
+    }
+    auto reading = readPreset(file, catalog);
+    if (!reading) {
+        return tl::unexpected(reading.error());
+    }
+    auto aim = matchAim(reading->material, catalog, samples);
+    if (!aim) {
+        return tl::unexpected(oneError(aim.error()));
+    }
+    aim->notes = std::move(reading->notes);
+    return std::move(*aim);
 }
 
 } // namespace patina

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
+#include <filesystem>
+#include <optional>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
 #include "core/error.h"
+#include "material/material.h"
 #include "measure/eval/eval_case.h"
 #include "measured/measured_reflectance.h"
 
@@ -27,6 +29,20 @@ struct MatchTarget {
 /// Returns a target of what was measured, without directions more than 80 degrees from the normal,
 /// where instruments see little.
 MatchTarget matchTarget(const MeasuredReflectance& measured, std::size_t samples);
+
+/// Holds what is to be matched. Something measured has no material.
+struct MatchAim {
+    MatchTarget target;
+    std::optional<Material> material;
+    Errors notes; ///< are those of reading a preset
+};
+
+/// Reads a preset, or by its ending a measured file (isMeasuredFile()).
+Checked<MatchAim> readMatchAim(const std::filesystem::path& file, const Catalog& catalog,
+                               std::size_t samples);
+
+/// Returns an aim that is a material.
+Result<MatchAim> matchAim(const Material& material, const Catalog& catalog, std::size_t samples);
 
 /// Returns a target of a material's model (sweepVariant()), in directions that are dense around the
 /// mirror direction and sparse at grazing angles. It is an error where the model has no code in

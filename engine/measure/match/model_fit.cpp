@@ -24,7 +24,7 @@ constexpr std::size_t triedSets = 128;
 constexpr std::size_t triedDirections = 96;
 constexpr std::size_t roughDirections = 256;
 constexpr std::size_t fineDirections = 1024;
-constexpr int roughSteps = 15;
+constexpr int roughSteps = 12;
 constexpr int fineSteps = 40;
 /// Counts fits that are improved as far as they go: the best, and others with at most so many times
 /// its error.
@@ -40,7 +40,7 @@ constexpr double isTheSame = 1e-5;
 /// Is how much less error other choices must have to be taken.
 constexpr double isBetter = 0.95;
 /// Bounds how many choices are changed, one after the other.
-constexpr int maxChoices = 4;
+constexpr int maxChoices = 3;
 
 /// Keeps a relative error finite where the target is black.
 constexpr double relativeFloor = 0.01;

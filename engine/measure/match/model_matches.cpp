@@ -2,12 +2,15 @@
 #include "measure/match/model_matches.h"
 
 #include <algorithm>
-#include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <mutex>
 #include <thread>
 
 #include <fmt/format.h>
 
+#include "core/progress.h"
+#include "material/model_swap.h"
 #include "material/preset_file.h"
 #include "measure/error/parallel.h"
 #include "measure/lobe/lobe_model.h"
@@ -55,29 +58,51 @@ std::vector<const Block*> matchedModels(const Catalog& catalog) {
     return models;
 }
 
+Material matchStart(const Material& own, const MatchAim& aim, const Block& model,
+                    const Catalog& catalog) {
+    Material start = swappedModel(own, model, catalog);
+    if (aim.material) {
+        const Material swapped = swappedModel(*aim.material, model, catalog);
+        start.model = swapped.model;
+        start.parts = swapped.parts;
+    }
+    return start;
+}
+
 ModelMatches fittedMaterials(const std::vector<Material>& materials, const MatchTarget& target,
                              const FitOptions& options, const Catalog& catalog,
-                             Progress& progress) {
+                             const GoesOn& goesOn) {
     ModelMatches matches;
+    Progress progress;
     std::mutex guard;
-    std::atomic<std::size_t> next = 0;
+    std::condition_variable changed;
+    std::size_t next = 0;
     std::size_t done = 0;
     const auto work = [&] {
-        for (std::size_t i = next++; i < materials.size() && !progress.cancelled; i = next++) {
-            auto match = fittedMaterial(materials[i], target, options, catalog, progress);
-            const std::scoped_lock lock(guard);
+        std::unique_lock lock(guard);
+        while (next < materials.size() && !progress.cancelled) {
+            const Material& material = materials[next++];
+            lock.unlock();
+            auto match = fittedMaterial(material, target, options, catalog, progress);
+            lock.lock();
             if (match) {
                 matches.rows.push_back(std::move(*match));
             } else {
                 matches.problems.push_back(match.error());
             }
-            progress.done = float(++done) / float(materials.size());
+            ++done;
+            changed.notify_one();
         }
     };
     {
         std::vector<std::jthread> threads(parallelParts());
         for (std::jthread& thread : threads) {
             thread = std::jthread(work);
+        }
+        std::unique_lock lock(guard);
+        while (done < materials.size() && !progress.cancelled) {
+            progress.cancelled = !goesOn(double(done) / double(materials.size()));
+            changed.wait_for(lock, std::chrono::milliseconds(100));
         }
     }
     std::ranges::sort(matches.rows, {}, [](const ModelMatch& match) {
@@ -86,7 +111,11 @@ ModelMatches fittedMaterials(const std::vector<Material>& materials, const Match
     return matches;
 }
 
-void markFront(ModelMatches& matches) {
+void addTimes(ModelMatches& matches, const std::map<std::string, double>& nanoseconds) {
+    for (ModelMatch& row : matches.rows) {
+        const auto found = nanoseconds.find(row.material.model.id);
+        row.nanoseconds = found != nanoseconds.end() ? std::optional(found->second) : std::nullopt;
+    }
     for (ModelMatch& row : matches.rows) {
         row.isOnFront = std::ranges::none_of(matches.rows, [&row](const ModelMatch& other) {
             return row.nanoseconds && other.nanoseconds && other.error < row.error &&
@@ -124,6 +153,16 @@ std::string matchesText(const ModelMatches& matches, double within) {
     return text + (quickest != nullptr ? fmt::format("the quickest within {:g} %: {}\n",
                                                      100.0 * within, quickest->label)
                                        : fmt::format("none is within {:g} %\n", 100.0 * within));
+}
+
+std::string matchesCsv(const ModelMatches& matches) {
+    std::string text = "model,error,relative,ns_per_pixel,front\n";
+    for (const ModelMatch& row : matches.rows) {
+        text += fmt::format("{},{},{},{},{}\n", row.material.model.id, row.error, row.relative,
+                            row.nanoseconds ? fmt::format("{}", *row.nanoseconds) : "-",
+                            row.nanoseconds && row.isOnFront ? 1 : 0);
+    }
+    return text;
 }
 
 nlohmann::json matchesJson(const ModelMatches& matches) {

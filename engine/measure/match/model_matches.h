@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
-#include "core/progress.h"
 #include "material/material.h"
 #include "measure/match/match_target.h"
 #include "measure/match/model_fit.h"
@@ -34,13 +35,22 @@ struct ModelMatches {
 /// Returns the models that are reflectances (whyNoReflectance()).
 std::vector<const Block*> matchedModels(const Catalog& catalog);
 
-/// Fits materials to a target, on all cores, beginning with their own values. What was fitted when
-/// it is cancelled is returned; `progress` counts materials that are done.
-ModelMatches fittedMaterials(const std::vector<Material>& materials, const MatchTarget& target,
-                             const FitOptions& options, const Catalog& catalog, Progress& progress);
+/// Is called about ten times a second with how much is done, 0 .. 1; false ends the work.
+using GoesOn = std::function<bool(double done)>;
 
-/// Marks the rows that are on the front of error and time.
-void markFront(ModelMatches& matches);
+/// Returns the material that a fit of a model begins with: `own` with that model, and with what the
+/// aim's material has that the model takes.
+Material matchStart(const Material& own, const MatchAim& aim, const Block& model,
+                    const Catalog& catalog);
+
+/// Fits materials to a target, on all cores, beginning with their own values. What was fitted when
+/// it is ended is returned. `goesOn` is called on the thread that waits.
+ModelMatches fittedMaterials(const std::vector<Material>& materials, const MatchTarget& target,
+                             const FitOptions& options, const Catalog& catalog,
+                             const GoesOn& goesOn);
+
+/// Gives each match the time of its model, where it was measured, and marks the front.
+void addTimes(ModelMatches& matches, const std::map<std::string, double>& nanoseconds);
 
 /// Returns the quickest match whose relative error is at most `within`; null where none is or no
 /// times are known.
@@ -48,6 +58,8 @@ const ModelMatch* quickestWithin(const ModelMatches& matches, double within);
 
 /// Returns a table, and below it which is the quickest within the relative error.
 std::string matchesText(const ModelMatches& matches, double within);
+/// Returns one line for each row: model, errors, time, and whether it is on the front.
+std::string matchesCsv(const ModelMatches& matches);
 nlohmann::json matchesJson(const ModelMatches& matches);
 
 } // namespace patina

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "accuracy/match_page.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QHeaderView>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include "accuracy/models_page.h"
+#include "accuracy/number_row.h"
+#include "catalog/json_text.h"
+#include "docks/panel.h"
+#include "document/document.h"
+#include "document/snapshot_edits.h"
+#include "text/as_text.h"
+#include "text/display_number.h"
+#include "viewport/side_view.h"
+
+namespace patina {
+namespace {
+
+constexpr std::size_t samples = 4096;
+constexpr double within = 0.02; ///< is the relative error that the sentence speaks of
+
+constexpr int modelColumn = 0;
+constexpr int errorColumn = 1;
+constexpr int relativeColumn = 2;
+constexpr int timeColumn = 3;
+constexpr int matchRole = Qt::UserRole; ///< is for the index of a match
+
+/// Holds what a fit needs, so that it can be made in another thread.
+struct MatchTask {
+    std::shared_ptr<const Catalog> catalog;
+    std::optional<Material> material; ///< is empty where a file is the aim
+    std::filesystem::path file;
+    Material own;
+    bool fitsAll = false;
+};
+
+using TakeMatches = std::function<void(const ModelMatches&)>;
+
+Checked<MatchAim> aimOf(const MatchTask& task) {
+    if (!task.material) {
+        return readMatchAim(task.file, *task.catalog, samples);
+    }
+    auto aim = matchAim(*task.material, *task.catalog, samples);
+    return aim ? Checked<MatchAim>(std::move(*aim)) : tl::unexpected(oneError(aim.error()));
+}
+
+/// Runs in the worker's thread; `take` is called in the window's thread.
+MeasureEnd fit(const MatchTask& task, Worker::Control& control, const TakeMatches& take) {
+    const Checked<MatchAim> aim = aimOf(task);
+    if (!aim) {
+        return endOf(false, aim.error());
+    }
+    std::vector<Material> starts;
+    for (const Block* model : matchedModels(*task.catalog)) {
+        if (task.fitsAll || model->id == task.own.model.id) {
+            starts.push_back(matchStart(task.own, *aim, *model, *task.catalog));
+        }
+    }
+    const ModelMatches matches =
+        fittedMaterials(starts, aim->target, {}, *task.catalog, [&control](double done) {
+            control.tell(done, MatchPage::tr("Fitting models"));
+            return !control.isCancelled();
+        });
+    control.show([take, matches] { take(matches); });
+    return endOf(!control.isCancelled(), matches.problems);
+}
+
+} // namespace
+
+MatchPage::MatchPage(const DockContext& context, std::shared_ptr<MeasureTurn> turn,
+                     const ModelsPage& models)
+    : MeasurePage(context, std::move(turn), tr("Find the values that look like what is chosen"),
+                  {"csv", "json"}),
+      models_(models), aim_(new QComboBox(this)), all_(new QCheckBox(tr("All models"), this)),
+      list_(new QTreeWidget(this)) {
+    rows().addWidget(makeControls());
+    list_->setAccessibleName(tr("Fitted models"));
+    list_->setHeaderLabels({tr("Model"), tr("Error"), tr("Relative"), tr("ns/pixel")});
+    list_->headerItem()->setToolTip(
+        errorColumn, tr("Root of the mean square of ln(1 + m) - ln(1 + t), of model and target"));
+    list_->headerItem()->setToolTip(
+        relativeColumn,
+        tr("Root of the squared differences' sum, of that of the target's squares"));
+    list_->headerItem()->setToolTip(
+        timeColumn, tr("Nanoseconds for each pixel, as All Models measured them last"));
+    list_->setRootIsDecorated(false);
+    list_->setUniformRowHeights(true);
+    list_->setFrameShape(QFrame::NoFrame);
+    list_->header()->setStretchLastSection(false);
+    list_->setSortingEnabled(true);
+    list_->sortByColumn(errorColumn, Qt::AscendingOrder);
+    list_->setColumnWidth(modelColumn, 190);
+    fitColumns(*list_, errorColumn);
+    rows().addWidget(list_, 1);
+    connect(list_, &QTreeWidget::itemActivated, this,
+            [this](QTreeWidgetItem* row) { apply(row->data(modelColumn, matchRole).toInt()); });
+    onChange(document(),
+             DocumentChange::Drawn | DocumentChange::Current | DocumentChange::Snapshots, this,
+             [this] { listAims(); });
+    listAims();
+    refresh();
+}
+
+QWidget* MatchPage::makeControls() {
+    aim_->setObjectName("aim");
+    aim_->setAccessibleName(tr("What is to be matched"));
+    aim_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    all_->setObjectName("all models");
+    all_->setChecked(true);
+    all_->setToolTip(tr("Fit every model that reflects light, not the object's alone"));
+    auto* open = textButton(tr("File…"), tr("Match a preset or a measured surface"), this);
+    connect(open, &QToolButton::clicked, this, [this] { askForFile(); });
+    auto* row = new QWidget(this);
+    auto* widgets = new QHBoxLayout(row);
+    widgets->setContentsMargins(0, 0, 0, 0);
+    widgets->addWidget(new QLabel(tr("To"), row));
+    widgets->addWidget(aim_);
+    widgets->addWidget(open);
+    widgets->addWidget(all_);
+    widgets->addStretch(1);
+    return row;
+}
+
+/// Lists the materials of the other views, the snapshots and the file that was chosen.
+void MatchPage::listAims() {
+    const QString kept = aim_->currentText();
+    aims_.clear();
+    for (std::size_t i = 0; i < document().shownSides(); ++i) {
+        const Material* material = document().material(sides[i]);
+        if (sides[i] != document().selection().side() && material != nullptr) {
+            aims_.push_back({tr("View %1").arg(letterOf(sides[i])), *material, {}});
+        }
+    }
+    for (const Snapshot& snapshot : document().state().snapshots) {
+        aims_.push_back({asText(snapshot.name), snapshot.material, {}});
+    }
+    if (!file_.empty()) {
+        aims_.push_back({asText(file_.filename().string()), {}, file_});
+    }
+    const QSignalBlocker blocker(aim_);
+    aim_->clear();
+    for (const Aim& aim : aims_) {
+        aim_->addItem(aim.name);
+    }
+    aim_->setCurrentIndex(std::max(aim_->findText(kept), aims_.empty() ? -1 : 0));
+    aim_->setEnabled(!aims_.empty());
+}
+
+void MatchPage::askForFile() {
+    const QString file = QFileDialog::getOpenFileName(
+        this, tr("Match"), {}, tr("Presets and measured surfaces (*.patina.json *.binary *.bsdf)"));
+    if (!file.isEmpty()) {
+        aimAt(file.toStdString());
+    }
+}
+
+void MatchPage::aimAt(const std::filesystem::path& file) {
+    file_ = file;
+    listAims();
+    aim_->setCurrentIndex(aim_->count() - 1);
+    refresh();
+}
+
+QString MatchPage::nothingText() const {
+    const QString nothing = MeasurePage::nothingText();
+    return nothing.isEmpty() && aims_.empty()
+               ? tr("Compare with something, take a snapshot or choose a file to match.")
+               : nothing;
+}
+
+void MatchPage::startMeasuring() {
+    const Material* own = document().material(document().selection().side());
+    const int chosen = aim_->currentIndex();
+    if (!canStart() || own == nullptr || chosen < 0) {
+        return;
+    }
+    const Aim& aim = aims_[static_cast<std::size_t>(chosen)];
+    const MatchTask task{document().sharedCatalog(), aim.material, aim.file, *own,
+                         all_->isChecked()};
+    const TakeMatches taken = [this, name = aim.name](const ModelMatches& matches) {
+        take(matches, tr("Fitted to %1.").arg(name));
+    };
+    start([task, taken](Worker::Control& control) { return fit(task, control, taken); });
+}
+
+/// Leaves out the object's own material, where a fit only begins.
+MeasuredSubject MatchPage::subject() const {
+    const int object = document().selection().object();
+    Scene scene = document().ownScene(document().selection().side());
+    if (object >= 0) {
+        scene.objects[static_cast<std::size_t>(object)].material = {};
+    }
+    return subjectOf(std::move(scene), object, document().catalog(), SubjectBlocks::All);
+}
+
+void MatchPage::showNumbers(bool stale) {
+    const QSignalBlocker blocker(list_);
+    ModelMatches shown = matches();
+    std::map<std::string, double> nanoseconds;
+    for (const ModelCost& cost : models_.costs()) {
+        nanoseconds[cost.model] = cost.cost.nanosecondsPerPixel;
+    }
+    addTimes(shown, nanoseconds);
+    const ModelMatch* quickest = quickestWithin(shown, within);
+    list_->setSortingEnabled(false);
+    list_->clear();
+    for (std::size_t i = 0; i < shown.rows.size(); ++i) {
+        const ModelMatch& each = shown.rows[i];
+        auto* row = new NumberRow;
+        row->setText(modelColumn, asText(each.label));
+        row->setData(modelColumn, matchRole, int(i));
+        row->setToolTip(modelColumn, tr("%1. Enter or a double click gives the object these values")
+                                         .arg(asText(each.label)));
+        row->setNumber(errorColumn, numberLocale().toString(each.error, 'f', 5), each.error);
+        row->setNumber(relativeColumn,
+                       tr("%1 %").arg(numberLocale().toString(100.0 * each.relative, 'f', 2)),
+                       each.relative);
+        row->setNumber(timeColumn,
+                       each.nanoseconds ? numberLocale().toString(*each.nanoseconds, 'f', 1)
+                                        : QStringLiteral("–"),
+                       each.nanoseconds.value_or(1e30));
+        for (int column = 0; column <= timeColumn; ++column) {
+            QFont font = row->font(column);
+            font.setBold(&each == quickest);
+            row->setFont(column, font);
+            if (stale) {
+                row->setForeground(column, palette().placeholderText());
+            }
+        }
+        if (&each == quickest) {
+            row->setToolTip(timeColumn, tr("The quickest model within 2 %"));
+        }
+        list_->addTopLevelItem(row);
+    }
+    list_->setSortingEnabled(true);
+    widenColumns(*list_, errorColumn);
+}
+
+QByteArray MatchPage::bytesFor(const QString& ending) const {
+    return QByteArray::fromStdString(ending == "csv" ? matchesCsv(matches())
+                                                     : writeJson(matchesJson(matches())));
+}
+
+void MatchPage::apply(int row) {
+    const ModelMatches& all = matches();
+    if (row < 0 || static_cast<std::size_t>(row) >= all.rows.size()) {
+        return;
+    }
+    const ModelMatch& match = all.rows[static_cast<std::size_t>(row)];
+    document().replaceMaterial(document().selection().side(), match.material,
+                               tr("Match by %1").arg(asText(match.label)));
+}
+
+} // namespace patina

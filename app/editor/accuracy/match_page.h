@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "accuracy/measure_page.h"
+#include "measure/match/model_matches.h"
+
+class QCheckBox;
+class QComboBox;
+class QTreeWidget;
+
+namespace patina {
+
+class ModelsPage;
+
+/// Fits the current object's model, or every model, to another material or to a measured surface,
+/// and shows how near each comes beside the time that All Models measured for it. Enter gives the
+/// object a fitted material.
+class MatchPage : public MeasurePage {
+    Q_OBJECT
+
+  public:
+    /// Takes times from `models`, which must outlive it.
+    MatchPage(const DockContext& context, std::shared_ptr<MeasureTurn> turn,
+              const ModelsPage& models);
+
+    /// Makes a preset or a measured file what is to be matched.
+    void aimAt(const std::filesystem::path& file);
+
+    const ModelMatches& matches() const { return numbers<ModelMatches>(); }
+
+  protected:
+    void startMeasuring() override;
+    MeasuredSubject subject() const override;
+    void showNumbers(bool stale) override;
+    QByteArray bytesFor(const QString& ending) const override;
+    QString nothingText() const override;
+
+  private:
+    /// Is something that can be matched.
+    struct Aim {
+        QString name;
+        std::optional<Material> material; ///< is empty for a file
+        std::filesystem::path file;
+    };
+
+    QWidget* makeControls();
+    void listAims();
+    void askForFile();
+    void apply(int row);
+
+    const ModelsPage& models_;
+    QComboBox* aim_;
+    QCheckBox* all_;
+    QTreeWidget* list_;
+    std::vector<Aim> aims_; ///< are those that `aim_` lists, in its order
+    std::filesystem::path file_;
+};
+
+} // namespace patina
