@@ -46,7 +46,8 @@ class TrialGateTest : public testing::Test {
                             "min": 0, "max": 1, "doc": "Its colour."}],
             "claims": ["finite"]})");
         writeFile(own_ / ("models/" + id + ".glsl"),
-                  "// SPDX-License-Identifier: MIT-0\n#include \"lib/directions.glsl\"\nvec3 " +
+                  "// SPDX-License-"
+                  "Identifier: MIT-0\n#include \"lib/directions.glsl\"\nvec3 " +
                       id + "(Directions d, " + char(std::toupper(id.front())) + id.substr(1) +
                       " p) {\n" + body + "}\n");
     }

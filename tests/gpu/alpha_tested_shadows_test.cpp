@@ -18,7 +18,7 @@ constexpr double fieldAngle = 12.0; // degrees
 constexpr double height = 2.0;      // of the square, as far as its shadow lies beside it
 constexpr double doubt = 0.03;      // metres: some texels of the map
 
-class ShadowHolesTest : public GpuTest {
+class AlphaTestedShadowsTest : public GpuTest {
   protected:
     void SetUp() override {
         GpuTest::SetUp();
@@ -84,18 +84,18 @@ class ShadowHolesTest : public GpuTest {
     std::shared_ptr<const TexturePicture> picture;
 };
 
-TEST_F(ShadowHolesTest, WithoutAnImage_IsDarkAllOver) {
+TEST_F(AlphaTestedShadowsTest, WithoutAnImage_IsDarkAllOver) {
     EXPECT_EQ(darkShares(), glm::dvec2(1.0));
 }
 
-TEST_F(ShadowHolesTest, CutOut_LetsLightThroughItsHoles) {
+TEST_F(AlphaTestedShadowsTest, CutOut_LetsLightThroughItsHoles) {
     useMask(1.0f, 0.0f).cutOut = true;
     EXPECT_EQ(darkShares(), glm::dvec2(1.0, 0.0));
     useMask(0.0f, 1.0f);
     EXPECT_EQ(darkShares(), glm::dvec2(0.0, 1.0));
 }
 
-TEST_F(ShadowHolesTest, CutOut_GoesByItsThreshold) {
+TEST_F(AlphaTestedShadowsTest, CutOut_GoesByItsThreshold) {
     TextureUse& use = useMask(0.75f, 0.25f);
     use.cutOut = true;
     use.threshold = 0.5;
@@ -107,12 +107,12 @@ TEST_F(ShadowHolesTest, CutOut_GoesByItsThreshold) {
     EXPECT_EQ(darkShares(), glm::dvec2(0.0));
 }
 
-TEST_F(ShadowHolesTest, ImageOfOpacities_CastsWhereAtLeastHalfIsThere) {
+TEST_F(AlphaTestedShadowsTest, ImageOfOpacities_CastsWhereAtLeastHalfIsThere) {
     useMask(0.3f, 0.7f);
     EXPECT_EQ(darkShares(), glm::dvec2(0.0, 1.0));
 }
 
-TEST_F(ShadowHolesTest, ImageThatComesLater_IsThenInTheShadow) {
+TEST_F(AlphaTestedShadowsTest, ImageThatComesLater_IsThenInTheShadow) {
     useMask(1.0f, 0.0f).cutOut = true;
     isThere = false;
     EXPECT_EQ(darkShares(), glm::dvec2(1.0));
@@ -120,7 +120,7 @@ TEST_F(ShadowHolesTest, ImageThatComesLater_IsThenInTheShadow) {
     EXPECT_EQ(darkShares(), glm::dvec2(1.0, 0.0));
 }
 
-TEST_F(ShadowHolesTest, WhereNothingChanges_AreNotDrawnAgain) {
+TEST_F(AlphaTestedShadowsTest, WhereNothingChanges_AreNotDrawnAgain) {
     useMask(1.0f, 0.0f).cutOut = true;
     darkShares();
     darkShares(); // the image is whole now
@@ -130,7 +130,7 @@ TEST_F(ShadowHolesTest, WhereNothingChanges_AreNotDrawnAgain) {
 }
 
 /// Two squares, of which the first and then the second has holes.
-TEST_F(ShadowHolesTest, OfAnotherObject_AreDrawnAgain) {
+TEST_F(AlphaTestedShadowsTest, OfAnotherObject_AreDrawnAgain) {
     useMask(1.0f, 0.0f).cutOut = true;
     Object far = scene.objects[0];
     far.translation.z = 4.0;

@@ -9,7 +9,7 @@
 
 namespace patina {
 
-/// Holds the picture settings of one side while such settings are compared. They are laid over the
+/// Holds the picture settings of one side while such settings are compared. They overlay the
 /// values of the scene, which keeps its own.
 struct SidePicture {
     PictureAccuracy accuracy;
@@ -31,7 +31,7 @@ struct ComparedPicture {
     friend bool operator==(const ComparedPicture&, const ComparedPicture&) = default;
 };
 
-/// Returns what has to be laid over `own` to get the picture of `shown`. The two scenes may differ
+/// Returns what has to overlay `own` to get the picture of `shown`. The two scenes may differ
 /// in their picture settings only.
 SidePicture pictureOf(const Scene& shown, const Scene& own);
 

@@ -53,7 +53,7 @@ class Document : public QObject {
     /// Returns the scene as one side shows it: all but A have a material of theirs on the current
     /// object.
     const Scene& scene(Side side) const;
-    /// The same without what is laid over it while ways to draw the picture are compared.
+    /// The same without what overlays it while ways to draw the picture are compared.
     Scene ownScene(Side side) const;
     /// Returns the current object's material of that side; null when there is none.
     const Material* material(Side side) const;

@@ -100,7 +100,7 @@ BlockPath pathOf(std::string_view kind, int index = 0, Side side = Side::A);
 /// object.
 Scene shownScene(const DocumentState& state, int object, Side side);
 
-/// Returns the same without the picture settings that are laid over it while such settings are
+/// Returns the same without the picture settings that overlay it while such settings are
 /// compared.
 Scene ownScene(const DocumentState& state, int object, Side side);
 
@@ -110,7 +110,7 @@ const OwnView& ownView(const DocumentState& state, Side side);
 /// Returns the path of the environment that a side's view shows: its own one or the scene's.
 BlockPath environmentPath(const DocumentState& state, Side side);
 
-/// Returns what is laid over a side's scene while its picture is compared; null where nothing is.
+/// Returns what overlays a side's scene while its picture is compared; null where nothing is.
 const SidePicture* overlaidPicture(const DocumentState& state, Side side);
 
 /// Tells whether side A shows another value than the scene's at this path.

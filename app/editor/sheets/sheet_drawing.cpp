@@ -146,7 +146,7 @@ class SheetDrawing::Work {
     const Cell* before(const SheetPlan& plan, const Request& request, int column, int row) const;
     bool isSameAsBefore(const Scene& scene, const SheetPlan& plan, int column, int row) const;
     std::vector<int> ownCells() const;
-    std::vector<CellNumber> lacking(const Cell& cell) const;
+    std::vector<CellNumber> missingOf(const Cell& cell) const;
     void drawCell(int index, CellMaker& cells);
     void measureCell(int index, CellMaker& cells, const Worker::Control& control);
     void show(int index, const Worker::Control& control);
@@ -249,7 +249,7 @@ std::vector<int> SheetDrawing::Work::ownCells() const {
     return own;
 }
 
-std::vector<CellNumber> SheetDrawing::Work::lacking(const Cell& cell) const {
+std::vector<CellNumber> SheetDrawing::Work::missingOf(const Cell& cell) const {
     std::vector<CellNumber> numbers = request_.sheet.numbers;
     std::erase_if(numbers, [&cell](CellNumber number) {
         return std::ranges::find(cell.measured, number) != cell.measured.end();
@@ -266,7 +266,7 @@ SheetEnd SheetDrawing::Work::draw(const Request& request, Worker::Control& contr
     std::vector<int> unmeasured = due;
     std::erase_if(due, [this](int i) { return cells_[static_cast<std::size_t>(i)].isDrawn; });
     std::erase_if(unmeasured,
-                  [this](int i) { return lacking(cells_[static_cast<std::size_t>(i)]).empty(); });
+                  [this](int i) { return missingOf(cells_[static_cast<std::size_t>(i)]).empty(); });
     if (due.empty() && unmeasured.empty()) {
         end.isWhole = true;
         return end;
@@ -318,7 +318,7 @@ void SheetDrawing::Work::measureCell(int index, CellMaker& cells, const Worker::
     if (!scene || !cell.look.problem.isEmpty()) {
         return;
     }
-    const std::vector<CellNumber> kinds = lacking(cell);
+    const std::vector<CellNumber> kinds = missingOf(cell);
     const CellNumbers fresh =
         cells.measure(*scene, plan_->object(), kinds, request_.sheet.cellPixels,
                       [&control] { return control.isCancelled(); });

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "gl/fence.h"
-#include "render/gpu/slice_pace.h"
+#include "render/gpu/triangle_budget.h"
 
 namespace patina {
 
@@ -24,7 +24,7 @@ class StepBudget {
     /// Begins a frame; it does not wait for what the device still draws of the last one.
     void beginFrame();
 
-    /// Begins to draw a frame, see SlicePace::begin().
+    /// Begins to draw a frame, see TriangleBudget::begin().
     void beginDrawing(bool hasManyTriangles) { pace_.begin(hasManyTriangles); }
 
     /// Begins a step. Returns false when the device has not finished the last step by the deadline.
@@ -55,7 +55,7 @@ class StepBudget {
   private:
     bool isSoftware_;
     Deadline deadline_ = never;
-    SlicePace pace_;
+    TriangleBudget pace_;
     gl::Fence fence_; ///< is passed when the device has done the commands before the last mark()
 };
 

@@ -9,7 +9,7 @@
 namespace patina {
 
 /// Decides how many triangles a step of a frame draws at once, so that they take about 15 ms.
-class SlicePace {
+class TriangleBudget {
   public:
     using Clock = std::chrono::steady_clock;
 
