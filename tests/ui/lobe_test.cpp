@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The reflectance of what is on screen, as plots.
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QDropEvent>
 #include <QLabel>
+#include <QMimeData>
 #include <QTabWidget>
 #include <QTest>
 #include <QToolButton>
+#include <QUrl>
 
 #include "document/compare_edits.h"
 #include "document/snapshot_edits.h"
@@ -101,6 +105,24 @@ TEST_F(LobePanel, Compared_OverlaysBAndSnapshots) {
     ASSERT_TRUE(wait());
     ASSERT_EQ(polar().subjects().size(), 3u);
     EXPECT_EQ(polar().subjects().back().name, document().state().snapshots.front().name);
+}
+
+TEST_F(LobePanel, DroppedPreset_IsOverlaidUntilItIsTakenAway) {
+    ASSERT_TRUE(wait());
+    QMimeData files;
+    files.setUrls(
+        {QUrl::fromLocalFile(PATINA_SOURCE_DIR "/presets/cook-torrance/gold.patina.json")});
+    QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&dock(), &enter);
+    EXPECT_TRUE(enter.isAccepted());
+    QDropEvent drop(QPointF(50.0, 50.0), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&dock(), &drop);
+    ASSERT_TRUE(wait());
+    ASSERT_EQ(polar().subjects().size(), 2u);
+    EXPECT_EQ(document().undoStack().index(), 1); // the model; a drop on the plot is no edit
+    dock().findChild<QToolButton*>("forget presets")->click();
+    ASSERT_TRUE(wait());
+    EXPECT_EQ(polar().subjects().size(), 1u);
 }
 
 TEST_F(LobePanel, Drag_TurnsTheLight) {

@@ -5,6 +5,7 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QMenu>
 #include <QTabWidget>
@@ -18,9 +19,11 @@
 #include "lobe/energy_bar.h"
 #include "lobe/polar_plot.h"
 #include "lobe/share_plot.h"
+#include "material/preset_file.h"
 #include "measure/error/parallel.h"
 #include "measure/eval/eval_gpu.h"
 #include "measure/lobe/lobe_table.h"
+#include "parameters/dropped_files.h"
 #include "session/message_log.h"
 #include "text/as_text.h"
 
@@ -38,7 +41,12 @@ LobeDock::LobeDock(const DockContext& context)
       fresnel_(new SharePlot(LobePlot::Fresnel, this)),
       float32_(new SharePlot(LobePlot::Float32, this)), energy_(new EnergyBar(this)),
       scale_(new QComboBox(this)), term_(new QComboBox(this)), snapshots_(new QAction(this)),
+      forget_(textButton(tr("Without Presets"), tr("Take the presets that were dropped here away"),
+                         this)),
       note_(new LongLine(this)), worker_({.name = tr("Plotting the reflectance")}) {
+    setAcceptDrops(true);
+    forget_->setObjectName("forget presets");
+    forget_->hide();
     settle_.setSingleShot(true);
     settle_.setInterval(restMs);
     addPages();
@@ -101,7 +109,7 @@ QWidget* LobeDock::makeControls() {
     auto* row = new QWidget(this);
     auto* widgets = new QHBoxLayout(row);
     widgets->setContentsMargins(0, 0, 0, 0);
-    for (QWidget* widget : std::initializer_list<QWidget*>{scale_, term_, overlay}) {
+    for (QWidget* widget : std::initializer_list<QWidget*>{scale_, term_, overlay, forget_}) {
         widgets->addWidget(widget);
     }
     widgets->addStretch(1);
@@ -120,6 +128,11 @@ void LobeDock::connectParts(const DockContext& context) {
     onChange(document_, DocumentChange::Catalog, this, again);
     connect(&context.tried, &TriedMaterial::changed, this, follow);
     connect(snapshots_, &QAction::toggled, this, follow);
+    connect(forget_, &QToolButton::clicked, this, [this] {
+        dropped_.clear();
+        forget_->hide();
+        this->follow();
+    });
     connect(pages_, &QTabWidget::currentChanged, this, again);
     connect(term_, &QComboBox::currentIndexChanged, this, again);
     connect(scale_, &QComboBox::currentIndexChanged, this,
@@ -131,6 +144,31 @@ void LobeDock::connectParts(const DockContext& context) {
 void LobeDock::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
     follow();
+}
+
+void LobeDock::dragEnterEvent(QDragEnterEvent* event) {
+    acceptFiles(*event);
+}
+
+void LobeDock::dropEvent(QDropEvent* event) {
+    event->acceptProposedAction();
+    for (const auto& file : draggedFiles(*event->mimeData())) {
+        addPreset(file.toStdString());
+    }
+    forget_->setVisible(!dropped_.empty());
+    follow();
+}
+
+void LobeDock::addPreset(const std::filesystem::path& file) {
+    const auto reading = readPreset(file, document_.catalog());
+    if (!reading) {
+        for (const Error& error : reading.error()) {
+            messages_.add(error);
+        }
+        return;
+    }
+    const std::string& name = reading->material.name;
+    dropped_.push_back({name.empty() ? file.filename().string() : name, reading->material});
 }
 
 void LobeDock::hideEvent(QHideEvent* event) {
@@ -146,6 +184,11 @@ void LobeDock::follow() {
         return;
     }
     std::vector<LobeMaterial> now = lobeMaterials(document_, tried_, snapshots_->isChecked());
+    for (const LobeMaterial& each : dropped_) {
+        if (now.size() < maxLobeSubjects) {
+            now.push_back(each);
+        }
+    }
     if (!isStale_ && now == materials_) {
         return;
     }

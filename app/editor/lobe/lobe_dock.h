@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
+
 #include <QTimer>
 #include <QWidget>
 
@@ -12,6 +14,7 @@
 class QAction;
 class QComboBox;
 class QTabWidget;
+class QToolButton;
 
 namespace patina {
 
@@ -38,6 +41,8 @@ class LobeDock : public QWidget {
   protected:
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
 
   private:
     /// Is what the worker found: the lines of each material that has some, and why the others have
@@ -50,6 +55,7 @@ class LobeDock : public QWidget {
     };
 
     void addPages();
+    void addPreset(const std::filesystem::path& file);
     QWidget* makeControls();
     void connectParts(const DockContext& context);
     void follow();
@@ -72,6 +78,8 @@ class LobeDock : public QWidget {
     QComboBox* scale_;
     QComboBox* term_;
     QAction* snapshots_;
+    QToolButton* forget_;               ///< takes the dropped presets away
+    std::vector<LobeMaterial> dropped_; ///< are presets that were dropped on the dock
     LongLine* note_;
     std::vector<LobeMaterial> materials_; ///< are those that were asked for last
     bool isStale_ = true;
