@@ -39,6 +39,25 @@ TEST(DielectricFresnel, SeenFromBothSides_IsTheSameAlongOneRay) {
     }
 }
 
+TEST(DielectricFresnel, PolarisedAlongAtBrewstersAngle_IsDark) {
+    // tan(theta_B) = inside / outside; what is left is the square of a rounded difference.
+    for (const auto& [outside, inside] :
+         {std::pair(1.0, 1.333), std::pair(1.0, 1.5), std::pair(1.0, 2.417), std::pair(1.5, 1.0),
+          std::pair(1.333, 1.5)}) {
+        Values values{{"index.outside", outside}, {"index.inside", inside}};
+        const double c = outside / std::hypot(outside, inside);
+        values["polarisation"] = std::string("p");
+        EXPECT_LT(Subject("fresnel", "dielectric", values).reflectance(c), 1e-30)
+            << outside << ' ' << inside;
+        // Rs = ((eta^2 - 1) / (eta^2 + 1))^2 there.
+        const double eta2 = inside * inside / (outside * outside);
+        values["polarisation"] = std::string("s");
+        EXPECT_NEAR(Subject("fresnel", "dielectric", values).reflectance(c),
+                    std::pow((eta2 - 1.0) / (eta2 + 1.0), 2.0), rounding)
+            << outside << ' ' << inside;
+    }
+}
+
 TEST(ConductorFresnel, WithoutAbsorption_IsTheDielectric) {
     for (const double eta : {0.05, 1.0 + 1e-6, 1.5, 100.0}) {
         for (const double c : {0.0, 1e-6, 0.1, 0.5, 0.9, 1.0}) {
