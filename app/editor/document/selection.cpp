@@ -46,8 +46,7 @@ void Selection::setObjects(std::vector<int> objects) {
     std::erase_if(objects, [count](int object) { return object < 0 || object >= count; });
     const int current = objects.empty() ? object_ : objects.back();
     std::ranges::sort(objects);
-    const auto [repeated, end] = std::ranges::unique(objects);
-    objects.erase(repeated, end);
+    objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
     if (objects != objects_) {
         objects_ = std::move(objects);
         if (current == object_) {

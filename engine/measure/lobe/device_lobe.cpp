@@ -34,7 +34,7 @@ std::vector<double> anglesAcross(const Incoming& incoming, double step) {
     }
     std::erase_if(angles, [](double angle) { return std::abs(angle) > 0.5 * std::numbers::pi; });
     std::ranges::sort(angles);
-    angles.erase(std::ranges::unique(angles).begin(), angles.end());
+    angles.erase(std::unique(angles.begin(), angles.end()), angles.end());
     return angles;
 }
 

@@ -74,7 +74,7 @@ std::vector<double> anglesOf(const InterfaceSide& side) {
     std::erase_if(angles,
                   [](double angle) { return angle < 0.0 || angle > 0.5 * std::numbers::pi; });
     std::ranges::sort(angles);
-    angles.erase(std::ranges::unique(angles).begin(), angles.end());
+    angles.erase(std::unique(angles.begin(), angles.end()), angles.end());
     return angles;
 }
 

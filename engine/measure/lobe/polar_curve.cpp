@@ -63,7 +63,7 @@ class PolarPoints {
         }
         std::erase_if(angles, [](double angle) { return std::abs(angle) > rightAngle; });
         std::ranges::sort(angles);
-        angles.erase(std::ranges::unique(angles).begin(), angles.end());
+        angles.erase(std::unique(angles.begin(), angles.end()), angles.end());
         return angles;
     }
 

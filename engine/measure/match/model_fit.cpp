@@ -13,6 +13,7 @@
 #include <ceres/dynamic_numeric_diff_cost_function.h>
 #include <ceres/problem.h>
 #include <ceres/solver.h>
+#include <glm/geometric.hpp>
 
 #include "measure/match/free_numbers.h"
 #include "measure/match/model_values.h"
