@@ -46,6 +46,9 @@ struct BlockText {
                 const std::string condition = parameter["enabledWhen"];
                 parameter["enabledWhen"] = id + suffix + condition.substr(id.size());
             }
+            if (parameter.contains("values")) {
+                renameFills(parameter["values"], id);
+            }
         }
         renameNeutral(id);
         if (descriptor.contains("tables")) {
@@ -58,6 +61,16 @@ struct BlockText {
         std::string word = replaced(field, "([A-Z])", "_$1");
         std::ranges::transform(word, word.begin(), [](unsigned char c) { return std::toupper(c); });
         shader = replaced(shader, '_' + word + "_([A-Z]+)\\b", '_' + word + "_RENAMED_$1");
+    }
+
+    /// Renames what choices of a parameter set.
+    static void renameFills(json& choices, const std::string& id) {
+        for (json& value : choices) {
+            if (value.contains("fills") && value["fills"].contains(id)) {
+                value["fills"][id + suffix] = value["fills"][id];
+                value["fills"].erase(id);
+            }
+        }
     }
 
     void renameNeutral(const std::string& id) {
