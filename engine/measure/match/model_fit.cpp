@@ -24,9 +24,11 @@ namespace {
 constexpr std::size_t triedSets = 128;
 constexpr std::size_t triedDirections = 96;
 constexpr std::size_t roughDirections = 256;
-constexpr std::size_t fineDirections = 1024;
+constexpr std::size_t fineDirections = 512;
+constexpr std::size_t lastDirections = 1024;
 constexpr int roughSteps = 12;
-constexpr int fineSteps = 40;
+constexpr int fineSteps = 20;
+constexpr int lastSteps = 15;
 /// Counts fits that are improved as far as they go: the best, and others with at most so many times
 /// its error.
 constexpr std::size_t finished = 2;
