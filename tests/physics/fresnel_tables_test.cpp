@@ -39,19 +39,27 @@ std::vector<Row> rowsOf(const std::string& name) {
     return rows;
 }
 
-/// What half a unit in the last place of a float changes in the angle or in an argument: near a
-/// critical angle that is more than 1e-6 of a reflectance.
-std::vector<double> noiseOf(const EvalCase& request, const std::vector<double>& value) {
-    std::vector<double> noise(value.size(), 0.0);
+/// What half a unit in the last place of a float changes in the angle, in an argument or in a
+/// number of the block: near a critical angle, or of the phase in a film of many wavelengths, that
+/// is more than 1e-6 of a reflectance.
+std::vector<double> noiseOf(const EvalCase& request, const std::vector<double>& results) {
+    std::vector<double> noise(results.size(), 0.0);
     const auto add = [&](const EvalCase& moved) {
         const auto changed = evaluatedInDouble(moved).value();
-        for (std::size_t i = 0; i < value.size(); ++i) {
-            noise[i] += std::abs(changed[i] - value[i]);
+        for (std::size_t i = 0; i < results.size(); ++i) {
+            noise[i] += std::abs(changed[i] - results[i]);
         }
     };
     EvalCase moved = request;
     moved.number *= 1.0 - 0x1p-24;
     add(moved);
+    for (const auto& [id, value] : request.block.values) {
+        if (const auto* number = std::get_if<double>(&value)) {
+            moved = request;
+            moved.block.values[id] = *number * (1.0 - 0x1p-24);
+            add(moved);
+        }
+    }
     for (std::size_t i = 0; i < request.arguments.size(); ++i) {
         moved = request;
         moved.arguments[i] *= 1.0 - 0x1p-24;

@@ -133,6 +133,40 @@ TEST(ConductorFresnel, HardIndices_StayBetweenZeroAndOne) {
     }
 }
 
+Subject film(double thickness, double index, double eta, double k = 0.0) {
+    return {"fresnel",
+            "thin-film",
+            {{"film.thickness", thickness},
+             {"film.index", index},
+             {"eta", glm::dvec3(eta)},
+             {"k", glm::dvec3(k)},
+             {"wavelength", glm::dvec3(550.0)}}};
+}
+
+TEST(ThinFilm, QuarterOfAWave_LeavesThirteenThousandthsOfGlassFourHundredths) {
+    // R = ((n0 n2 - n1^2) / (n0 n2 + n1^2))^2: magnesium fluoride on crown glass.
+    const double n2 = 1.52;
+    const double n12 = 1.38 * 1.38;
+    const double coated = film(550.0 / (4.0 * 1.38), 1.38, n2).reflectance(1.0);
+    EXPECT_NEAR(coated, std::pow((n2 - n12) / (n2 + n12), 2.0), rounding);
+    EXPECT_NEAR(coated, 0.013, 0.0005);
+    EXPECT_NEAR(film(0.0, 1.38, n2).reflectance(1.0), 0.0426, 0.0001);
+}
+
+TEST(ThinFilm, WithoutThickness_IsTheBareMetalOrGlass) {
+    for (const double c : {0.0, 1e-6, 0.1, 0.5, 0.9, 1.0}) {
+        EXPECT_NEAR(film(0.0, 2.5, 2.9, 3.1).reflectance(c), conductor(2.9, 3.1).reflectance(c),
+                    rounding);
+        EXPECT_NEAR(film(0.0, 1.38, 1.5).reflectance(c), dielectric(1.0, 1.5).reflectance(c),
+                    rounding);
+    }
+}
+
+TEST(ThinFilm, HalfAWave_IsAsIfThereWereNone) {
+    EXPECT_NEAR(film(550.0 / (2.0 * 1.38), 1.38, 1.52).reflectance(1.0),
+                dielectric(1.0, 1.52).reflectance(1.0), rounding);
+}
+
 TEST(BlinnF0Fresnel, FullReflectance_ReflectsEverythingAtEveryAngle) {
     const Subject fresnel("fresnel", "blinn-f0", {{"f0", glm::dvec3(1.0)}});
     for (const double c : {0.0, 1e-8, 0.5, 1.0}) {
