@@ -11,10 +11,9 @@
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
 
 #include "measured/byte_reader.h"
+#include "measured/half_difference.h"
 
 namespace patina {
 namespace {
@@ -26,38 +25,6 @@ constexpr std::array<double, 3> unit{1.0 / 1500.0, 1.15 / 1500.0, 1.66 / 1500.0}
 
 constexpr std::size_t headerBytes = 3 * sizeof(std::int32_t);
 constexpr std::size_t maxBins = std::size_t(1) << 25;
-
-/// Holds Rusinkiewicz' angles of a pair of directions, without the azimuth of the half vector.
-struct Angles {
-    double half = 0.0;       ///< radians, 0 .. pi/2: between normal and half vector
-    double difference = 0.0; ///< radians, 0 .. pi/2: between half vector and light
-    double azimuth = 0.0;    ///< radians, 0 .. pi: of the light around the half vector
-};
-
-Angles anglesOf(const DirectionPair& pair) {
-    const glm::dvec3 h = glm::normalize(pair.l + pair.v);
-    const double sine = std::hypot(h.x, h.y);
-    const double half = std::atan2(sine, h.z);
-    const glm::dvec2 around = sine > 0.0 ? glm::dvec2(h) / sine : glm::dvec2(1.0, 0.0);
-    // The light in the frame in which the half vector is z: turned back by the azimuth, then
-    // tilted.
-    const glm::dvec2 flat(around.x * pair.l.x + around.y * pair.l.y,
-                          around.x * pair.l.y - around.y * pair.l.x);
-    const glm::dvec3 d(flat.x * h.z - pair.l.z * sine, flat.y, flat.x * sine + pair.l.z * h.z);
-    const double azimuth = std::atan2(d.y, d.x);
-    return {half, std::atan2(std::hypot(d.x, d.y), d.z), azimuth < 0.0 ? azimuth + pi : azimuth};
-}
-
-DirectionPair directionsAt(const Angles& angles) {
-    const glm::dvec3 d(std::sin(angles.difference) * std::cos(angles.azimuth),
-                       std::sin(angles.difference) * std::sin(angles.azimuth),
-                       std::cos(angles.difference));
-    const double c = std::cos(angles.half);
-    const double s = std::sin(angles.half);
-    const glm::dvec3 h(s, 0.0, c);
-    const glm::dvec3 l(d.x * c + d.z * s, d.y, d.z * c - d.x * s);
-    return {l, 2.0 * glm::dot(l, h) * h - l};
-}
 
 /// Is a place between two bins of an axis.
 struct Between {
@@ -88,7 +55,7 @@ class MerlReflectance : public MeasuredReflectance {
         if (!(pair.l.z > 0.0 && pair.v.z > 0.0)) {
             return glm::dvec3(0.0);
         }
-        const Angles angles = anglesOf(pair);
+        const HalfDifference angles = halfDifference(pair);
         const Between half =
             between(std::sqrt(angles.half / (0.5 * pi)) * double(bins_[0]), bins_[0], false);
         const Between difference =
@@ -124,7 +91,7 @@ class MerlReflectance : public MeasuredReflectance {
     std::size_t count() const { return bins_[0] * bins_[1] * bins_[2]; }
     bool isMeasured(std::size_t bin) const { return values_[bin] >= 0.0f; }
 
-    Angles middleOf(std::size_t bin) const {
+    HalfDifference middleOf(std::size_t bin) const {
         const std::size_t row = bin / bins_[2];
         const std::size_t layer = row / bins_[1];
         const double third = double(bin % bins_[2]) + 0.5;

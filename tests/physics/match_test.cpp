@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "catalog/catalog.h"
+#include "measure/eval/model_values.h"
 #include "measure/match/model_matches.h"
-#include "measure/match/model_values.h"
 #include "measure/stability/sweep_cases.h"
 #include "support/measured_files.h"
 #include "support/program.h"
@@ -73,7 +73,7 @@ TEST_P(Recovered, FromAMerlFile_WithinAThousandth) {
     writeFile(folder / "a.binary", merlBytes({30, 30, 60}, reflectanceOf(material)));
     const auto measured = readMeasured(folder / "a.binary");
     ASSERT_TRUE(measured) << measured.error().text();
-    const ModelMatches matches = matched(GetParam().model, matchTarget(**measured, 4096));
+    const ModelMatches matches = matched(GetParam().model, *matchTarget(**measured, 4096));
     ASSERT_EQ(matches.rows.size(), 1u);
     EXPECT_LT(matches.rows[0].relative, 1e-4);
     expectFound(matches.rows[0].material, GetParam().values);
@@ -131,7 +131,7 @@ TEST(Matched, AnisotropicSurfaceInAnRglFile_IsFound) {
     writeFile(folder / "a.bsdf", bytes);
     const auto measured = readMeasured(folder / "a.bsdf");
     ASSERT_TRUE(measured) << measured.error().text();
-    const ModelMatches matches = matched("ward", matchTarget(**measured, 2048));
+    const ModelMatches matches = matched("ward", *matchTarget(**measured, 2048));
     ASSERT_EQ(matches.rows.size(), 1u);
     expectGrain(matches.rows[0].material, 0.4, 0.25);
 }
@@ -146,7 +146,24 @@ TEST(Matched, Ended_ReturnsWhatWasFittedUntilThen) {
     EXPECT_TRUE(matches.problems.empty());
 }
 
+TEST(Matched, SurfaceMeasuredAtGrazingAnglesAlone_IsAnError) {
+    const TemporaryFolder folder;
+    writeFile(folder / "a.binary", merlBytes({30, 30, 60}, [](const DirectionPair& pair) {
+                  return glm::dvec3(pair.l.z < 0.1 ? 0.2 : -1.0);
+              }));
+    const auto aim = readMatchAim(folder / "a.binary", catalog(), 256);
+    ASSERT_FALSE(aim);
+    EXPECT_NE(text(aim.error()).find("80 degrees"), std::string::npos);
+}
+
 TEST(Matched, Drawings_AreNoReflectances) {
+    const Material drawing = hidden("gooch", {});
+    EXPECT_FALSE(matchAim(drawing, catalog(), 64));
+    const auto target = matchTarget(*sweepVariant(catalog(), hidden("lambert", {})), 64);
+    ASSERT_TRUE(target);
+    EXPECT_EQ(fittedMaterials({drawing}, *target, {}, catalog(), [](double) { return true; })
+                  .problems.size(),
+              1u);
     for (const Block* model : matchedModels(catalog())) {
         EXPECT_EQ(model->lighting, LightsWanted::All) << model->id;
     }

@@ -62,6 +62,19 @@ TEST_F(MatchPanel, Snapshot_IsMatchedAndTakenInOneStep) {
     EXPECT_EQ(color(), glm::dvec3(0.1f, 0.1f, 0.9f));
 }
 
+TEST_F(MatchPanel, Drawing_IsToldToBeNoReflectance) {
+    takeSnapshot(document(), {});
+    document().setModel(Side::A, "gooch");
+    settle();
+    for (QToolButton* button : page().findChildren<QToolButton*>()) {
+        if (button->text() == "Measure") {
+            button->click();
+        }
+    }
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !page().isMeasuring(); }, waitMs));
+    EXPECT_TRUE(page().state().contains("draws tones")) << page().state().toStdString();
+}
+
 TEST_F(MatchPanel, MeasuredFile_IsMatched) {
     writeFile(home("paint.binary"), merlBytes({8, 8, 16}, [](const DirectionPair&) {
                   return glm::dvec3(0.5, 0.25, 0.125) / 3.14159265358979;

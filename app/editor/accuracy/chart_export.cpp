@@ -5,15 +5,14 @@
 #include <optional>
 #include <vector>
 
-#include <QBuffer>
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
-#include <QSvgGenerator>
 
 #include "accuracy/cost_text.h"
 #include "accuracy/plot_library.h"
+#include "accuracy/plot_svg.h"
 #include "gl/driver.h"
 #include "session/session.h"
 #include "text/png.h"
@@ -220,21 +219,7 @@ QByteArray chartPng(const PlotMarks::Content& content, const ChartHeading& headi
 QByteArray chartSvg(const PlotMarks::Content& content, const ChartHeading& heading,
                     const QPalette& palette) {
     ChartPicture picture(content, heading, palette);
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    QSvgGenerator generator;
-    generator.setOutputDevice(&buffer);
-    generator.setSize(fileSize);
-    generator.setViewBox(QRect(QPoint(), fileSize));
-    generator.setTitle(heading.title);
-    generator.setDescription(heading.lines.join(' '));
-    QCPPainter painter;
-    painter.begin(&generator);
-    painter.setMode(QCPPainter::pmVectorized);
-    painter.setMode(QCPPainter::pmNoCaching);
-    picture.plot().toPainter(&painter, fileSize.width(), fileSize.height());
-    painter.end();
-    return bytes;
+    return plotSvg(picture.plot(), fileSize, heading.title, heading.lines.join(' '));
 }
 
 QString driverLine() {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "accuracy/match_page.h"
 
+#include <algorithm>
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFileDialog>
@@ -59,8 +61,9 @@ MeasureEnd fit(const MatchTask& task, Worker::Control& control, const TakeMatche
         return endOf(false, aim.error());
     }
     std::vector<Material> starts;
-    for (const Block* model : matchedModels(*task.catalog)) {
-        if (task.fitsAll || model->id == task.own.model.id) {
+    const Block* own = task.catalog->find(kinds::models, task.own.model.id);
+    for (const Block* model : task.fitsAll ? matchedModels(*task.catalog) : std::vector{own}) {
+        if (model != nullptr) {
             starts.push_back(matchStart(task.own, *aim, *model, *task.catalog));
         }
     }
@@ -103,8 +106,9 @@ MatchPage::MatchPage(const DockContext& context, std::shared_ptr<MeasureTurn> tu
     connect(list_, &QTreeWidget::itemActivated, this,
             [this](QTreeWidgetItem* row) { apply(row->data(modelColumn, matchRole).toInt()); });
     onChange(document(),
-             DocumentChange::Drawn | DocumentChange::Current | DocumentChange::Snapshots, this,
-             [this] { listAims(); });
+             DocumentChange::Comparing | DocumentChange::Material | DocumentChange::Current |
+                 DocumentChange::Snapshots,
+             this, [this] { listAims(); });
     listAims();
     refresh();
 }
@@ -134,16 +138,15 @@ void MatchPage::listAims() {
     const QString kept = aim_->currentText();
     aims_.clear();
     for (std::size_t i = 0; i < document().shownSides(); ++i) {
-        const Material* material = document().material(sides[i]);
-        if (sides[i] != document().selection().side() && material != nullptr) {
-            aims_.push_back({tr("View %1").arg(letterOf(sides[i])), *material, {}});
+        if (sides[i] != document().selection().side()) {
+            aims_.push_back({tr("View %1").arg(letterOf(sides[i])), sides[i]});
         }
     }
     for (const Snapshot& snapshot : document().state().snapshots) {
-        aims_.push_back({asText(snapshot.name), snapshot.material, {}});
+        aims_.push_back({asText(snapshot.name)});
     }
     if (!file_.empty()) {
-        aims_.push_back({asText(file_.filename().string()), {}, file_});
+        aims_.push_back({asText(file_.filename().string()), std::nullopt, file_});
     }
     const QSignalBlocker blocker(aim_);
     aim_->clear();
@@ -152,6 +155,15 @@ void MatchPage::listAims() {
     }
     aim_->setCurrentIndex(std::max(aim_->findText(kept), aims_.empty() ? -1 : 0));
     aim_->setEnabled(!aims_.empty());
+}
+
+const Material* MatchPage::materialOf(const Aim& aim) const {
+    if (aim.side) {
+        return document().material(*aim.side);
+    }
+    const std::vector<Snapshot>& snapshots = document().state().snapshots;
+    const auto found = std::ranges::find(snapshots, aim.name.toStdString(), &Snapshot::name);
+    return aim.file.empty() && found != snapshots.end() ? &found->material : nullptr;
 }
 
 void MatchPage::askForFile() {
@@ -183,8 +195,13 @@ void MatchPage::startMeasuring() {
         return;
     }
     const Aim& aim = aims_[static_cast<std::size_t>(chosen)];
-    const MatchTask task{document().sharedCatalog(), aim.material, aim.file, *own,
-                         all_->isChecked()};
+    const Material* material = materialOf(aim);
+    if (material == nullptr && aim.file.empty()) {
+        return;
+    }
+    const MatchTask task{document().sharedCatalog(),
+                         material != nullptr ? std::optional(*material) : std::nullopt, aim.file,
+                         *own, all_->isChecked()};
     const TakeMatches taken = [this, name = aim.name](const ModelMatches& matches) {
         take(matches, tr("Fitted to %1.").arg(name));
     };

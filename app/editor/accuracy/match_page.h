@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "accuracy/measure_page.h"
+#include "document/document_state.h"
 #include "measure/match/model_matches.h"
 
 class QCheckBox;
@@ -40,15 +41,16 @@ class MatchPage : public MeasurePage {
     QString nothingText() const override;
 
   private:
-    /// Is something that can be matched.
+    /// Says what can be matched: another view, a snapshot by its name, or a file.
     struct Aim {
         QString name;
-        std::optional<Material> material; ///< is empty for a file
-        std::filesystem::path file;
+        std::optional<Side> side{};
+        std::filesystem::path file{};
     };
 
     QWidget* makeControls();
     void listAims();
+    const Material* materialOf(const Aim& aim) const; ///< is null for a file
     void askForFile();
     void apply(int row);
 

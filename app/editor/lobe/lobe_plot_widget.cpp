@@ -3,13 +3,12 @@
 
 #include <cmath>
 
-#include <QBuffer>
 #include <QMouseEvent>
-#include <QSvgGenerator>
 #include <QToolTip>
 #include <QVBoxLayout>
 
 #include "accuracy/plot_library.h"
+#include "accuracy/plot_svg.h"
 #include "core/color.h"
 #include "lobe/lobe_subjects.h"
 #include "text/as_text.h"
@@ -136,19 +135,7 @@ QByteArray LobePlotWidget::png() const {
 }
 
 QByteArray LobePlotWidget::svg() const {
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    QSvgGenerator generator;
-    generator.setOutputDevice(&buffer);
-    generator.setSize(plotFileSize);
-    generator.setViewBox(QRect(QPoint(), plotFileSize));
-    QCPPainter painter;
-    painter.begin(&generator);
-    painter.setMode(QCPPainter::pmVectorized);
-    painter.setMode(QCPPainter::pmNoCaching);
-    plot_->toPainter(&painter, plotFileSize.width(), plotFileSize.height());
-    painter.end();
-    return bytes;
+    return plotSvg(*plot_, plotFileSize);
 }
 
 } // namespace patina

@@ -2,6 +2,7 @@
 #include "measure/lobe/lobe_model.h"
 
 #include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
@@ -12,14 +13,6 @@
 namespace patina {
 namespace {
 
-std::vector<double> packedOf(const EvalBlock& block) {
-    return block.block == nullptr ? std::vector<double>() : block.packedValues();
-}
-
-std::unique_ptr<ReferenceCase> compiledCase(const ReferenceCode& code, const EvalCase& request) {
-    return std::make_unique<ReferenceCase>(code, packedOf(request.block), packedOf(request.slot));
-}
-
 /// Returns the case without its diffuse term.
 EvalCase highlightOf(const EvalCase& request) {
     EvalCase alone = request;
@@ -29,12 +22,6 @@ EvalCase highlightOf(const EvalCase& request) {
         }
     }
     return alone;
-}
-
-glm::dvec3 shadedValue(const ReferenceCase& code, const EvalPlace& place) {
-    const ReferenceNumbers numbers = code.evaluate(place);
-    const glm::dvec3 shaded(numbers[0], numbers[1], numbers[2]);
-    return isFinite(shaded) ? glm::max(shaded, glm::dvec3(0.0)) : glm::dvec3(0.0);
 }
 
 } // namespace
@@ -49,28 +36,22 @@ Result<LobeModel> LobeModel::create(const Catalog& catalog, const Material& mate
     if (term != LobeTerm::Whole && !hasTerms(block)) {
         return failure(fmt::format("{} does not add a highlight to a diffuse term", block.label));
     }
-    const Result<ReferenceCode> code = ReferenceCode::find(*request);
-    if (!code) {
-        return tl::unexpected(code.error());
+    const EvalCase looked = term == LobeTerm::Highlight ? highlightOf(*request) : *request;
+    Result<ModelValues> values = ModelValues::of(looked);
+    if (!values) {
+        return tl::unexpected(values.error());
     }
-    LobeModel model;
+    LobeModel model(std::move(*values));
     model.isIsotropic_ = block.hasClaim("isotropic");
-    model.code_ =
-        compiledCase(*code, term == LobeTerm::Highlight ? highlightOf(*request) : *request);
     if (term == LobeTerm::Diffuse) {
-        model.subtracted_ = compiledCase(*code, highlightOf(*request));
+        model.subtracted_ = *ModelValues::of(highlightOf(*request)); // has the same code
     }
     return model;
 }
 
 glm::dvec3 LobeModel::value(const glm::dvec3& l, const glm::dvec3& v) const {
-    EvalPlace place;
-    place.l = l;
-    place.v = v;
-    const glm::dvec3 whole = shadedValue(*code_, place);
-    return subtracted_ == nullptr
-               ? whole
-               : glm::max(whole - shadedValue(*subtracted_, place), glm::dvec3(0.0));
+    const glm::dvec3 whole = values_.at({l, v});
+    return subtracted_ ? glm::max(whole - subtracted_->at({l, v}), glm::dvec3(0.0)) : whole;
 }
 
 glm::dvec3 LobeModel::reflectance(const glm::dvec3& l, const glm::dvec3& v) const {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "material/material.h"
-#include "measure/eval/reference_case.h"
+#include "measure/eval/model_values.h"
 
 namespace patina {
 
@@ -33,10 +34,10 @@ class LobeModel {
     bool isIsotropic() const { return isIsotropic_; }
 
   private:
-    LobeModel() = default;
+    explicit LobeModel(ModelValues values) : values_(std::move(values)) {}
 
-    std::unique_ptr<ReferenceCase> code_;
-    std::unique_ptr<ReferenceCase> subtracted_; ///< is null where nothing is taken away
+    ModelValues values_;
+    std::optional<ModelValues> subtracted_; ///< is empty where nothing is taken away
     bool isIsotropic_ = false;
 };
 

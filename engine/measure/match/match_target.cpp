@@ -9,8 +9,10 @@
 #include <glm/geometric.hpp>
 
 #include "material/preset_file.h"
-#include "measure/match/model_values.h"
+#include "measure/eval/model_values.h"
+#include "measure/lobe/lobe_model.h"
 #include "measure/stability/sweep_cases.h"
+#include "measured/half_difference.h"
 
 namespace patina {
 namespace {
@@ -37,21 +39,15 @@ double radicalInverse(std::size_t index, std::size_t base) {
 /// it, of Halton's sequence.
 DirectionPair haltonPair(std::size_t index) {
     const double root = radicalInverse(index, 2);
-    const double half = root * root * 0.5 * pi;
-    const double difference = radicalInverse(index, 3) * 0.5 * pi;
-    const double around = radicalInverse(index, 5) * 2.0 * pi;
+    const DirectionPair flat =
+        directionsAt({root * root * 0.5 * pi, radicalInverse(index, 3) * 0.5 * pi,
+                      radicalInverse(index, 5) * 2.0 * pi});
     const double azimuth = radicalInverse(index, 7) * 2.0 * pi;
-    const glm::dvec3 d(std::sin(difference) * std::cos(around),
-                       std::sin(difference) * std::sin(around), std::cos(difference));
-    const double c = std::cos(half);
-    const double s = std::sin(half);
     const auto turned = [azimuth](const glm::dvec3& v) {
         return glm::dvec3(v.x * std::cos(azimuth) - v.y * std::sin(azimuth),
                           v.x * std::sin(azimuth) + v.y * std::cos(azimuth), v.z);
     };
-    const glm::dvec3 h(s, 0.0, c);
-    const glm::dvec3 l(d.x * c + d.z * s, d.y, d.z * c - d.x * s);
-    return {turned(l), turned(2.0 * glm::dot(l, h) * h - l)};
+    return {turned(flat.l), turned(flat.v)};
 }
 
 } // namespace
@@ -70,7 +66,7 @@ MatchTarget MatchTarget::thinned(std::size_t count) const {
     return fewer;
 }
 
-MatchTarget matchTarget(const MeasuredReflectance& measured, std::size_t samples) {
+Result<MatchTarget> matchTarget(const MeasuredReflectance& measured, std::size_t samples) {
     MatchTarget target;
     target.isIsotropic = measured.isIsotropic();
     for (const DirectionPair& pair : measured.samples(2 * samples)) {
@@ -79,10 +75,16 @@ MatchTarget matchTarget(const MeasuredReflectance& measured, std::size_t samples
             target.values.push_back(pi * pair.l.z * measured.evaluate(pair));
         }
     }
+    if (target.pairs.empty()) {
+        return failure("nothing was measured within 80 degrees of the normal");
+    }
     return target.thinned(samples);
 }
 
 Result<MatchTarget> matchTarget(const EvalCase& model, std::size_t samples) {
+    if (const std::string why = whyNoReflectance(*model.block.block); !why.empty()) {
+        return failure(why);
+    }
     const Result<ModelValues> values = ModelValues::of(model);
     if (!values) {
         return tl::unexpected(values.error());
@@ -110,9 +112,10 @@ Result<MatchAim> matchAim(const Material& material, const Catalog& catalog, std:
 Checked<MatchAim> readMatchAim(const std::filesystem::path& file, const Catalog& catalog,
                                std::size_t samples) {
     if (isMeasuredFile(file)) {
-        const auto measured = readMeasured(file);
-        return measured ? Checked<MatchAim>(MatchAim{matchTarget(**measured, samples), {}, {}})
-                        : tl::unexpected(oneError(measured.error()));
+        const auto target = readMeasured(file).and_then(
+            [samples](const auto& measured) { return matchTarget(*measured, samples); });
+        return target ? Checked<MatchAim>(MatchAim{*target, {}, {}})
+                      : tl::unexpected(oneError(target.error()));
     }
     auto reading = readPreset(file, catalog);
     if (!reading) {

@@ -27,8 +27,8 @@ struct MatchTarget {
 };
 
 /// Returns a target of what was measured, without directions more than 80 degrees from the normal,
-/// where instruments see little.
-MatchTarget matchTarget(const MeasuredReflectance& measured, std::size_t samples);
+/// where instruments see little. It is an error where nothing is left.
+Result<MatchTarget> matchTarget(const MeasuredReflectance& measured, std::size_t samples);
 
 /// Holds what is to be matched. Something measured has no material.
 struct MatchAim {
@@ -45,8 +45,8 @@ Checked<MatchAim> readMatchAim(const std::filesystem::path& file, const Catalog&
 Result<MatchAim> matchAim(const Material& material, const Catalog& catalog, std::size_t samples);
 
 /// Returns a target of a material's model (sweepVariant()), in directions that are dense around the
-/// mirror direction and sparse at grazing angles. It is an error where the model has no code in
-/// double precision.
+/// mirror direction and sparse at grazing angles. It is an error where the model is no
+/// reflectance (whyNoReflectance()) or has no code in double precision.
 Result<MatchTarget> matchTarget(const EvalCase& model, std::size_t samples);
 
 } // namespace patina

@@ -15,8 +15,8 @@
 #include <ceres/solver.h>
 #include <glm/geometric.hpp>
 
+#include "measure/eval/model_values.h"
 #include "measure/match/free_numbers.h"
-#include "measure/match/model_values.h"
 
 namespace patina {
 namespace {
@@ -296,26 +296,40 @@ Result<ModelFit> fittedModel(const EvalCase& model, const MatchTarget& target,
     if (const auto code = ModelValues::of(model); !code) {
         return tl::unexpected(code.error());
     }
+    // A narrow highlight may pass between the directions of a fit: all of them decide.
+    const auto errorOf = [&](const EvalCase& found) {
+        return Fit(found, target, options.error).error();
+    };
     const Targets targets(target);
     std::vector<EvalCase> starts = scattered(model, targets, options);
     starts.insert(starts.begin(), model);
-    const Fit own = improved(std::move(starts), targets.some, targets, options, progress);
-    EvalCase found = own.model();
-    double smallest = own.error();
+    EvalCase found = improved(std::move(starts), targets.some, targets, options, progress).model();
+    double smallest = errorOf(found);
     // Other choices may look the same with other numbers: they have to be better.
     for (int round = 0; round < maxChoices && smallest > isTheSame; ++round) {
         std::vector<EvalCase> others = withOtherChoices(found, catalog);
         if (others.empty() || progress.cancelled) {
             break;
         }
-        const Fit other = improved(std::move(others), targets.few, targets, options, progress);
-        if (other.error() > isBetter * smallest) {
+        EvalCase other =
+            improved(std::move(others), targets.few, targets, options, progress).model();
+        const double error = errorOf(other);
+        if (error > isBetter * smallest) {
             break;
         }
-        found = other.model();
-        smallest = other.error();
+        found = std::move(other);
+        smallest = error;
     }
-    return ModelFit{found, Fit(found, target, options.error).error(), relativeError(found, target)};
+    if (smallest > isTheSame) {
+        const MatchTarget nearlyAll = target.thinned(lastDirections);
+        Fit last(found, nearlyAll, options.error);
+        last.improve(lastSteps, progress);
+        if (const double error = errorOf(last.model()); error < smallest) {
+            found = last.model();
+            smallest = error;
+        }
+    }
+    return ModelFit{found, smallest, relativeError(found, target)};
 }
 
 } // namespace patina

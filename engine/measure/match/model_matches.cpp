@@ -33,6 +33,9 @@ Result<ModelMatch> fittedMaterial(const Material& material, const MatchTarget& t
     if (!model) {
         return tl::unexpected(model.error());
     }
+    if (const std::string why = whyNoReflectance(*model->block.block); !why.empty()) {
+        return failure(why);
+    }
     const Result<ModelFit> fit = fittedModel(*model, target, options, catalog, progress);
     if (!fit) {
         return tl::unexpected(fit.error());

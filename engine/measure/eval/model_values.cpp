@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "measure/match/model_values.h"
+#include "measure/eval/model_values.h"
 
 #include <glm/common.hpp>
 
