@@ -49,6 +49,11 @@ std::string helpFor(const BlockKind& kind) {
         return "A light's id in place of the scene's lights, or NAME=ID for the light of that name "
                "or one more; none; repeatable";
     }
+    if (kind.isInRow) {
+        return fmt::format("Ids of {} in the order in which they work over the picture, as "
+                           "ID,ID, or {}",
+                           kind.plural, kind.noneWord);
+    }
     if (kind.owner == BlockOwner::Light) {
         return fmt::format("The {} block's id for all lights, or NAME=ID for one; {}; repeatable",
                            kind.singular, kind.noneWord);

@@ -2,6 +2,8 @@
 #include "cli/scene_choices.h"
 
 #include <algorithm>
+#include <sstream>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -25,6 +27,29 @@ Result<void> choosePart(Scene& scene, std::string_view kind, const std::string& 
             scene.setPart(kind, defaultBlockValues(*block));
         }
     });
+}
+
+/// Gives the scene the passes of "a,b", in this order; those that it has keep their values.
+Result<void> choosePasses(Scene& scene, const BlockKind& kind, const std::string& ids,
+                          const Catalog& catalog) {
+    std::vector<BlockValues> before = std::exchange(scene.passes, {});
+    std::istringstream words(ids);
+    for (std::string id; std::getline(words, id, ',');) {
+        if (id == kind.noneWord) {
+            continue;
+        }
+        const auto block = knownBlock(catalog, kind.folder, id);
+        if (!block) {
+            return tl::unexpected(block.error());
+        }
+        const auto held = std::ranges::find(before, id, &BlockValues::id);
+        const bool isHeld = held != before.end();
+        scene.passes.push_back(isHeld ? *held : defaultBlockValues(**block));
+        if (isHeld) {
+            before.erase(held);
+        }
+    }
+    return {};
 }
 
 /// Holds a choice for lights: "NAME=ID" names one light, "ID" means all of them.
@@ -148,8 +173,10 @@ Result<void> chooseSceneBlocks(Scene& scene, const PictureOptions& options,
         }
         const std::string& id = options.part(kind.folder);
         if (kind.owner == BlockOwner::Scene && !id.empty()) {
-            done = kind.folder == kinds::environment ? chooseEnvironment(scene, id, catalog)
-                                                     : choosePart(scene, kind.folder, id, catalog);
+            done = kind.isInRow ? choosePasses(scene, kind, id, catalog)
+                   : kind.folder == kinds::environment
+                       ? chooseEnvironment(scene, id, catalog)
+                       : choosePart(scene, kind.folder, id, catalog);
         }
         if (!done) {
             return done;

@@ -81,6 +81,17 @@ struct Reach {
     friend bool operator==(const Reach&, const Reach&) = default;
 };
 
+/// Says how a pass works over a picture.
+struct PictureUse {
+    bool isLinear = false; ///< colours are linear light from 0 to 1; else they are sRGB encoded
+    bool readsSurfaces = false; ///< the depth, normal and object of each pixel are drawn for it
+    /// Lists what it draws before its result, one image after the other: what a function's name
+    /// has behind that of the block.
+    std::vector<std::string> stages;
+
+    friend bool operator==(const PictureUse&, const PictureUse&) = default;
+};
+
 /// Tells which lights a model uses.
 enum class LightsWanted {
     All, ///< the model reflects light from wherever it comes
@@ -111,6 +122,7 @@ struct Block {
     ShadowProjection shadowProjection = ShadowProjection::None; ///< applies to lights only
     std::optional<Hiding> hides;                                ///< applies to fog only
     std::optional<Reach> reach;                                 ///< applies to lights only
+    PictureUse picture;                                         ///< applies to passes only
     std::vector<NeutralCase> neutral; ///< the block does nothing when one of them holds
     std::filesystem::path descriptorFile;
     std::filesystem::path shaderFile;

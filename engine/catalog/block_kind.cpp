@@ -48,6 +48,7 @@ constexpr auto ofFog =
 constexpr auto ofTransparency = functions(BlockFunction{"", "float", "Layer", "l", false, layer});
 constexpr auto radiance = std::to_array<ArgumentField>({{.key = "radiance", .type = Field::Color}});
 constexpr auto ofTone = functions(BlockFunction{"", "vec3", "vec3", "light", false, radiance});
+constexpr auto ofPass = functions(BlockFunction{"", "vec3", "PicturePoint", "at"});
 constexpr auto ofEnvironment = functions(BlockFunction{"", "vec3", "Outlook", "o", false, outlook});
 
 constexpr std::array<std::string_view, 2> indexSources{"surface", "own"};
@@ -188,6 +189,17 @@ constexpr auto rows = std::to_array<BlockKind>({
      .functions = ofTone,
      .isInBlockLabels = true,
      .absent = "None"},
+    {.folder = kinds::pass, // they read the picture that the graphics device has drawn
+     .singular = "pass",
+     .plural = "picture passes",
+     .label = "Picture pass",
+     .word = "Pass",
+     .owner = BlockOwner::Scene,
+     .functions = ofPass,
+     .isPart = false,
+     .isInRow = true,
+     .hasReference = false,
+     .isInBlockLabels = true},
 });
 
 using Folders = std::map<BlockOwner, std::vector<std::string_view>>;

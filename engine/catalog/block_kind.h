@@ -47,6 +47,7 @@ struct BlockKind {
     BlockOwner owner = BlockOwner::Material;
     std::span<const BlockFunction> functions;
     bool isPart = true;           ///< the owner may have no block of the kind
+    bool isInRow = false;         ///< the owner has any number of its blocks, one after the other
     bool needsSlot = false;       ///< it has no effect on a model that has no slot of this kind
     bool hasReference = true;     ///< it is compiled in double precision as well
     bool hasTables = false;       ///< its levels may read tables
@@ -70,6 +71,7 @@ inline constexpr std::string_view fog = "fog";
 inline constexpr std::string_view transparency = "transparency";
 inline constexpr std::string_view environment = "environment";
 inline constexpr std::string_view tone = "tone";
+inline constexpr std::string_view pass = "pass";
 } // namespace kinds
 
 /// Names the roles of parameters that the program itself reads.

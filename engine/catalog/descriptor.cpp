@@ -283,6 +283,18 @@ std::optional<Reach> reachFrom(const Fields& fields) {
     return reach;
 }
 
+PictureUse pictureUseFrom(const Fields& fields) {
+    PictureUse use;
+    if (const Json* json = fields.find("picture")) {
+        std::string colors;
+        Fields(*json).read("colors", colors);
+        use.isLinear = colors == "linear";
+        Fields(*json).read("surfaces", use.readsSurfaces);
+        Fields(*json).read("stages", use.stages);
+    }
+    return use;
+}
+
 /// Returns what a choice sets, as values of the parameters it names; the checker reports mistakes.
 Values fillsFrom(const Block& block, const Json& choice) {
     Values fills;
@@ -336,6 +348,7 @@ Block blockFrom(const std::filesystem::path& path, const Fields& fields) {
     fields.read("shadowProjection", shadowProjectionWords, block.shadowProjection);
     block.hides = hidingFrom(fields);
     block.reach = reachFrom(fields);
+    block.picture = pictureUseFrom(fields);
     fields.readEach("neutral", block.neutral, neutralFrom);
     return block;
 }

@@ -153,6 +153,12 @@ Json toJson(const Reach& reach) {
     return json;
 }
 
+Json toJson(const PictureUse& use) {
+    return {{"colors", use.isLinear ? "linear" : "display"},
+            {"surfaces", use.readsSurfaces},
+            {"stages", use.stages}};
+}
+
 } // namespace
 
 nlohmann::json toJson(const Block& block) {
@@ -182,6 +188,9 @@ nlohmann::json toJson(const Block& block) {
     }
     if (block.reach) {
         json["reach"] = toJson(*block.reach);
+    }
+    if (block.kind == kinds::pass) {
+        json["picture"] = toJson(block.picture);
     }
     return json;
 }

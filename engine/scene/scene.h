@@ -84,9 +84,10 @@ struct Scene {
     std::string name;
     std::vector<Object> objects;
     std::vector<Light> lights;
-    BlockParts parts;             ///< may name a picture, by its full path
-    glm::dvec3 ambient{0.0};      ///< linear light from everywhere
-    Hemisphere hemisphere;        ///< adds to `ambient`
+    BlockParts parts;                ///< may name a picture, by its full path
+    std::vector<BlockValues> passes; ///< work over the finished picture, one after the other
+    glm::dvec3 ambient{0.0};         ///< linear light from everywhere
+    Hemisphere hemisphere;           ///< adds to `ambient`
     bool occlusion = false;       ///< lets objects hide these and the environment from themselves
     glm::dvec3 background{0.18f}; ///< linear light; a float, as files hold it
     Ground ground;

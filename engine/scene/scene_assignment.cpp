@@ -152,15 +152,80 @@ Result<void> assignInAllLights(Scene& scene, std::string_view kind, const Assign
             continue;
         }
         isThere = true;
-        auto done = assignInBlock(
-            blockOf(light.parts, kind, catalog), light.part(kind), inner,
-            fmt::format("the {} of the light \"{}\"", word, light.name), fmt::format("--{}", word));
+        auto done = assignInBlock(blockOf(light.parts, kind, catalog), light.part(kind), inner,
+                                  fmt::format("the {} of the light \"{}\"", word, light.name),
+                                  fmt::format("--{}", word));
         if (!done) {
             return done;
         }
     }
     return isThere ? Result<void>()
                    : failure(fmt::format("no light has a {}", word), fmt::format("--{}", word));
+}
+
+/// Returns the passes that "2.radius", "kuwahara.radius" or "radius" speaks of, and what is left of
+/// the id then: that of a place from 1 on, those of a block, or all that have the parameter.
+struct NamedPasses {
+    std::vector<std::size_t> places;
+    std::string id;
+};
+
+NamedPasses passesNamed(const Scene& scene, const std::string& id, const Catalog& catalog) {
+    const std::string word = firstWord(id);
+    NamedPasses named;
+    for (std::size_t i = 0; i < scene.passes.size(); ++i) {
+        if (word == std::to_string(i + 1) || word == scene.passes[i].id) {
+            named.places.push_back(i);
+        }
+    }
+    if (!named.places.empty()) {
+        named.id = Assignment{id, {}}.inside(word);
+        return named;
+    }
+    named.id = id;
+    for (std::size_t i = 0; i < scene.passes.size(); ++i) {
+        const Block* block = catalog.find(kinds::pass, scene.passes[i].id);
+        if (block != nullptr && block->parameter(id) != nullptr) {
+            named.places.push_back(i);
+        }
+    }
+    return named;
+}
+
+/// Sets "pass.radius", "pass.kuwahara.radius" or "pass.2.radius".
+Result<void> assignInPasses(Scene& scene, const Assignment& inner, const Catalog& catalog) {
+    if (scene.passes.empty()) {
+        return failure("the scene has no picture pass", "--pass");
+    }
+    const NamedPasses named = passesNamed(scene, inner.id, catalog);
+    if (named.places.empty()) {
+        std::vector<std::string> known;
+        for (const BlockValues& pass : scene.passes) {
+            known.push_back(pass.id);
+        }
+        return failure(fmt::format("no picture pass of the scene is or has \"{}\"", inner.id),
+                       oneOf(inner.id, known));
+    }
+    Result<void> done;
+    for (const std::size_t place : named.places) {
+        BlockValues& pass = scene.passes[place];
+        if (done) {
+            done = assignInBlock(catalog.find(kinds::pass, pass.id), &pass, {named.id, inner.text},
+                                 fmt::format("the pass \"{}\"", pass.id), "--pass");
+        }
+    }
+    return done;
+}
+
+/// Finds the parameter in the first pass that an id speaks of.
+NamedParameter parameterOfPasses(const Scene& scene, const std::string& id,
+                                 const Catalog& catalog) {
+    const NamedPasses named = passesNamed(scene, id, catalog);
+    const Block* block = named.places.empty()
+                             ? nullptr
+                             : catalog.find(kinds::pass, scene.passes[named.places.front()].id);
+    return block == nullptr ? NamedParameter()
+                            : NamedParameter{block->parameter(named.id), block->label};
 }
 
 /// Finds the parameter in the first light that has a part of the kind.
@@ -250,6 +315,9 @@ Result<void> assignInScene(Scene& scene, const std::string& text, const Catalog&
     if (findKind(kind)->owner == BlockOwner::Light) {
         return assignInAllLights(scene, kind, inner, catalog);
     }
+    if (findKind(kind)->isInRow) {
+        return assignInPasses(scene, inner, catalog);
+    }
     return assignInBlock(blockOf(scene.parts, kind, catalog), scene.part(kind), inner,
                          fmt::format("the scene's {}", word), "--" + word);
 }
@@ -269,6 +337,9 @@ NamedParameter parameterIn(const Scene& scene, std::string_view id, const Catalo
     }
     if (kind != nullptr && kind->owner == BlockOwner::Light) {
         return parameterOfLights(scene, *kind, named.inside(word), catalog);
+    }
+    if (kind != nullptr && kind->isInRow) {
+        return parameterOfPasses(scene, named.inside(word), catalog);
     }
     const Block* block = kind == nullptr ? nullptr : blockOf(scene.parts, kind->folder, catalog);
     return block == nullptr

@@ -51,6 +51,7 @@ class SceneReader {
         readObjects();
         readLights();
         scene().parts = partsOf(reader_, BlockOwner::Scene);
+        readPasses();
         readFormerTone();
         readOwnSettings();
         reader_.readObject("extras", scene().extras);
@@ -197,6 +198,16 @@ class SceneReader {
             light.block = blocks_.read(reader, kinds::lights);
             light.block.unknown.update(reader.unknown());
             scene().lights.push_back(std::move(light));
+        }
+    }
+
+    void readPasses() {
+        const Json* passes = reader_.array("passes");
+        for (std::size_t i = 0; passes != nullptr && i < passes->size(); ++i) {
+            JsonReader reader(document_, fmt::format("/passes/{}", i), errors_);
+            BlockValues values = blocks_.read(reader, kinds::pass);
+            values.unknown.update(reader.unknown());
+            scene().passes.push_back(std::move(values));
         }
     }
 

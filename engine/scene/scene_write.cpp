@@ -108,6 +108,12 @@ nlohmann::json toJson(const Scene& scene, const std::filesystem::path& folder) {
     }
     writePictureAccuracy(json, scene.accuracy);
     writeParts(json, scene.parts, BlockOwner::Scene, folder);
+    if (!scene.passes.empty()) {
+        json["passes"] = Json::array();
+        for (const BlockValues& pass : scene.passes) {
+            json["passes"].push_back(toJson(pass));
+        }
+    }
     json["extras"] = scene.extras;
     return json;
 }
