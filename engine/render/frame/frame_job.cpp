@@ -10,6 +10,7 @@
 
 #include "render/gpu/capture_image.h"
 #include "render/gpu/stretched_picture.h"
+#include "shading/effects/display_set.h"
 #include "shading/effects/refraction.h"
 
 namespace patina {
@@ -55,6 +56,7 @@ void FrameJob::begin(const Scene& scene, const View& view, const MeshSource& mes
     failure_.reset();
     at_ = Cursor();
     isNeedless_ = false;
+    hasPicture_ = hasPicture_ && purpose == FramePurpose::Prewarm; // which draws nothing
     if (gpu_.isSketch && purpose != FramePurpose::Sketch) {
         gpu_.sketchTarget = HdrTarget();
     }
@@ -196,6 +198,7 @@ FrameJob::Progress FrameJob::draw(Deadline deadline) {
         budget_.beginDrawing(isLarge());
     }
     const bool isDone = drawPasses(passes_.beforeObjects()) && drawObjects() &&
+                        passes_.depthNormals.draw(plan_, gpu_, budget_) &&
                         passes_.resolve.draw(plan_, gpu_, budget_);
     return isDone ? finish() : pause();
 }
@@ -220,6 +223,7 @@ bool FrameJob::drawObjects() {
 
 FrameJob::Progress FrameJob::finish() {
     at_.isDone = true;
+    hasPicture_ = !gpu_.isSketch;
     shared_->meshes.endFrame();
     shared_->textures.endFrame();
     gpu_.report.isWaiting = gpu_.textures.budget.isWaiting;
@@ -282,12 +286,26 @@ void FrameJob::drawUnseen() {
         glEnable(GL_SCISSOR_TEST);
         glScissor(0, 0, 0, 0);
         drawObjects();
+        passes_.depthNormals.draw(plan_, gpu_, budget_);
         gpu_.environment.addUnseen(gpu_.target().resolved(), *catalog_, shared_->programs());
         glDisable(GL_SCISSOR_TEST);
         leaveState();
     }
     failure_.reset();
     gpu_.report = std::move(before);
+}
+
+bool FrameJob::takePasses(const Scene& scene, const Scene& effects) {
+    if (!hasPicture_ || failure_ || catalog_ != shared_->catalog) {
+        return false;
+    }
+    const bool needsSurfaces = displaySet(effects, *catalog_).readSurfaces();
+    if ((needsSurfaces && !passes_.depthNormals.isThere()) ||
+        !passes_.display.take(scene, effects, *catalog_)) {
+        return false;
+    }
+    exposure_ = scene.exposure;
+    return true;
 }
 
 void FrameJob::show(unsigned framebuffer, double share) {
@@ -304,9 +322,9 @@ void FrameJob::show(unsigned framebuffer, double share) {
 }
 
 void FrameJob::showIn(unsigned framebuffer, glm::ivec2 size, double exposure, double share) {
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, size.x, size.y);
-    passes_.display.show(gpu_.picture(), exposure, share);
+    passes_.depthNormals.bind();
+    passes_.display.show(gpu_.picture(), framebuffer, exposure, share);
     leaveState();
 }
 
@@ -325,8 +343,10 @@ Result<Image> FrameJob::read(bool display, std::optional<double> exposure) {
 /// Draws one pixel at the end, because a driver may keep the images that were drawn with last until
 /// others are.
 void FrameJob::releaseTargets() {
+    hasPicture_ = false;
     passes_.layers.release();
     passes_.blended.release();
+    passes_.depthNormals.release();
     gpu_.sketchTarget = HdrTarget();
     gpu_.isSketch = false;
     if (!passes_.display.isPrepared() || !gpu_.frameTarget.fit(glm::ivec2(1), 1, false)) {
@@ -334,7 +354,8 @@ void FrameJob::releaseTargets() {
         return;
     }
     gpu_.frameTarget.bind();
-    passes_.display.show(gpu_.frameTarget.resolved(), 0.0);
+    passes_.display.show(gpu_.frameTarget.resolved(), gpu_.frameTarget.framebuffer(), 0.0);
+    passes_.display.release();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     leaveState();
 }

@@ -63,6 +63,11 @@ class FrameJob {
     /// cut into tiles.
     void noteTime(double milliseconds) { passes_.solid.noteTime(milliseconds); }
 
+    /// Takes the values of the passes, of the exposure and of the tone curve from the scene, so
+    /// that show() draws the last picture with them. Returns false where that picture is not there
+    /// any more, or the programs for `effects`, which is the scene whose effects the programs have.
+    bool takePasses(const Scene& scene, const Scene& effects);
+
     /// Draws the picture into a framebuffer, tone mapped and sRGB encoded. A `share` below 1 blends
     /// it with what is there, except for a sketch. Does nothing after a failure.
     void show(unsigned framebuffer, double share = 1.0);
@@ -137,8 +142,9 @@ class FrameJob {
     Clock::time_point began_;
     Cursor at_;
     bool isNeedless_ = false;
-    View view_;          ///< is the view as it is drawn, smaller for a sketch
-    glm::ivec2 size_{0}; ///< is the size of the picture
+    bool hasPicture_ = false; ///< says that the last frame's picture is in the targets
+    View view_;               ///< is the view as it is drawn, smaller for a sketch
+    glm::ivec2 size_{0};      ///< is the size of the picture
     double exposure_ = 0.0;
     Kept kept_;
     MeshSource meshes_; ///< is empty except while a frame only compiles programs

@@ -5,6 +5,7 @@
 
 #include "render/pass/background_pass.h"
 #include "render/pass/blended_pass.h"
+#include "render/pass/depth_normal_pass.h"
 #include "render/pass/display_pass.h"
 #include "render/pass/ground_pass.h"
 #include "render/pass/layer_pass.h"
@@ -21,13 +22,13 @@ namespace patina {
 struct FramePasses {
     /// Returns the passes in the order of preparing: each needs only what those before it have
     /// added to the plan.
-    std::array<Pass*, 12> prepared(FrameData& data) {
-        return {&meshes, &shadows, &display, &background, &programs, &data,
-                &layers, &solid,   &ground,  &outlines,   &blended,  &resolve};
+    std::array<Pass*, 13> prepared(FrameData& data) {
+        return {&meshes, &shadows, &display,  &background, &programs,     &data,   &layers,
+                &solid,  &ground,  &outlines, &blended,    &depthNormals, &resolve};
     }
 
     /// Returns the passes that are drawn first, in their order; then objects() are drawn, then
-    /// `resolve`.
+    /// `depthNormals` and `resolve`.
     std::array<Pass*, 3> beforeObjects() { return {&meshes, &shadows, &background}; }
     std::array<Pass*, 5> objects() { return {&solid, &ground, &outlines, &blended, &layers}; }
 
@@ -41,6 +42,7 @@ struct FramePasses {
     GroundPass ground;
     OutlinePass outlines;
     BlendedPass blended;
+    DepthNormalPass depthNormals;
     ResolvePass resolve;
 };
 

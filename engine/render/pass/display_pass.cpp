@@ -32,9 +32,19 @@ Result<bool> DisplayPass::prepare(FramePlan& plan, FrameGpu& gpu) {
     }
     if (!plan.isUnseen) {
         current_ = *made;
-        packTone(plan);
+        pack(*plan.scene);
     }
     return false;
+}
+
+bool DisplayPass::take(const Scene& scene, const Scene& effects, const Catalog& catalog) {
+    const auto known = stages_.find(EffectKey::ofDisplay(effects, catalog));
+    if (known == stages_.end()) {
+        return false;
+    }
+    current_ = &known->second;
+    pack(scene);
+    return true;
 }
 
 Result<DisplayPass::Stage*> DisplayPass::make(const Scene& scene, const Catalog& catalog,
@@ -61,27 +71,45 @@ Result<DisplayPass::Stage*> DisplayPass::make(const Scene& scene, const Catalog&
         stage.tone = &display.tone->block();
         stage.layout = layoutOf(*stage.tone);
     }
+    auto passes = passPrograms(display, catalog, cache);
+    if (!passes) {
+        return tl::unexpected(passes.error());
+    }
+    stage.passes = std::move(*passes);
     return &stages_.emplace(key, std::move(stage)).first->second;
 }
 
-/// Packs the values of the scene's tone curve; the defaults where the program has another curve.
-void DisplayPass::packTone(const FramePlan& plan) {
+/// Packs the values of the scene's tone curve and passes; the defaults where the program has
+/// another curve.
+void DisplayPass::pack(const Scene& scene) {
     static const Values none;
     static const AccuracyLevels exact;
     tone_.resize(current_->layout.floats / 4);
     if (!tone_.empty()) {
-        const BlockValues* part = plan.scene->part(kinds::tone);
+        const BlockValues* part = scene.part(kinds::tone);
         const bool isOfProgram = part != nullptr && part->id == current_->tone->id;
         packInto(tone_, current_->layout, isOfProgram ? part->parameters : none, exact,
                  glm::dmat4(1.0));
     }
+    chain_.pack(current_->passes, scene);
 }
 
-void DisplayPass::show(const gl::Texture& linear, double exposure, double share) {
+void DisplayPass::show(const gl::Texture& linear, unsigned framebuffer, double exposure,
+                       double share) {
+    const bool hasPasses = !current_->passes.empty();
+    if (!hasPasses) {
+        chain_.release();
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, hasPasses ? chain_.begin(linear.size()) : framebuffer);
+    drawDisplayed(linear, exposure, hasPasses ? 1.0 : share);
+    if (hasPasses) {
+        chain_.draw(current_->passes, framebuffer, share);
+    }
+}
+
+void DisplayPass::drawDisplayed(const gl::Texture& linear, double exposure, double share) {
     glDisable(GL_DEPTH_TEST);
-    (share < 1.0 ? glEnable : glDisable)(GL_BLEND);
-    glBlendColor(0.0f, 0.0f, 0.0f, static_cast<float>(share));
-    glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
+    setShare(share);
     glDisable(GL_DITHER);
     glDisable(GL_FRAMEBUFFER_SRGB);
     current_->program->use();

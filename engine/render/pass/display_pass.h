@@ -14,12 +14,14 @@
 #include "gl/texture.h"
 #include "gl/vertex_array.h"
 #include "render/pass/pass.h"
+#include "render/pass/pass_chain.h"
 #include "scene/scene.h"
 #include "shading/program/program_cache.h"
 
 namespace patina {
 
-/// Draws the linear image into a framebuffer with exposure, tone curve and sRGB encoding.
+/// Draws the linear image into a framebuffer with exposure, tone curve and sRGB encoding, and the
+/// passes over it.
 class DisplayPass : public Pass {
   public:
     /// Finds or compiles the program for the scene's exposure and tone curve; that for an exposure
@@ -31,9 +33,16 @@ class DisplayPass : public Pass {
 
     bool isPrepared() const { return current_ != nullptr; }
 
-    /// Draws with the program that was prepared last into the bound framebuffer. `exposure` is in
-    /// stops; a `share` below 1 blends the result with what is there.
-    void show(const gl::Texture& linear, double exposure, double share = 1.0);
+    /// Takes the values of the tone curve and of the passes from a scene, for show() without a new
+    /// frame. Returns false where the programs for `effects` are not there; then it does nothing.
+    bool take(const Scene& scene, const Scene& effects, const Catalog& catalog);
+
+    /// Draws with the programs that were prepared last into a framebuffer, whose viewport is set.
+    /// `exposure` is in stops; a `share` below 1 blends the result with what is there.
+    void show(const gl::Texture& linear, unsigned framebuffer, double exposure, double share = 1.0);
+
+    /// Frees the images that passes work in.
+    void release() { chain_.release(); }
 
     void forget() override;
 
@@ -44,15 +53,18 @@ class DisplayPass : public Pass {
         int toneUniform = -1;
         const Block* tone = nullptr; ///< is null without a tone curve
         ParameterLayout layout;      ///< is that of the tone curve's values
+        std::vector<PassPrograms> passes{};
     };
 
     Result<Stage*> make(const Scene& scene, const Catalog& catalog, ProgramCache& cache);
-    void packTone(const FramePlan& plan);
+    void pack(const Scene& scene);
+    void drawDisplayed(const gl::Texture& linear, double exposure, double share);
 
     gl::VertexArray noVertices_ = gl::VertexArray::create();
     std::map<std::uint64_t, Stage> stages_; ///< maps EffectKey::ofDisplay()
     const Stage* current_ = nullptr;
     std::vector<glm::vec4> tone_; ///< holds the packed values of the tone curve
+    PassChain chain_;
 };
 
 } // namespace patina

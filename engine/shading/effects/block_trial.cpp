@@ -89,6 +89,9 @@ Scene trialScene(const Block& block, const Catalog& catalog) {
         addPart(scene.lights.back(), BlockOwner::Light, block);
     }
     addPart(scene, BlockOwner::Scene, block);
+    if (block.kind == kinds::pass) {
+        scene.passes.push_back(defaultBlockValues(block));
+    }
     scene.ambient = glm::dvec3(0.25);
     return scene;
 }
@@ -97,6 +100,9 @@ Checked<ProgramSource> trialProgram(const Block& block, const Catalog& catalog) 
     const Scene scene = trialScene(block, catalog);
     if (block.kind == kinds::tone) {
         return displayProgram(displaySet(scene, catalog), catalog);
+    }
+    if (block.kind == kinds::pass) {
+        return pictureTrialProgram(BlockUse(block, defaultValues(block)), catalog);
     }
     EffectSet set = effectSet(scene.objects.front().material, scene, catalog);
     set.each([use = BlockUse(block, defaultValues(block))](auto& effect) {

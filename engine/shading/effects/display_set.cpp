@@ -18,7 +18,11 @@ std::uint64_t keyOf(const DisplaySet& set) {
 /// What comes first in the picture is declared last.
 Checked<ProgramSource> displayProgram(const DisplaySet& set, const Catalog& catalog) {
     return screenProgram(catalog, [&set](SourceBuilder& fragment) {
-        set.eachBackwards([&fragment](const auto& effect) { effect.write(fragment); });
+        set.eachBackwards([&fragment](const auto& effect) {
+            if constexpr (requires { effect.write(fragment); }) {
+                effect.write(fragment);
+            }
+        });
         fragment.addFile("passes/display.frag");
     });
 }

@@ -5,14 +5,15 @@
 
 #include "shading/effects/effect_choices.h"
 #include "shading/effects/exposure_effect.h"
+#include "shading/effects/passes_effect.h"
 #include "shading/effects/tone_effect.h"
 #include "shading/program/program_source.h"
 
 namespace patina {
 
-/// Lists every effect of the program that shows a picture, in the order of their rows. A new
+/// Lists every effect of what shows a picture, in the order of their rows. A new
 /// one is a row here.
-using AllDisplayEffects = EffectChoices<ExposureEffect, ToneEffect>;
+using AllDisplayEffects = EffectChoices<ExposureEffect, ToneEffect, PassesEffect>;
 
 /// Exactly what happens to a picture after the objects are drawn: the choices of all effects of the
 /// display. It points into the catalogue that it was made with.

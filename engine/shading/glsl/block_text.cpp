@@ -173,6 +173,9 @@ Errors functionMistakes(const Block& block, const GlslTokens& tokens) {
     if (const BlockKind* kind = findKind(block.kind)) {
         std::ranges::for_each(kind->functions, find);
     }
+    for (const std::string& stage : block.picture.stages) {
+        find({stage, "vec4", "PicturePoint", "at"});
+    }
     const auto suffixes = entrySuffixes(block);
     for (const std::string& suffix : suffixes) {
         find({suffix, "vec3", "vec2", "x"});
