@@ -16,6 +16,7 @@
 #include "docks/object_actions.h"
 #include "docks/panel.h"
 #include "docks/part_panel.h"
+#include "docks/passes_panel.h"
 #include "document/scene_edits.h"
 #include "files/file_actions.h"
 #include "parameters/document_form.h"
@@ -63,6 +64,7 @@ SceneDock::SceneDock(const DockContext& context)
     layout->addWidget(titled(tr("Scene"), scene));
     addAutoExposure(*scene, context.views);
     layout->addWidget(titled(tr("Display"), display(context)));
+    layout->addWidget(titled(tr("Picture Passes"), new PassesPanel(document_, context.textures)));
     addPartPanels(*layout, BlockOwner::Scene, document_, context.textures);
     layout->addWidget(
         titled(tr("Camera"), new DocumentForm(document_, context.textures, settings::camera)));

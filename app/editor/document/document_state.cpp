@@ -45,6 +45,9 @@ auto findBlockValues(State& state, const BlockPath& path) -> decltype(state.scen
         auto& own = state.ownViews[indexOf(path.side)];
         return path.isAt(kinds::environment) && own.environment ? &*own.environment : nullptr;
     }
+    if (path.isAt(kinds::pass)) {
+        return elementAt(state.scene.passes, path.index);
+    }
     if (path.owner == BlockOwner::Scene) {
         return state.scene.part(path.kind);
     }
@@ -211,7 +214,8 @@ BlockParts* scenePartsAt(DocumentState& state, const BlockPath& path) {
         Light* light = elementAt(state.scene.lights, path.index);
         return light ? &light->parts : nullptr;
     }
-    return path.owner == BlockOwner::Scene ? &state.scene.parts : nullptr;
+    const bool isOfScene = path.owner == BlockOwner::Scene && !path.isAt(kinds::pass);
+    return isOfScene ? &state.scene.parts : nullptr;
 }
 
 std::optional<Value> storedValue(const DocumentState& state, const BlockPath& path,
@@ -296,6 +300,9 @@ void reconcile(DocumentState& state, const Catalog& before, const Catalog& after
         reconcileParts(light.parts, before, after);
     }
     reconcileParts(state.scene.parts, before, after);
+    for (BlockValues& pass : state.scene.passes) {
+        pass = reconciled(pass, kinds::pass, before, after);
+    }
 }
 
 } // namespace patina

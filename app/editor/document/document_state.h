@@ -68,7 +68,8 @@ struct DocumentState {
 struct BlockPath {
     BlockOwner owner = BlockOwner::Material;
     std::string kind{kinds::models}; ///< is that of the block, or one of `settings`
-    int index = 0;         ///< is that of the object or light that owns it; 0 for the scene
+    int index = 0;         ///< is that of the object or light that owns it, or that of a pass; 0
+                           ///< for the scene
     Side side = Side::A;   ///< is that of the material that owns it
     bool isOfView = false; ///< says that it is in what the side's view has of its own
 

@@ -13,6 +13,7 @@
 #include "document/commands/light_command.h"
 #include "document/commands/lighting_command.h"
 #include "document/commands/object_command.h"
+#include "document/commands/passes_command.h"
 #include "document/commands/scene_block_command.h"
 #include "document/compare_edits.h"
 #include "document/swapped_block.h"
@@ -328,6 +329,38 @@ void setBookmark(Document& document, int digit, const Camera& camera) {
     const auto found = document.scene().bookmarks.find(digit);
     if (found == document.scene().bookmarks.end() || found->second != camera) {
         document.undoStack().push(new BookmarkCommand(document, digit, camera));
+    }
+}
+
+void addPass(Document& document, std::string_view blockId) {
+    const Block* block = document.catalog().find(kinds::pass, blockId);
+    if (!block) {
+        return;
+    }
+    std::vector<BlockValues> passes = document.scene().passes;
+    passes.push_back(defaultsOf(*block));
+    document.undoStack().push(
+        new PassesCommand(document, std::move(passes),
+                          Document::tr("Add %1").arg(QString::fromStdString(block->label))));
+}
+
+void removePass(Document& document, int index) {
+    std::vector<BlockValues> passes = document.scene().passes;
+    if (at(passes, index)) {
+        passes.erase(passes.begin() + index);
+        document.undoStack().push(
+            new PassesCommand(document, std::move(passes), Document::tr("Remove picture pass")));
+    }
+}
+
+void movePass(Document& document, int index, int to) {
+    std::vector<BlockValues> passes = document.scene().passes;
+    if (at(passes, index) && at(passes, to) && index != to) {
+        const auto from = passes.begin() + index;
+        const auto place = passes.begin() + to;
+        index < to ? std::rotate(from, from + 1, place + 1) : std::rotate(place, from, from + 1);
+        document.undoStack().push(
+            new PassesCommand(document, std::move(passes), Document::tr("Move picture pass")));
     }
 }
 

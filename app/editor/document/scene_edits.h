@@ -49,6 +49,12 @@ void ungroupObjects(Document& document, const std::vector<int>& indices);
 /// Keeps the camera under a digit from 1 to 9.
 void setBookmark(Document& document, int digit, const Camera& camera);
 
+/// Adds a pass over the picture behind the others, with the block's defaults.
+void addPass(Document& document, std::string_view blockId);
+void removePass(Document& document, int index);
+/// Moves a pass to another place in the row.
+void movePass(Document& document, int index, int to);
+
 /// Lights the scene as another one is lit (see LightingCommand).
 void setLighting(Document& document, const Scene& from);
 

@@ -48,6 +48,9 @@ class BlocksOfScene {
             add(light.parts);
         }
         add(scene.parts);
+        for (const BlockValues& pass : scene.passes) {
+            add(kinds::pass, pass.id);
+        }
         if (scene.part(kinds::transparency)) { // any of its kind may be chosen in its place
             for (const Block* block : catalog.ofKind(kinds::transparency)) {
                 add(block->kind, block->id);

@@ -8,7 +8,15 @@ namespace patina {
 
 DocumentForm::DocumentForm(Document& document, TextureLibrary& textures, std::string_view kind,
                            QWidget* parent)
-    : ParameterForm(parent), document_(document), textures_(textures), kind_(kind) {
+    : DocumentForm(document, textures, kind, std::nullopt, parent) {}
+
+DocumentForm::DocumentForm(Document& document, TextureLibrary& textures, const BlockPath& path)
+    : DocumentForm(document, textures, path.kind, path, nullptr) {}
+
+DocumentForm::DocumentForm(Document& document, TextureLibrary& textures, std::string_view kind,
+                           std::optional<BlockPath> fixed, QWidget* parent)
+    : ParameterForm(parent), document_(document), textures_(textures), kind_(kind),
+      fixed_(std::move(fixed)) {
     follow();
     onChange(document_, DocumentChange::Value | DocumentChange::Texture, this,
              [this](const DocumentChange& change) {
@@ -33,7 +41,7 @@ DocumentForm::DocumentForm(Document& document, TextureLibrary& textures, std::st
 }
 
 void DocumentForm::follow() {
-    path_ = document_.selection().currentPath(kind_);
+    path_ = fixed_ ? *fixed_ : document_.selection().currentPath(kind_);
     setBlock(document_.block(path_), std::make_unique<DocumentSource>(document_, textures_, path_),
              emptyText());
     setEnabled(path_.index >= 0);

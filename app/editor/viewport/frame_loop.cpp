@@ -78,10 +78,28 @@ void FrameLoop::paint() {
     case Painted::Frame:
         finishFrame();
         break;
+    case Painted::Restyled:
+        ++restyledCount_;
+        targets_.noteUse();
+        Q_EMIT frameDrawn();
+        if (moreSamples_) {
+            widget_.update();
+        } else {
+            continueSoon();
+        }
+        break;
     }
 }
 
 FrameLoop::Painted FrameLoop::paintNext() {
+    if (renderer_ && progress_ == Progress::Idle && std::exchange(restyles_, false) && !stale_) {
+        const ViewSurface::Painting painting(surface_);
+        if (takePasses()) {
+            renderer_->job().show(painting.framebuffer());
+            return Painted::Restyled;
+        }
+        stale_ = true;
+    }
     const bool isDrawn = progress_ == Progress::Drawn;
     const bool isWanted = progress_ == Progress::Idle && (stale_ || moreSamples_);
     if (!renderer_ || !(isDrawn || isWanted)) {
@@ -104,6 +122,21 @@ void FrameLoop::refresh() {
     }
     stale_ = true;
     widget_.update();
+}
+
+void FrameLoop::restyle() {
+    if (stale_ || inspected_ || frameCount_ == 0) {
+        refresh();
+        return;
+    }
+    restyles_ = true;
+    widget_.update();
+}
+
+bool FrameLoop::takePasses() {
+    const Scene& scene = viewed_.sources().scene();
+    const View drawn = viewed_.view();
+    return renderer_->job().takePasses(scene, drawn.effects != nullptr ? *drawn.effects : scene);
 }
 
 void FrameLoop::announceScene() {
@@ -302,7 +335,7 @@ void FrameLoop::finishFrame() {
     }
     Q_EMIT frameDrawn();
     stale_ = stale_ || report.isWaiting;
-    if (stale_) {
+    if (stale_ || restyles_) {
         widget_.update();
     } else {
         continueSoon();

@@ -53,6 +53,10 @@ class FrameLoop : public QObject {
     /// Asks for a frame, since something that is drawn has changed.
     void refresh();
 
+    /// Asks for the last frame with other passes over its picture, for which the scene is not drawn
+    /// again where that picture is still there.
+    void restyle();
+
     /// Asks for a frame of another scene. While its first picture takes several turns a sketch of
     /// it is on the screen, or a note that says so.
     void announceScene();
@@ -74,7 +78,7 @@ class FrameLoop : public QObject {
     bool isDrawing() const { return progress_ != Progress::Idle; }
 
     /// Tells whether the picture shows what would be drawn now.
-    bool isUpToDate() const { return !stale_ && !isDrawing(); }
+    bool isUpToDate() const { return !stale_ && !restyles_ && !isDrawing(); }
 
     /// Returns how the scene is drawn now.
     View view() const;
@@ -86,6 +90,9 @@ class FrameLoop : public QObject {
     EnvironmentLamps environmentLamps() const;
 
     int frameCount() const { return frameCount_; }
+
+    /// Counts the pictures so far that differ from the last frame in the passes over it alone.
+    int restyledCount() const { return restyledCount_; }
 
     /// Counts the frames so far that had to wait for programs.
     int waitCount() const { return waitCount_; }
@@ -132,10 +139,12 @@ class FrameLoop : public QObject {
         Nothing, ///< the last one is there
         Later,   ///< that, until a frame that was begun is done
         Sketch,
-        Frame
+        Frame,
+        Restyled ///< the last frame with other passes over it
     };
 
     Painted paintNext();
+    bool takePasses();
     Painted beginFrame(unsigned framebuffer);
     FrameJob& beginJob(FramePurpose purpose);
     bool waitsForPrograms(FrameJob& job);
@@ -174,6 +183,8 @@ class FrameLoop : public QObject {
     std::optional<InspectedView> inspected_; ///< nothing: the picture is shown
     SampleRefinement refinement_;
     bool moreSamples_ = false; ///< a frame that adds samples is asked for
+    bool restyles_ = false;    ///< the last frame with other passes is asked for
+    int restyledCount_ = 0;
     IdleRelease targets_;
 };
 

@@ -96,9 +96,13 @@ SideView::SideView(const ViewSources& sources, const ViewTools& tools, Side side
     connectNavigation();
     FrameLoop* frames = &viewport_->frames();
     onChange(document_, DocumentChange::Drawn, frames, [this, frames](const auto& change) {
-        if (shows(change)) {
-            frames->refresh();
+        if (!shows(change)) {
+            return;
         }
+        const bool isOfPasses = change.path.isAt(kinds::pass) &&
+                                !change.has(DocumentChange::Aspects(DocumentChange::Drawn) &
+                                            ~(DocumentChange::Value | DocumentChange::Block));
+        isOfPasses ? frames->restyle() : frames->refresh();
     });
     connect(&sources.effects, &ProgramEffects::changed, frames, &FrameLoop::refresh);
     connect(&sources.textures, &TextureLibrary::arrived, frames, &FrameLoop::refresh);

@@ -21,6 +21,7 @@ void LightingCommand::apply(const Scene& lighting) {
     lit.camera = scene.camera;
     lit.extras = std::move(scene.extras);
     lit.unknown = std::move(scene.unknown);
+    lit.passes = std::move(scene.passes);
     lit.accuracy = scene.accuracy;
     lit.accuracy.choose(PictureChoice::Environment,
                         lighting.accuracy.level(PictureChoice::Environment));
