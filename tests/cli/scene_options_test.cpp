@@ -47,6 +47,23 @@ TEST(SceneOptions, Fog_IsChosenAndSet) {
     EXPECT_EQ(scene.part(kinds::fog)->parameters.at("end"), Value(25.0));
 }
 
+TEST(SceneOptions, Passes_AreChosenInARowAndSet) {
+    const Scene scene = sceneWith({"--pass", "kuwahara,kuwahara", "--set", "pass.radius=3", "--set",
+                                   "pass.2.radius=5", "--set", "pass.kuwahara.stretch=0"});
+    ASSERT_EQ(scene.passes.size(), 2u);
+    EXPECT_EQ(scene.passes[0].parameters.at("radius"), Value(3.0));
+    EXPECT_EQ(scene.passes[1].parameters.at("radius"), Value(5.0));
+    EXPECT_EQ(scene.passes[0].parameters.at("stretch"), Value(0.0));
+    EXPECT_TRUE(sceneWith({"--pass", "none"}).passes.empty());
+}
+
+TEST(SceneOptions, PassThatIsNotThere_IsToldByName) {
+    EXPECT_NE(errorWith({"--set", "pass.radius=3"}).find("no picture pass"), std::string::npos);
+    EXPECT_NE(errorWith({"--pass", "kuwahara", "--set", "pass.colour=3"}).find("kuwahara"),
+              std::string::npos);
+    EXPECT_NE(errorWith({"--pass", "cubist"}).find("cubist"), std::string::npos);
+}
+
 TEST(SceneOptions, None_TakesAPartOut) {
     EXPECT_EQ(sceneWith({"--fog", "none"}).part(kinds::fog), nullptr);
 }

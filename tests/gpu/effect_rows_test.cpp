@@ -56,6 +56,7 @@ class EffectRowsTest : public ShadingTest {
         scene_.setPart(kinds::fog, block("fog", "linear"));
         scene_.exposure = 1.0;
         scene_.setPart(kinds::tone, block("tone", "khronos-neutral"));
+        scene_.passes = {block("pass", "kuwahara"), block("pass", "kuwahara")};
     }
 
     void useFog(const std::string& id, const std::string& parameter, double value) {
@@ -88,15 +89,25 @@ TEST_F(EffectRowsTest, EveryEffectThatIsIn_CanBeLeftOut) {
     useEverything();
     const std::vector<EffectRow> all = rows();
     ASSERT_EQ(std::count_if(all.begin(), all.end(), [](const EffectRow& each) { return each.in; }),
-              18);
+              19);
     for (const EffectRow& each : all) {
         EXPECT_TRUE(each.removable || !each.in) << each.line.effect;
     }
 }
 
+TEST_F(EffectRowsTest, PassThatDoesNothing_IsOutWithItsReason) {
+    scene_.passes = {block("pass", "kuwahara")};
+    EXPECT_EQ(row("pass/kuwahara").line.detail, "sectors=eight, samples=normal");
+    scene_.passes[0].parameters["radius"] = 0.0;
+    EXPECT_FALSE(isIn("pass/kuwahara"));
+    EXPECT_NE(row("pass/kuwahara").line.reason.find("Radius"), std::string::npos);
+    scene_.passes[0].id = "cubist";
+    EXPECT_EQ(row("pass/cubist").line.reason, "No picture pass \"cubist\" is known.");
+}
+
 TEST_F(EffectRowsTest, EmptyScene_SaysWhatItLacks) {
     for (const char* effect : {"ambient", "fog", "fresnel", "opacity", "emission", "exposure",
-                               "tone", "shadows", "ground", "hemisphere", "occlusion",
+                               "tone", "pass", "shadows", "ground", "hemisphere", "occlusion",
                                "environment", "texture", "transparency", "refraction"}) {
         EXPECT_FALSE(row(effect).line.reason.empty()) << effect;
         EXPECT_FALSE(isIn(effect)) << effect;

@@ -105,6 +105,25 @@ const std::vector<Edit> edits{
          d.setBlock(pathOf(kinds::tone), "reinhard");
          set(d, kinds::tone, "white", 1.0);
      }},
+    {"PassAdded", [](Document& d) { addPass(d, "kuwahara"); }},
+    {"PassesValue",
+     [](Document& d) {
+         addPass(d, "kuwahara");
+         set(d, kinds::pass, "radius", 3.0);
+     }},
+    {"PassMoved",
+     [](Document& d) {
+         addPass(d, "kuwahara");
+         addPass(d, "kuwahara");
+         set(d, kinds::pass, "radius", 3.0);
+         movePass(d, 0, 1);
+     }},
+    {"PassRemoved",
+     [](Document& d) {
+         addPass(d, "kuwahara");
+         addPass(d, "kuwahara");
+         removePass(d, 0);
+     }},
     {"OwnView",
      [](Document& d) {
          setSecondMaterial(d, *d.material(Side::A));

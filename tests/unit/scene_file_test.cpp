@@ -34,6 +34,7 @@ const Catalog& sceneCatalog() {
         folder.add("shadows", plainDescriptor("veil"));
         folder.add("environment", panoramaDescriptor());
         folder.add("transparency", plainDescriptor("glass"));
+        folder.add("pass", plainDescriptor("brush"));
         return folder.load();
     }();
     return made;
@@ -345,6 +346,25 @@ TEST_F(SceneFile, Transparency_ComesBack) {
     const auto again = read(written);
     ASSERT_TRUE(again);
     EXPECT_EQ(again->scene.parts, reading->scene.parts);
+}
+
+TEST_F(SceneFile, Passes_ComeBackInTheirOrder) {
+    const json brush{{"id", "brush"}, {"parameters", {{"gloss", 0.5}}}, {"later", 1}};
+    const json unheard{{"id", "unheard"}, {"parameters", {{"size", 2}}}};
+    const auto reading = readChanged({{"passes", json::array({brush, unheard, brush})}});
+    ASSERT_TRUE(reading);
+    ASSERT_EQ(reading->scene.passes.size(), 3u);
+    EXPECT_EQ(reading->scene.passes[2].parameters.at("gloss"), Value(0.5));
+    const json written = toJson(reading->scene, folder_.path());
+    EXPECT_EQ(written["passes"][0]["later"], 1);
+    EXPECT_EQ(written["passes"][1]["id"], "unheard");
+    const auto again = read(written);
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again->scene.passes, reading->scene.passes);
+}
+
+TEST_F(SceneFile, SceneWithoutPasses_HasNoKeyOfTheirs) {
+    EXPECT_FALSE(toJson(read(plainScene())->scene, folder_.path()).contains("passes"));
 }
 
 TEST_F(SceneFile, Hemisphere_ComesBack) {

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Passes over the picture in the real window.
+#include <QTest>
+#include <QToolButton>
+
+#include "docks/passes_panel.h"
+#include "document/scene_edits.h"
+#include "parameters/parameter_row.h"
+#include "parameters/value_slider.h"
+#include "ui/window_fixture.h"
+
+namespace patina::tests::picture_passes_test {
+namespace {
+
+class PicturePasses : public WindowFixture {
+  protected:
+    PicturePasses() {
+        addPass(document(), "kuwahara");
+        newFrames();
+    }
+
+    /// Sets the value of the first pass as a slider does.
+    void set(const std::string& id, double value) {
+        document().setValue(pathOf(kinds::pass), id, value);
+    }
+
+    int restyled() { return view().frames().restyledCount(); }
+};
+
+TEST_F(PicturePasses, SlidersTick_DrawsThePassAlone) {
+    const QImage before = view().grabFramebuffer();
+    const int already = restyled();
+    set("radius", 20.0);
+    EXPECT_EQ(newFrames(), 0);
+    EXPECT_EQ(restyled(), already + 1);
+    const QImage restyledPicture = view().grabFramebuffer();
+    EXPECT_NE(restyledPicture, before);
+    view().frames().refresh();
+    EXPECT_EQ(newFrames(), 1);
+    EXPECT_EQ(view().grabFramebuffer(), restyledPicture);
+}
+
+TEST_F(PicturePasses, RemovedPass_LeavesThePictureWithoutIt) {
+    document().undoStack().undo();
+    newFrames();
+    const QImage without = view().grabFramebuffer();
+    addPass(document(), "kuwahara");
+    newFrames();
+    EXPECT_NE(view().grabFramebuffer(), without);
+    removePass(document(), 0);
+    newFrames();
+    EXPECT_EQ(view().grabFramebuffer(), without);
+}
+
+TEST_F(PicturePasses, PanelsButtons_MoveAndRemovePasses) {
+    addPass(document(), "kuwahara");
+    document().setValue(pathOf(kinds::pass), "radius", 3.0);
+    auto* panel = window().dock("scene")->findChild<PassesPanel*>();
+    ASSERT_NE(panel, nullptr);
+    const auto press = [&](const QString& text, int which) {
+        QList<QToolButton*> fitting;
+        for (auto* button : panel->findChildren<QToolButton*>()) {
+            if (button->text() == text && !button->isHidden() &&
+                !button->parentWidget()->isHidden()) {
+                fitting.push_back(button);
+            }
+        }
+        ASSERT_GT(fitting.size(), which);
+        fitting[which]->click();
+        settle();
+    };
+    press("Down", 0);
+    EXPECT_EQ(document().scene().passes.at(1).parameters.at("radius"), Value(3.0));
+    press("Remove", 0);
+    ASSERT_EQ(document().scene().passes.size(), 1u);
+    EXPECT_EQ(document().scene().passes[0].parameters.at("radius"), Value(3.0));
+}
+
+} // namespace
+} // namespace patina::tests::picture_passes_test
