@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT-0
+#include "lib/picture_point.glsl"
+
+// How far x is from the nearest whole number, as a share of the most it can be: even from 0 to 1.
+float screenWave(float x) {
+    return 2.0 * abs(x - floor(x + 0.5));
+}
+
+// The share of a square with side 1 that is at most r away from its middle.
+float screenDisk(float r) {
+    float pi = 3.14159265;
+    if (r <= 0.5) {
+        return pi * r * r;
+    }
+    float beside = sqrt(max(r * r - 0.25, 0.0));
+    return min(pi * r * r - 4.0 * (r * r * acos(min(0.5 / r, 1.0)) - 0.5 * beside), 1.0);
+}
+
+// The threshold of a place in units of the spacing: the share of the plane with less is the
+// threshold itself.
+float screenThreshold(vec2 place, ScreenPass p) {
+    if (p.mark == SCREEN_PASS_MARK_LINES) {
+        return screenWave(place.y);
+    }
+    if (p.mark == SCREEN_PASS_MARK_CROSSES) {
+        float bare = 1.0 - min(screenWave(place.x), screenWave(place.y));
+        return 1.0 - bare * bare;
+    }
+    if (p.mark == SCREEN_PASS_MARK_SPIRAL) {
+        float away = sqrt(place.x * place.x + place.y * place.y);
+        float turn = away > 1e-4 ? atan(place.y, place.x) / 6.28318531 : 0.0;
+        return screenWave(away - turn);
+    }
+    vec2 apart = place - floor(place + vec2(0.5));
+    return screenDisk(sqrt(dot(apart, apart)));
+}
+
+// How much of a pixel is inked by a tone, 0 .. 1: edges are a pixel wide.
+float screenInk(vec2 place, float dark, float spacing, ScreenPass p) {
+    float soft = 1.0 / spacing;
+    float threshold = screenThreshold(place, p);
+    return clamp(0.5 + (dark * (1.0 + 2.0 * soft) - soft - threshold) / (2.0 * soft), 0.0, 1.0);
+}
+
+vec2 screenPlace(vec2 pixel, float angle, float spacing) {
+    float c = cos(angle);
+    float s = sin(angle);
+    return vec2(c * pixel.x + s * pixel.y, c * pixel.y - s * pixel.x) * (1.0 / spacing);
+}
+
+float screenDark(float light, ScreenPass p) {
+    return 1.0 - pow(clamp(light, 0.0, 1.0), p.strength);
+}
+
+vec3 screenPass(PicturePoint at, ScreenPass p) {
+    float spacing = max(p.spacing * at.scale, 2.0);
+    vec3 color = pictureColor(at.pixel);
+    vec3 n = pictureSurface(at.pixel).normal;
+    vec2 place = at.pixel - 0.5 * at.size + (p.swirl * at.scale) * vec2(n.x, n.y);
+    if (p.colors == SCREEN_PASS_COLORS_INK) {
+        float light = 0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b;
+        return mix(p.paper, p.ink,
+                   screenInk(screenPlace(place, p.angle, spacing), screenDark(light, p), spacing,
+                             p));
+    }
+    // Black takes the grey that all plates have in common, and half of it stays to them.
+    float most = max(max(color.r, color.g), color.b);
+    float grey = screenDark(most, p);
+    vec3 left = color * (1.0 / max(most, 1e-4));
+    float degrees15 = 0.26179939;
+    float c = screenInk(screenPlace(place, p.angle - 2.0 * degrees15, spacing),
+                        screenDark(left.r, p), spacing, p);
+    float m = screenInk(screenPlace(place, p.angle + 2.0 * degrees15, spacing),
+                        screenDark(left.g, p), spacing, p);
+    float y = screenInk(screenPlace(place, p.angle - 3.0 * degrees15, spacing),
+                        screenDark(left.b, p), spacing, p);
+    float k = screenInk(screenPlace(place, p.angle, spacing), grey, spacing, p);
+    vec3 shown = p.paper;
+    shown *= mix(vec3(1.0), vec3(0.01, 0.34, 0.75), c);
+    shown *= mix(vec3(1.0), vec3(0.8, 0.01, 0.25), m);
+    shown *= mix(vec3(1.0), vec3(0.95, 0.75, 0.01), y);
+    return mix(shown, p.ink * shown, k);
+}
