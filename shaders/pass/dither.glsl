@@ -89,8 +89,9 @@ float ditherWidth(PicturePoint at, DitherPass p) {
 
 // What is to be shown in steps, each from 0 to 1.
 vec3 ditherTone(PicturePoint at, ivec2 dot2, DitherPass p) {
-    vec3 color = pictureColor((vec2(float(dot2.x), float(dot2.y)) + vec2(0.5)) *
-                              ditherWidth(at, p));
+    float width = ditherWidth(at, p);
+    vec3 color =
+        pictureMean((vec2(float(dot2.x), float(dot2.y)) + vec2(0.5)) * width, 0.5 * width);
     vec3 tone = color;
     if (p.colors == DITHER_PASS_COLORS_INKS) {
         tone = vec3(0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b);

@@ -100,6 +100,7 @@ vec3 kuwaharaPass(PicturePoint at, KuwaharaPass p) {
     float radius = p.radius * at.scale;
     vec2 along = vec2(axis.x, axis.y) * (radius * axis.z);
     vec2 across = vec2(-axis.y, axis.x) * (radius / axis.z);
+    float apart = radius / float(reach); // of two places, where strokes are round
     vec4 means[8];
     vec3 squares[8];
     for (int k = 0; k < sectors; ++k) {
@@ -113,7 +114,7 @@ vec3 kuwaharaPass(PicturePoint at, KuwaharaPass p) {
             float y = float(j) / (float(reach) + 0.25);
             float away = x * x + y * y;
             if (away <= 1.0) {
-                vec3 color = pictureColor(at.pixel + x * along + y * across);
+                vec3 color = pictureMean(at.pixel + x * along + y * across, apart);
                 float bell = exp(-0.78 * away);
                 float s = half45 * (x + y);
                 float t = half45 * (y - x);

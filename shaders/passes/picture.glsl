@@ -4,6 +4,7 @@
 
 uniform sampler2D pictureImage; // as it was before the pass, sRGB encoded
 uniform sampler2D stageImage;   // what the pass's last stage drew
+uniform float pictureLevels;    // the last of the picture's smaller levels, each half as wide
 
 layout(location = 0) out vec4 drawn;
 
@@ -17,6 +18,11 @@ PicturePoint picturePoint() {
 
 vec3 encodedColor(vec2 pixel) {
     return textureLod(pictureImage, pixel / vec2(textureSize(pictureImage, 0)), 0.0).rgb;
+}
+
+vec3 encodedMean(vec2 pixel, float width) {
+    float level = clamp(log2(max(width, 1.0)), 0.0, pictureLevels);
+    return textureLod(pictureImage, pixel / vec2(textureSize(pictureImage, 0)), level).rgb;
 }
 
 // What the stage before this one drew; before the first one nothing has been.

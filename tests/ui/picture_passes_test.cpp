@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Passes over the picture in the real window.
+#include <QDockWidget>
 #include <QTest>
 #include <QToolButton>
 
 #include "docks/passes_panel.h"
 #include "document/scene_edits.h"
-#include "parameters/parameter_row.h"
-#include "parameters/value_slider.h"
 #include "ui/window_fixture.h"
 
 namespace patina::tests::picture_passes_test {

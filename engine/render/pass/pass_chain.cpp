@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/pass/pass_chain.h"
 
+#include <algorithm>
+#include <bit>
 #include <utility>
 
 #include <epoxy/gl.h>
@@ -14,6 +16,11 @@ namespace {
 
 constexpr unsigned pictureUnit = 0;
 constexpr unsigned stageUnit = 1;
+
+/// Returns the number of the level that is one pixel wide and high.
+int lastLevel(glm::ivec2 size) {
+    return std::bit_width(static_cast<unsigned>(std::max(size.x, size.y))) - 1;
+}
 
 void bindImage(unsigned unit, const gl::Texture& texture) {
     glActiveTexture(GL_TEXTURE0 + unit);
@@ -33,7 +40,8 @@ Result<PassPrograms::Step> stepFor(const PassUse& pass, std::string_view stage,
     found.program->bindSampler("pictureImage", pictureUnit);
     found.program->bindSampler("stageImage", stageUnit);
     DepthNormalPass::nameUnits(*found.program);
-    return PassPrograms::Step{found.program, found.program->uniform("passData")};
+    return PassPrograms::Step{found.program, found.program->uniform("passData"),
+                              found.program->uniform("pictureLevels")};
 }
 
 } // namespace
@@ -84,6 +92,19 @@ void PassChain::fit(Image& image, glm::ivec2 size) {
     image.framebuffer.attachColor(image.texture);
 }
 
+/// Makes the smaller levels for a program that reads them; others read the picture as it is.
+void PassChain::bindPicture(const Image& picture, const PassPrograms::Step& step) {
+    const bool readsLevels = step.levelsUniform >= 0;
+    bindImage(pictureUnit, picture.texture);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL,
+                    readsLevels ? lastLevel(picture.texture.size()) : 0);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
+                    readsLevels ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
+    if (readsLevels) {
+        glGenerateMipmap(GL_TEXTURE_2D);
+    }
+}
+
 unsigned PassChain::begin(glm::ivec2 size) {
     size_ = size;
     fit(pictures_[0], size);
@@ -100,7 +121,7 @@ void PassChain::draw(const std::vector<PassPrograms>& passes, unsigned framebuff
             Image& image = stages_[step % 2];
             fit(image, size_);
             glBindFramebuffer(GL_FRAMEBUFFER, image.framebuffer.name());
-            bindImage(pictureUnit, pictures_[picture].texture);
+            bindPicture(pictures_[picture], pass.steps[step]);
             bindImage(stageUnit,
                       step > 0 ? stages_[(step - 1) % 2].texture : pictures_[picture].texture);
             drawStep(pass.steps[step], data_[i]);
@@ -112,7 +133,7 @@ void PassChain::draw(const std::vector<PassPrograms>& passes, unsigned framebuff
         glBindFramebuffer(GL_FRAMEBUFFER,
                           isLast ? framebuffer : pictures_[1 - picture].framebuffer.name());
         setShare(isLast ? share : 1.0);
-        bindImage(pictureUnit, pictures_[picture].texture);
+        bindPicture(pictures_[picture], pass.steps[last]);
         bindImage(stageUnit,
                   last > 0 ? stages_[(last - 1) % 2].texture : pictures_[picture].texture);
         drawStep(pass.steps[last], data_[i]);
@@ -126,6 +147,9 @@ void PassChain::draw(const std::vector<PassPrograms>& passes, unsigned framebuff
 
 void PassChain::drawStep(const PassPrograms::Step& step, const std::vector<glm::vec4>& data) const {
     step.program->use();
+    if (step.levelsUniform >= 0) {
+        glUniform1f(step.levelsUniform, static_cast<float>(lastLevel(size_)));
+    }
     if (!data.empty()) {
         glUniform4fv(step.dataUniform, static_cast<int>(data.size()), glm::value_ptr(data.front()));
     }

@@ -25,6 +25,7 @@ struct PassPrograms {
     struct Step {
         std::shared_ptr<const gl::Program> program;
         int dataUniform = -1;
+        int levelsUniform = -1; ///< says, where it is there, that it reads smaller levels
     };
 
     const Block* block = nullptr;
@@ -62,6 +63,7 @@ class PassChain {
     };
 
     static void fit(Image& image, glm::ivec2 size);
+    static void bindPicture(const Image& picture, const PassPrograms::Step& step);
     void drawStep(const PassPrograms::Step& step, const std::vector<glm::vec4>& data) const;
 
     gl::VertexArray noVertices_ = gl::VertexArray::create();
