@@ -44,7 +44,8 @@ vec4 kuwaharaPassSmoothed(PicturePoint at, KuwaharaPass p) {
 // Where the picture has no direction a stroke has one of its own, which changes slowly.
 vec4 kuwaharaWander(PicturePoint at, vec4 tensor) {
     vec2 u = (at.pixel - 0.5 * at.size) * (1.0 / (90.0 * at.scale));
-    float angle = 3.0 * pictureTurbulence(u, 2);
+    int octaves = 2;
+    float angle = 3.0 * pictureTurbulence(u, octaves);
     vec2 d = 0.003 * vec2(cos(angle), sin(angle));
     return tensor + vec4(d.x * d.x, d.x * d.y, d.y * d.y, 0.0);
 }
@@ -86,10 +87,13 @@ float kuwaharaShare(float x, float y) {
 }
 
 int kuwaharaReach(KuwaharaPass p) {
+    int coarse = 4;
+    int normal = 6;
+    int fine = 10;
     if (p.samples == KUWAHARA_PASS_SAMPLES_COARSE) {
-        return 4;
+        return coarse;
     }
-    return p.samples == KUWAHARA_PASS_SAMPLES_FINE ? 10 : 6;
+    return p.samples == KUWAHARA_PASS_SAMPLES_FINE ? fine : normal;
 }
 
 // Weights of sectors fall with the power `sharpness` of how much they vary (eq. 14).

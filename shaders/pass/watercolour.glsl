@@ -8,13 +8,16 @@ vec2 watercolourUnits(PicturePoint at, float size) {
 
 // The height of the paper, -1 .. 1 and somewhat beyond.
 float watercolourPaper(PicturePoint at, WatercolourPass p) {
-    return pictureTurbulence(watercolourUnits(at, p.grainSize), 3);
+    int octaves = 3;
+    return pictureTurbulence(watercolourUnits(at, p.grainSize), octaves);
 }
 
 // Where the brush was that should have been here.
 vec2 watercolourBrush(PicturePoint at, WatercolourPass p) {
     vec2 u = watercolourUnits(at, 9.0);
-    vec2 off = vec2(pictureTurbulence(u, 2), pictureTurbulence(u + vec2(91.7, 43.1), 2));
+    int octaves = 2;
+    vec2 off = vec2(pictureTurbulence(u, octaves),
+                    pictureTurbulence(u + vec2(91.7, 43.1), octaves));
     return at.pixel + (p.wobble * at.scale) * off;
 }
 
@@ -66,7 +69,8 @@ vec3 watercolourPass(PicturePoint at, WatercolourPass p) {
     bool bare = p.background == WATERCOLOUR_PASS_BACKGROUND_BARE &&
                 pictureSurface(pixel).number <= 0.0;
     float paper = watercolourPaper(at, p);
-    float clouds = pictureTurbulence(watercolourUnits(at, p.pigmentSize), 3);
+    int octaves = 3;
+    float clouds = pictureTurbulence(watercolourUnits(at, p.pigmentSize), octaves);
     float edge = watercolourEdge(pixel, max(0.5 * p.width * at.scale, 0.5));
     float density = 1.0 - 0.35 * p.grain * paper + 0.5 * p.pigment * clouds + p.edges * edge;
     density = max(density, 0.05) * (1.0 - p.thinness);

@@ -58,6 +58,12 @@ float pictureRandom(ivec2 cell) {
     return float(v.x >> 8u) / 16777216.0;
 }
 
+// What a multiple of the golden ratio is above a whole number, counted in 2^32nds, since a float holds
+// too few digits.
+float pictureGolden(int number) {
+    return (float((uint(number) * 2654435769u) >> 8u) + 0.5) / 16777216.0;
+}
+
 // Noise from 0 to 1 whose hills are about a unit apart, without a jump in its slope; beyond 1e6 it
 // is even.
 float pictureNoise(vec2 place) {
