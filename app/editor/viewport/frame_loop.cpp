@@ -94,7 +94,7 @@ void FrameLoop::paint() {
 FrameLoop::Painted FrameLoop::paintNext() {
     if (renderer_ && progress_ == Progress::Idle && std::exchange(restyles_, false) && !stale_) {
         const ViewSurface::Painting painting(surface_);
-        if (takePasses()) {
+        if (holdsFrame_ && takePasses()) {
             renderer_->job().show(painting.framebuffer());
             return Painted::Restyled;
         }
@@ -125,7 +125,7 @@ void FrameLoop::refresh() {
 }
 
 void FrameLoop::restyle() {
-    if (stale_ || inspected_ || frameCount_ == 0) {
+    if (stale_ || inspected_ || !(holdsFrame_ || isDrawing())) {
         refresh();
         return;
     }
@@ -325,6 +325,7 @@ void FrameLoop::finishFrame() {
         renderer_->job().noteTime(stopwatch_.milliseconds());
     }
     progress_ = Progress::Idle;
+    holdsFrame_ = !inspected_;
     ++frameCount_;
     note_.hide();
     const FrameReport& report = renderer_->report();
@@ -364,7 +365,8 @@ Image FrameLoop::pictureOf(const Scene& scene, View wanted, bool display) {
     if (!renderer_) {
         return {};
     }
-    wanted.isContinued = !stale_ && (progress_ == Progress::Idle || refinement_.isContinued());
+    wanted.isContinued =
+        !stale_ && !restyles_ && (progress_ == Progress::Idle || refinement_.isContinued());
     if (progress_ != Progress::Idle) {
         giveUp(); // the picture takes its place
         if (wanted.isContinued) {
@@ -373,6 +375,7 @@ Image FrameLoop::pictureOf(const Scene& scene, View wanted, bool display) {
             refresh();
         }
     }
+    holdsFrame_ = false;
     const ViewContext::Current current(context_);
     Result<Image> picture = renderer_->capture(scene, wanted, viewed_.sources().meshes, display);
     targets_.noteUse();
@@ -383,6 +386,7 @@ Renderer& FrameLoop::lend() {
     if (progress_ != Progress::Lent) {
         giveUp();
         refinement_.forgetFrame();
+        holdsFrame_ = false;
         progress_ = Progress::Lent;
     }
     return *renderer_;

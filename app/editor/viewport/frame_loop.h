@@ -184,6 +184,7 @@ class FrameLoop : public QObject {
     SampleRefinement refinement_;
     bool moreSamples_ = false; ///< a frame that adds samples is asked for
     bool restyles_ = false;    ///< the last frame with other passes is asked for
+    bool holdsFrame_ = false;  ///< the renderer's picture is that of the last frame
     int restyledCount_ = 0;
     IdleRelease targets_;
 };
