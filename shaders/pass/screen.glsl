@@ -35,11 +35,11 @@ float screenThreshold(vec2 place, ScreenPass p) {
     return screenDisk(sqrt(dot(apart, apart)));
 }
 
-// How much of a pixel is inked by a tone, 0 .. 1: edges are a pixel wide.
+// How much of a pixel is inked by a tone, 0 .. 1. Edges are a pixel wide, less where the mark is
+// narrower, so that the share of the plane stays the tone.
 float screenInk(vec2 place, float dark, float spacing, ScreenPass p) {
-    float soft = 1.0 / spacing;
-    float threshold = screenThreshold(place, p);
-    return clamp(0.5 + (dark * (1.0 + 2.0 * soft) - soft - threshold) / (2.0 * soft), 0.0, 1.0);
+    float soft = max(min(1.0 / spacing, min(dark, 1.0 - dark)), 1e-4);
+    return clamp(0.5 + (dark - screenThreshold(place, p)) / (2.0 * soft), 0.0, 1.0);
 }
 
 vec2 screenPlace(vec2 pixel, float angle, float spacing) {

@@ -92,6 +92,7 @@ TEST_F(PicturePassesTest, LinearPicture_IsWithoutPasses) {
 TEST_F(PicturePassesTest, EvenPicture_StaysEvenUnderAPainter) {
     Scene scene = with("kuwahara");
     scene.objects[0].visible = false;
+    set(scene, "bristles", 0.0);
     Scene without = scene;
     without.passes.clear();
     EXPECT_LE(difference(capture(scene, true), capture(without, true)), 1.01f / 255.0f);
@@ -271,6 +272,9 @@ class ExaminedPasses : public GpuTest {
     }
 
     void expectFinite(const Scene& scene, const std::string& what) {
+        if (displaySet(scene, *catalog).passes.empty()) {
+            return; // a value at which the pass does nothing: it is not drawn
+        }
         for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(24, 9)}) {
             View view = viewOf(scene);
             view.size = size;
