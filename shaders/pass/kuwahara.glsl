@@ -5,22 +5,21 @@
 // scale apart (Kyprianidis et al. 2009, section 3.1).
 vec4 kuwaharaPassTensor(PicturePoint at, KuwaharaPass p) {
     float h = max(at.scale, 1.0);
-    vec3 left = pictureColor(at.pixel + vec2(-h, -h)) + pictureColor(at.pixel + vec2(-h, h)) +
-                2.0 * pictureColor(at.pixel + vec2(-h, 0.0));
-    vec3 right = pictureColor(at.pixel + vec2(h, -h)) + pictureColor(at.pixel + vec2(h, h)) +
-                 2.0 * pictureColor(at.pixel + vec2(h, 0.0));
-    vec3 below = pictureColor(at.pixel + vec2(-h, -h)) + pictureColor(at.pixel + vec2(h, -h)) +
-                 2.0 * pictureColor(at.pixel + vec2(0.0, -h));
-    vec3 above = pictureColor(at.pixel + vec2(-h, h)) + pictureColor(at.pixel + vec2(h, h)) +
-                 2.0 * pictureColor(at.pixel + vec2(0.0, h));
-    vec3 dx = 0.25 * (right - left);
-    vec3 dy = 0.25 * (above - below);
+    vec3 corners[4];
+    corners[0] = pictureMean(at.pixel + vec2(-h, -h), h);
+    corners[1] = pictureMean(at.pixel + vec2(h, -h), h);
+    corners[2] = pictureMean(at.pixel + vec2(-h, h), h);
+    corners[3] = pictureMean(at.pixel + vec2(h, h), h);
+    vec3 across = pictureMean(at.pixel + vec2(h, 0.0), h) - pictureMean(at.pixel - vec2(h, 0.0), h);
+    vec3 upward = pictureMean(at.pixel + vec2(0.0, h), h) - pictureMean(at.pixel - vec2(0.0, h), h);
+    vec3 dx = 0.25 * (2.0 * across + corners[1] + corners[3] - corners[0] - corners[2]);
+    vec3 dy = 0.25 * (2.0 * upward + corners[2] + corners[3] - corners[0] - corners[1]);
     return vec4(dot(dx, dx), dot(dx, dy), dot(dy, dy), 0.0);
 }
 
 // The mean of the last stage along a line, weighted by a bell curve that ends at 2.5 deviations.
 vec4 kuwaharaMean(PicturePoint at, vec2 direction, float deviation) {
-    int reach = 5;
+    int reach = 7;
     float apart = 2.5 * deviation * at.scale / float(reach);
     vec4 sum = vec4(0.0);
     float weights = 0.0;
