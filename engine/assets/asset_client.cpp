@@ -12,6 +12,7 @@
 #include "assets/job_queue.h"
 #include "assets/mesh_block.h"
 #include "assets/shared_block.h"
+#include "assets/sibling_program.h"
 #include "assets/text_block.h"
 #include "core/ordinary_file.h"
 
@@ -34,19 +35,9 @@ class MappedMesh final : public SharedMesh {
     std::string remarks_;
 };
 
-/// Returns the path of `patina-files`: beside this program, as in a build folder, or where it is
-/// installed.
-fs::path programBesideThisOne() {
-    std::error_code ignored;
-    const fs::path here = fs::read_symlink("/proc/self/exe", ignored).parent_path();
-    const fs::path beside = here / "patina-files";
-    const fs::path installed = here.parent_path() / "libexec" / "patina" / "patina-files";
-    return !fs::exists(beside, ignored) && fs::exists(installed, ignored) ? installed : beside;
-}
-
 AssetClient::Options completed(AssetClient::Options options) {
     if (options.program.empty()) {
-        options.program = programBesideThisOne();
+        options.program = siblingProgram("patina-files");
     }
     return options;
 }

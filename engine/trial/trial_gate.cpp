@@ -10,9 +10,9 @@
 #include <boost/uuid/uuid_io.hpp>
 #include <fmt/format.h>
 
+#include "assets/line_process.h"
 #include "gl/driver.h"
 #include "trial/good_blocks.h"
-#include "trial/trial_process.h"
 #include "trial/trial_report.h"
 #include "trial/trial_words.h"
 
@@ -29,6 +29,10 @@ constexpr auto watchEvery = 10ms;
 
 /// Is the share of its memory limit above which a process that ended is said to have needed more.
 constexpr double nearlyAll = 0.75;
+
+/// Limits the stack to half of what programs usually have: a block that passes here has room to
+/// spare in the program.
+constexpr std::size_t stackBytes = std::size_t(4) << 20;
 
 std::string nameOf(const StrangerBlock& block) {
     return block.kind + '/' + block.id;
@@ -65,7 +69,7 @@ std::string mebibytes(std::size_t bytes) {
 /// Follows one process that tries some blocks, and ends it at the first that does it harm.
 class TrialGate::Run {
   public:
-    Run(TrialProcess process, const std::vector<StrangerBlock>& blocks, const TrialLimits& limits,
+    Run(LineProcess process, const std::vector<StrangerBlock>& blocks, const TrialLimits& limits,
         const std::atomic<bool>& isStopped)
         : process_(std::move(process)), blocks_(blocks), limits_(limits), isStopped_(isStopped) {}
 
@@ -162,7 +166,7 @@ class TrialGate::Run {
     }
 
     std::string howItEnded() {
-        const TrialProcess::End end = process_.end();
+        const LineProcess::End end = process_.end();
         if (double(end.maxMemoryBytes) > nearlyAll * double(limits_.memoryBytes)) {
             return needsMemory();
         }
@@ -188,7 +192,7 @@ class TrialGate::Run {
         process_.end();
     }
 
-    TrialProcess process_;
+    LineProcess process_;
     const std::vector<StrangerBlock>& blocks_;
     const TrialLimits& limits_;
     const std::atomic<bool>& isStopped_;
@@ -282,8 +286,10 @@ void TrialGate::tryOut(std::vector<StrangerBlock> blocks, const std::string& dri
         for (const StrangerBlock& block : together) {
             arguments.push_back(nameOf(block));
         }
-        auto process =
-            TrialProcess::start(options_.program, arguments, options_.limits.memoryBytes);
+        auto process = LineProcess::start({.program = options_.program,
+                                           .arguments = arguments,
+                                           .memoryBytes = options_.limits.memoryBytes,
+                                           .stackBytes = stackBytes});
         if (!process) {
             for (const StrangerBlock& block : together) {
                 note(keyOf(block, driver), {aboutBlock(block, process.error().problem, {})});

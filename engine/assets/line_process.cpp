@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "trial/trial_process.h"
+#include "assets/line_process.h"
 
 #include <array>
 #include <cerrno>
@@ -16,6 +16,7 @@
 #include <boost/process/posix.hpp>
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -29,15 +30,28 @@ namespace process = boost::process;
 
 namespace {
 
-/// Limits the stack to half of what programs usually have: a block that passes here has room to
-/// spare in the program.
-constexpr std::size_t stackBytes = std::size_t(4) << 20;
-
 constexpr std::size_t maxLineBytes = std::size_t(1) << 20;
+
+/// Returns a file in memory that holds a text and is read from its beginning; empty where the
+/// system refuses. Unlike a pipe it takes any size without a reader.
+FileHandle fileOf(const std::string& text) {
+    FileHandle file(::memfd_create("patina", MFD_CLOEXEC));
+    for (std::size_t done = 0; file && done < text.size();) {
+        const ssize_t size = ::write(file.get(), text.data() + done, text.size() - done);
+        if (size < 0 && errno != EINTR) {
+            return {};
+        }
+        done += size > 0 ? std::size_t(size) : 0;
+    }
+    if (file) {
+        ::lseek(file.get(), 0, SEEK_SET);
+    }
+    return file;
+}
 
 } // namespace
 
-struct TrialProcess::State {
+struct LineProcess::State {
     process::child child;
     FileHandle output;
     std::string unread;
@@ -45,42 +59,43 @@ struct TrialProcess::State {
     std::optional<End> end{};
 };
 
-Result<TrialProcess> TrialProcess::start(const std::filesystem::path& program,
-                                         const std::vector<std::string>& arguments,
-                                         std::size_t memoryBytes) {
+Result<LineProcess> LineProcess::start(const Start& start) {
+    const std::string name = start.program.filename().string();
     std::array<int, 2> ends{-1, -1};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
-        return failure("cannot create a pipe for the process that tries blocks");
+        return failure("cannot create a pipe for " + name);
     }
     FileHandle ours(ends[0]);
     const FileHandle theirs(ends[1]);
+    const FileHandle input = fileOf(start.input);
+    if (!input) {
+        return failure("cannot write the input of " + name);
+    }
     const pid_t parent = ::getpid();
-    const Confinement limits{.data = memoryBytes, .stack = stackBytes};
+    const Confinement limits{.data = start.memoryBytes, .stack = start.stackBytes};
     const auto setUp = [=](auto&) { confine(limits, parent); };
     try {
         process::child child(
-            process::exe = program.string(), process::args = arguments,
-            process::std_in<process::null, process::posix::fd.bind(1, theirs.get()),
-                            process::std_err>
-                process::null,
-            process::extend::on_exec_setup = setUp);
-        return TrialProcess(std::make_unique<State>(State{std::move(child), std::move(ours), {}}));
+            process::exe = start.program.string(), process::args = start.arguments,
+            process::posix::fd.bind(0, input.get()), process::posix::fd.bind(1, theirs.get()),
+            process::std_err > process::null, process::extend::on_exec_setup = setUp);
+        return LineProcess(std::make_unique<State>(State{std::move(child), std::move(ours), {}}));
     } catch (const process::process_error& problem) {
-        return failure("cannot start " + program.string() + ": " + problem.code().message());
+        return failure("cannot start " + start.program.string() + ": " + problem.code().message());
     }
 }
 
-TrialProcess::TrialProcess(std::unique_ptr<State> state) : state_(std::move(state)) {}
-TrialProcess::TrialProcess(TrialProcess&&) noexcept = default;
-TrialProcess& TrialProcess::operator=(TrialProcess&&) noexcept = default;
+LineProcess::LineProcess(std::unique_ptr<State> state) : state_(std::move(state)) {}
+LineProcess::LineProcess(LineProcess&&) noexcept = default;
+LineProcess& LineProcess::operator=(LineProcess&&) noexcept = default;
 
-TrialProcess::~TrialProcess() {
+LineProcess::~LineProcess() {
     if (state_) {
         end();
     }
 }
 
-std::optional<std::string> TrialProcess::line(std::chrono::milliseconds patience) {
+std::optional<std::string> LineProcess::line(std::chrono::milliseconds patience) {
     std::string& unread = state_->unread;
     if (unread.find('\n') == std::string::npos && !state_->hasEnded) {
         pollfd waiting{state_->output.get(), POLLIN, 0};
@@ -101,11 +116,11 @@ std::optional<std::string> TrialProcess::line(std::chrono::milliseconds patience
     return line;
 }
 
-bool TrialProcess::hasEnded() const {
+bool LineProcess::hasEnded() const {
     return state_->hasEnded && state_->unread.find('\n') == std::string::npos;
 }
 
-double TrialProcess::workSeconds() const {
+double LineProcess::workSeconds() const {
     clockid_t clock{};
     timespec time{};
     const bool isKnown = !state_->end && ::clock_getcpuclockid(state_->child.id(), &clock) == 0 &&
@@ -113,7 +128,7 @@ double TrialProcess::workSeconds() const {
     return isKnown ? double(time.tv_sec) + 1e-9 * double(time.tv_nsec) : 0.0;
 }
 
-std::size_t TrialProcess::memoryBytes() const {
+std::size_t LineProcess::memoryBytes() const {
     std::ifstream file("/proc/" + std::to_string(state_->child.id()) + "/statm");
     std::size_t all = 0;
     std::size_t resident = 0;
@@ -121,7 +136,7 @@ std::size_t TrialProcess::memoryBytes() const {
     return isKnown ? resident * std::size_t(::sysconf(_SC_PAGESIZE)) : 0;
 }
 
-TrialProcess::End TrialProcess::end() {
+LineProcess::End LineProcess::end() {
     if (state_->end) {
         return *state_->end;
     }

@@ -15,17 +15,23 @@ namespace patina {
 
 /// Runs a process, reads its lines, and tells its memory and time. It dies with the thread that
 /// started it, and with this object.
-class TrialProcess {
+class LineProcess {
   public:
-    /// Starts a program whose data may take at most `memoryBytes`. It is an error where the system
-    /// refuses.
-    static Result<TrialProcess> start(const std::filesystem::path& program,
-                                      const std::vector<std::string>& arguments,
-                                      std::size_t memoryBytes);
+    /// Says what is started, and with which limits.
+    struct Start {
+        std::filesystem::path program;
+        std::vector<std::string> arguments{};
+        std::string input{};         ///< is all of its standard input
+        std::size_t memoryBytes = 0; ///< limits its data
+        std::size_t stackBytes = 0;  ///< limits its stack
+    };
 
-    TrialProcess(TrialProcess&&) noexcept;
-    TrialProcess& operator=(TrialProcess&&) noexcept;
-    ~TrialProcess();
+    /// Starts a program. It is an error where the system refuses.
+    static Result<LineProcess> start(const Start& start);
+
+    LineProcess(LineProcess&&) noexcept;
+    LineProcess& operator=(LineProcess&&) noexcept;
+    ~LineProcess();
 
     /// Returns the next line of its standard output, for which it waits so long. Nothing is
     /// returned where there is none yet, or none will come (hasEnded()).
@@ -52,7 +58,7 @@ class TrialProcess {
 
   private:
     struct State;
-    explicit TrialProcess(std::unique_ptr<State> state);
+    explicit LineProcess(std::unique_ptr<State> state);
     std::unique_ptr<State> state_;
 };
 
