@@ -3,7 +3,7 @@
 # bin/, and find each other and share/patina relative to themselves: an installation may be moved.
 
 set(program_folder ${CMAKE_INSTALL_LIBEXECDIR}/patina)
-install(TARGETS patina patina-files RUNTIME DESTINATION ${program_folder})
+install(TARGETS patina patina-files patina-cost RUNTIME DESTINATION ${program_folder})
 install(TARGETS patina_images LIBRARY DESTINATION ${program_folder})
 file(RELATIVE_PATH program_from_bin
     ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBEXECDIR}/patina/patina)

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "predict/gpu_family.h"
+
+#include <algorithm>
+#include <array>
+
+namespace patina {
+namespace {
+
+constexpr double lanesOfWave = 64.0;
+
+std::array<GpuFamily, 5> makeFamilies() {
+    const std::string amd = "amd.com, product specifications";
+    return {
+        GpuFamily{"gcn", "GCN 4", {"polaris10"}, 4, {{"Radeon RX 580", 36, 1340.0, amd}}},
+        GpuFamily{"vega", "GCN 5", {"vega10"}, 4, {{"Radeon RX Vega 64", 64, 1546.0, amd}}},
+        GpuFamily{"rdna1", "RDNA 1", {"navi10"}, 2, {{"Radeon RX 5700 XT", 40, 1755.0, amd}}},
+        GpuFamily{"rdna2",
+                  "RDNA 2",
+                  {"navi21"},
+                  2,
+                  {{"Steam Deck", 8, 1600.0, "steamdeck.com, tech specs"},
+                   {"Radeon RX 6600", 28, 2044.0, amd},
+                   {"Radeon RX 6800 XT", 72, 2015.0, amd}}},
+        GpuFamily{"rdna3",
+                  "RDNA 3",
+                  {"navi31", "gfx1100"},
+                  2,
+                  {{"Radeon RX 7600", 32, 2250.0, amd}, {"Radeon RX 7900 XTX", 96, 2300.0, amd}}}};
+}
+
+std::string knownNames() {
+    std::string names;
+    for (const GpuFamily& family : gpuFamilies()) {
+        names += (names.empty() ? "" : ", ") + family.id;
+    }
+    return names;
+}
+
+} // namespace
+
+std::span<const GpuFamily> gpuFamilies() {
+    static const std::array families = makeFamilies();
+    return families;
+}
+
+Result<std::vector<const GpuFamily*>> gpuFamiliesIn(std::string_view list) {
+    std::vector<const GpuFamily*> chosen;
+    while (true) {
+        const std::string_view name = list.substr(0, list.find(','));
+        const auto found = std::ranges::find(gpuFamilies(), name, &GpuFamily::id);
+        if (found == gpuFamilies().end()) {
+            return failure("there is no family of graphics cards \"" + std::string(name) + "\"",
+                           "one or more of " + knownNames());
+        }
+        if (std::ranges::find(chosen, &*found) == chosen.end()) {
+            chosen.push_back(&*found);
+        }
+        if (name.size() == list.size()) {
+            return chosen;
+        }
+        list.remove_prefix(name.size() + 1);
+    }
+}
+
+double predictedMilliseconds(double cyclesPerWave64, double pixels, const GpuFamily& family,
+                             const GraphicsCard& card) {
+    const double units = double(card.computeUnits) * double(family.simdsPerUnit);
+    return pixels / lanesOfWave * cyclesPerWave64 / (units * card.megahertz * 1e3);
+}
+
+} // namespace patina

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/error.h"
+
+namespace patina {
+
+/// Is a graphics card that one can buy, with what a prediction needs of it.
+struct GraphicsCard {
+    std::string name;
+    int computeUnits = 0;
+    double megahertz = 0.0; ///< is the game clock where the maker gives one, else the boost clock
+    std::string source;     ///< says where both numbers are published
+};
+
+/// Is a generation of AMD's graphics hardware.
+struct GpuFamily {
+    std::string id; ///< is what a command line calls it, such as "rdna2"
+    std::string label;
+    /// Are names that RADV has for a chip of it; older drivers know another one than newer ones.
+    std::vector<std::string> chips;
+    int simdsPerUnit = 0; ///< counts the SIMD units of a compute unit
+    std::vector<GraphicsCard> cards;
+};
+
+/// Returns all families that costs are predicted for, the oldest first.
+std::span<const GpuFamily> gpuFamilies();
+
+/// Returns the families of a list such as "rdna2,gcn", in its order and each once. It is an error
+/// where there is none of a name.
+Result<std::vector<const GpuFamily*>> gpuFamiliesIn(std::string_view list);
+
+/// Returns the milliseconds in which a card runs a fragment stage on each of `pixels`, when all its
+/// compute units do nothing else: pixels / 64 waves of `cyclesPerWave64` on every SIMD unit.
+double predictedMilliseconds(double cyclesPerWave64, double pixels, const GpuFamily& family,
+                             const GraphicsCard& card);
+
+} // namespace patina
