@@ -11,6 +11,7 @@
 #include "catalog/json_text.h"
 #include "cli/cost_drawing.h"
 #include "cli/cost_sweeps.h"
+#include "cli/prediction_table.h"
 #include "cli/prepared_subject.h"
 #include "core/display_image.h"
 #include "gl/headless_context.h"
@@ -211,6 +212,48 @@ Checked<bool> chart(const CostRequest& options, const Tools& tools) {
     return met;
 }
 
+/// Predicts what the material of each preset costs on graphics cards that are not here, and prints
+/// it. Nothing is drawn.
+Checked<bool> predict(const CostRequest& options, const LongWork& work) {
+    const auto catalog = std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()));
+    report(catalog->errors);
+    AssetClient files;
+    const auto subjects =
+        readAll(options.presets.empty() ? std::vector<std::string>(1) : options.presets, options,
+                *catalog, files);
+    if (!subjects) {
+        return tl::unexpected(subjects.error());
+    }
+    std::vector<PredictedSubject> shown;
+    for (const Prepared& subject : *subjects) {
+        if (subject.scene.objects.empty()) {
+            return tl::unexpected(
+                oneError(failure("there is no object to predict for", "a scene with one").value()));
+        }
+        shown.push_back({subject.scene, 0,
+                         [&subject](const Object& object) { return subject.meshes.view(object); },
+                         catalog});
+    }
+    FamilyCompilerOptions compiler;
+    compiler.isStopped = [&work] { return work.isStopped(); };
+    const auto predicted = predictedWays(shown, options.families, compiler);
+    if (!predicted) {
+        return tl::unexpected(predicted.error());
+    }
+    nlohmann::json json = predictionNotes(predicted->driver, options.families);
+    std::string text;
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        const std::string name = nameOf((*subjects)[i], options);
+        const std::vector<PredictedWay>& ways = predicted->subjects[i];
+        text += name + '\n' + predictionText(ways, options.families);
+        json["presets"].push_back(
+            {{"preset", name}, {"ways", predictionJson(ways, options.families)}});
+    }
+    std::cout << (options.json ? writeJson(json)
+                               : text + predictionLegend(predicted->driver, options.families));
+    return true;
+}
+
 /// Measures what is asked for, with a context that stays current meanwhile.
 Checked<bool> measured(const CostRequest& options, LongWork& work) {
     const auto catalog = std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()));
@@ -240,7 +283,7 @@ int cost(const CostRequest& options) {
     Checked<bool> done = false;
     {
         LongWork work;
-        done = measured(options, work);
+        done = options.families.empty() ? measured(options, work) : predict(options, work);
         isStopped = work.isStopped();
     }
     if (!done) {

@@ -13,6 +13,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cli/option_families.h"
 #include "cli/option_numbers.h"
 #include "core/number_text.h"
 
@@ -66,6 +67,7 @@ Errors checkCombinations(const CostRequest& request) {
                          !request.errorMap.empty() || !request.errorMapOf.empty() ||
                          request.ofPicture || request.singles;
     const glm::ivec2 size = request.picture.size;
+    const bool isPredicted = !request.families.empty();
     const bool isPlot = request.plot.empty() || isOneOf(endingOf(request.plot), {".svg", ".png"});
     const bool isMap =
         request.errorMap.empty() || isOneOf(endingOf(request.errorMap), {".png", ".jpg", ".jpeg"});
@@ -82,6 +84,9 @@ Errors checkCombinations(const CostRequest& request) {
             "--all-models ranks models, and no material", "no preset and no --model beside it"},
         Combination{request.scaling && size.x != size.y, "--scaling draws square pictures",
                     "a --size such as 256x256"},
+        Combination{isPredicted && (isChart || request.scaling || request.csv),
+                    "with --gpu nothing is measured: no budget, no chart, no --csv",
+                    "--gpu without them, or with --json"},
         Combination{!isPlot, "a chart is drawn as .svg or .png", "such a file"},
         Combination{!isMap, "an error map is drawn as .png or .jpg", "such a file"},
         Combination{plotProblem != nullptr, plotProblem, place},
@@ -164,6 +169,7 @@ void addCostOptions(CLI::App& command, CostRequest& request) {
         .add_flag("--scaling", request.scaling,
                   "How the time grows with pixels, lights and objects instead")
         ->excludes(all);
+    addFamiliesOption(command, request.families)->excludes(all);
     command.add_option("--plot", request.plot, "Draw the chart into a file: .svg or .png");
     command.add_option("--error-map", request.errorMap,
                        "Draw where the way that the budget buys, or else the fastest one that is "

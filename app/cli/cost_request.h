@@ -7,6 +7,7 @@
 
 #include "cli/picture_options.h"
 #include "core/error.h"
+#include "predict/gpu_family.h"
 
 namespace patina {
 
@@ -22,6 +23,8 @@ struct CostRequest {
     bool scaling = false;
     bool json = false;
     bool csv = false;
+    /// Are those that costs are predicted for instead of measured; empty: measured.
+    std::vector<const GpuFamily*> families;
     std::string plot;
     std::string errorMap;
     std::string errorMapOf; ///< names levels as levelsText() does; empty where not given

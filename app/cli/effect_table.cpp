@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/prediction_table.h"
 #include "measure/cost/cost_table.h"
 
 namespace patina {
@@ -117,6 +118,67 @@ std::string totalText(const EffectTable& table) {
                                   : "medians with intervals of 95 %");
 }
 
+double cyclesOf(const EffectTable& table, const GpuFamily& family) {
+    return table.predicted->whole->at(family.id).fragment.cycles;
+}
+
+/// Returns what an effect is predicted to take of the shader, as "  123 instr.   456 cycles  7.8 %"
+/// for each family.
+std::string predictedText(const EffectRow& row, const EffectTable& table) {
+    std::string text;
+    for (const GpuFamily* family : table.families) {
+        const auto cycles = table.predicted->cyclesOf(row.line.effect, family->id);
+        const auto instructions = table.predicted->instructionsOf(row.line.effect, family->id);
+        text += cycles ? fmt::format("{:>6} instr. {:>6.0f} cycles {:>5.1f} %  ", *instructions,
+                                     *cycles, 100.0 * *cycles / cyclesOf(table, *family))
+                       : fmt::format("{:36}", "");
+    }
+    return text;
+}
+
+/// Returns the line above the predictions' columns.
+std::string familiesText(const EffectTable& table) {
+    std::string text;
+    for (const GpuFamily* family : table.families) {
+        text += fmt::format("{:<36}", "predicted for " + family->label);
+    }
+    return text;
+}
+
+std::string predictedTotal(const EffectTable& table) {
+    std::string text = "\n";
+    for (const GpuFamily* family : table.families) {
+        const StageStatistics& stage = table.predicted->whole->at(family->id).fragment;
+        text += fmt::format("the object's shader on {}: {} instructions, {:.0f} cycles\n",
+                            family->label, stage.instructions, stage.cycles);
+    }
+    return text + "an effect takes what the shader has more with it than without it\n" +
+           predictionLegend(table.predicted->driver, table.families);
+}
+
+/// Returns what an effect is predicted to take of the shader on each family.
+nlohmann::json predictedJson(const std::string& effect, const EffectTable& table) {
+    nlohmann::json json = nlohmann::json::object();
+    for (const GpuFamily* family : table.families) {
+        if (const auto cycles = table.predicted->cyclesOf(effect, family->id)) {
+            json[family->id] = {
+                {"instructions", *table.predicted->instructionsOf(effect, family->id)},
+                {"cycles", *cycles},
+                {"percent", 100.0 * *cycles / cyclesOf(table, *family)}};
+        }
+    }
+    return json;
+}
+
+nlohmann::json predictedJson(const EffectTable& table) {
+    nlohmann::json json = predictionNotes(table.predicted->driver, table.families);
+    for (const GpuFamily* family : table.families) {
+        json["families"][family->id] =
+            stageJson(table.predicted->whole->at(family->id).fragment, *family);
+    }
+    return json;
+}
+
 nlohmann::json rowJson(const EffectRow& row, const std::optional<EffectCosts>& costs) {
     nlohmann::json json{{"effect", row.line.effect},
                         {"detail", row.line.detail},
@@ -166,11 +228,16 @@ std::string tableText(const EffectTable& table) {
     const std::size_t nameColumns = widest(names);
     const std::size_t timeColumns = table.costs ? widest(times) + 2 : 0;
     std::string out = objectText(table.object) + '\n';
+    if (table.predicted) {
+        out += std::string(nameColumns + 2 + timeColumns, ' ') + familiesText(table) + '\n';
+    }
     for (std::size_t i = 0; i < rows.size(); ++i) {
         out += padded(names[i], nameColumns) + "  " + padded(times[i], timeColumns) +
+               (table.predicted ? predictedText(*rows[i].row, table) : std::string()) +
                whyText(rows[i].row->line) + '\n';
     }
-    return table.costs ? out + totalText(table) : out;
+    return out + (table.costs ? totalText(table) : std::string()) +
+           (table.predicted ? predictedTotal(table) : std::string());
 }
 
 nlohmann::json tableJson(const EffectTable& table) {
@@ -183,12 +250,18 @@ nlohmann::json tableJson(const EffectTable& table) {
     for (const EffectRow& row : table.rows) {
         if (row.in) {
             json["effects"].push_back(rowJson(row, table.costs));
+            if (table.predicted) {
+                json["effects"].back()["predicted"] = predictedJson(row.line.effect, table);
+            }
         } else {
             json["leftOut"].push_back({{"what", row.line.effect}, {"reason", row.line.reason}});
         }
     }
     if (table.costs) {
         json["costs"] = costsJson(table);
+    }
+    if (table.predicted) {
+        json["predicted"] = predictedJson(table);
     }
     return json;
 }

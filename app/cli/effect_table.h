@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "measure/cost/effect_cost.h"
+#include "measure/prediction/predicted_ways.h"
 
 namespace patina {
 
@@ -23,11 +24,13 @@ struct ShownObject {
 std::string objectText(const ShownObject& object);
 
 /// Holds what `patina effects` prints: the effects of one object, and what they cost where that was
-/// measured.
+/// measured or predicted.
 struct EffectTable {
     ShownObject object;
     std::vector<EffectRow> rows;
     std::optional<EffectCosts> costs;
+    std::vector<const GpuFamily*> families{}; ///< are those that costs are predicted for
+    std::optional<PredictedEffects> predicted{};
 };
 
 /// Returns the table as text: a line for each effect, then the total.

@@ -15,6 +15,7 @@
 #include "cli/effect_table.h"
 #include "cli/environment_setup.h"
 #include "cli/marked_source.h"
+#include "cli/option_families.h"
 #include "cli/option_numbers.h"
 #include "cli/picture.h"
 #include "cli/picture_options.h"
@@ -42,6 +43,8 @@ struct EffectsOptions {
     bool noCost = false;
     bool hasSize = false; ///< the command line gives the size
     double seconds = 10.0;
+    /// Are those that costs are also predicted for.
+    std::vector<const GpuFamily*> families;
     /// Is its name, or its number from 1; empty for the first one.
     std::optional<std::string> object;
 };
@@ -172,6 +175,18 @@ Checked<void> printTable(const Shown& subject, const EffectsOptions& options,
             return tl::unexpected(costs.error());
         }
         table.costs = std::move(*costs);
+    }
+    if (!options.families.empty()) {
+        auto predicted =
+            predictedEffects({scene, object, meshes, catalog}, table.rows, options.families);
+        if (predicted && !predicted->whole) {
+            predicted = tl::unexpected(oneError(predicted->whole.error()));
+        }
+        if (!predicted) {
+            return tl::unexpected(predicted.error());
+        }
+        table.families = options.families;
+        table.predicted = std::move(*predicted);
     }
     std::cout << (options.json ? writeJson(tableJson(table)) : tableText(table));
     return {};
@@ -309,6 +324,7 @@ void addEffects(CLI::App& program, int& status) {
     command->add_flag("--json", options->json, "Print JSON");
     command->add_flag("--no-cost", options->noCost,
                       "Do not draw the frames that show what each effect costs");
+    addFamiliesOption(*command, options->families);
     addSecondsOption(*command, options->seconds,
                      "No longer than about this frames for the costs are drawn, what programs "
                      "take to be made apart; slow ones are drawn smaller unless --size is given, "

@@ -41,12 +41,16 @@ class AtEnd {
     std::function<void()> end_;
 };
 
-/// Returns the file by which the loader finds RADV; empty where it is not installed.
+/// Returns the file by which the loader finds RADV, which a user may name with the loader's own
+/// variable; empty where it is not there.
 fs::path driverManifest() {
+    std::error_code ignored;
+    if (const char* named = std::getenv("VK_DRIVER_FILES")) {
+        return fs::exists(named, ignored) ? fs::path(named) : fs::path();
+    }
     for (const char* folder :
          {"/etc/vulkan/icd.d", "/usr/local/share/vulkan/icd.d", "/usr/share/vulkan/icd.d"}) {
-        std::error_code none;
-        for (const fs::directory_entry& file : fs::directory_iterator(folder, none)) {
+        for (const fs::directory_entry& file : fs::directory_iterator(folder, ignored)) {
             if (file.path().filename().string().starts_with("radeon_icd")) {
                 return file.path();
             }

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/prediction_table.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "catalog/json_text.h"
+
+namespace patina {
+namespace {
+
+using Families = std::span<const GpuFamily* const>;
+
+constexpr double pixelsOfFullHd = 1920.0 * 1080.0;
+
+constexpr const char* whatIsLeftOut =
+    "memory, caches and texture units, the rasteriser, the vertex stage and all other passes";
+
+/// Returns "Steam Deck 5.10 ms, Radeon RX 6600 1.42 ms".
+std::string cardsText(const StageStatistics& stage, const GpuFamily& family) {
+    std::string text;
+    for (const GraphicsCard& card : family.cards) {
+        text += fmt::format("{}{} {:.2f} ms", text.empty() ? "" : ", ", card.name,
+                            predictedMilliseconds(stage.cycles, pixelsOfFullHd, family, card));
+    }
+    return text;
+}
+
+std::size_t widestName(std::span<const PredictedWay> ways) {
+    std::size_t columns = 0;
+    for (const PredictedWay& way : ways) {
+        columns = std::max(columns, levelsText(way.levels).size());
+    }
+    return columns;
+}
+
+std::string lineText(const StageStatistics& stage, const GpuFamily& family) {
+    return fmt::format("{:<7} {:>6} {:>5} {:>5} {:>6} {:>5} {:>7.0f} {:>7.0f}  {}\n", family.label,
+                       stage.instructions, stage.vectorRegisters, stage.scalarRegisters,
+                       stage.spilledRegisters, stage.waves, stage.cycles, stage.latency,
+                       cardsText(stage, family));
+}
+
+} // namespace
+
+std::string predictionText(std::span<const PredictedWay> ways, Families families) {
+    const std::size_t columns = widestName(ways);
+    std::string text = fmt::format("{:<{}}  {:<7} {:>6} {:>5} {:>5} {:>6} {:>5} {:>7} {:>7}  {}\n",
+                                   "", columns, "", "instr.", "VGPRs", "SGPRs", "spills", "waves",
+                                   "cycles", "latency", "predicted at 1080p");
+    for (const PredictedWay& way : ways) {
+        std::string name = levelsText(way.levels);
+        if (!way.statistics) {
+            text += fmt::format("{:<{}}  {}\n", name, columns, way.statistics.error().problem);
+            continue;
+        }
+        for (const GpuFamily* family : families) {
+            text += fmt::format("{:<{}}  {}", name, columns,
+                                lineText(way.statistics->at(family->id).fragment, *family));
+            name.clear();
+        }
+    }
+    return text;
+}
+
+nlohmann::json stageJson(const StageStatistics& stage, const GpuFamily& family) {
+    nlohmann::json json = toJson(stage);
+    for (const GraphicsCard& card : family.cards) {
+        json["milliseconds"][card.name] =
+            predictedMilliseconds(stage.cycles, pixelsOfFullHd, family, card);
+    }
+    return json;
+}
+
+nlohmann::json predictionJson(std::span<const PredictedWay> ways, Families families) {
+    nlohmann::json json = nlohmann::json::array();
+    for (const PredictedWay& way : ways) {
+        nlohmann::json entry{{"levels", way.levels}};
+        if (!way.statistics) {
+            entry["problem"] = way.statistics.error().problem;
+        }
+        for (const GpuFamily* family : families) {
+            if (way.statistics) {
+                entry["families"][family->id] =
+                    stageJson(way.statistics->at(family->id).fragment, *family);
+            }
+        }
+        json.push_back(std::move(entry));
+    }
+    return json;
+}
+
+std::string predictionLegend(const std::string& driver, Families families) {
+    std::string text = fmt::format(
+        "predicted by the compiler of {} for cards that are not here: the fragment stage of the "
+        "object's shader, on each pixel of 1920 x 1080\n"
+        "cycles: of a SIMD unit for 64 pixels, when it holds as many waves as it can; latency: of "
+        "one wave alone\n"
+        "left out: {}\n",
+        driver, whatIsLeftOut);
+    for (const GpuFamily* family : families) {
+        for (const GraphicsCard& card : family->cards) {
+            text += fmt::format("{}: {} compute units at {:.0f} MHz ({})\n", card.name,
+                                card.computeUnits, card.megahertz, card.source);
+        }
+    }
+    return text;
+}
+
+nlohmann::json predictionNotes(const std::string& driver, Families families) {
+    nlohmann::json cards = nlohmann::json::object();
+    for (const GpuFamily* family : families) {
+        for (const GraphicsCard& card : family->cards) {
+            cards[card.name] = {{"family", family->id},
+                                {"computeUnits", card.computeUnits},
+                                {"megahertz", card.megahertz},
+                                {"source", card.source}};
+        }
+    }
+    return {{"driver", driver}, {"predicted", true}, {"leftOut", whatIsLeftOut}, {"cards", cards}};
+}
+
+} // namespace patina

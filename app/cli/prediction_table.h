@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "measure/prediction/predicted_ways.h"
+
+namespace patina {
+
+/// Returns the ways of a material as a table, one line for each on each family.
+std::string predictionText(std::span<const PredictedWay> ways,
+                           std::span<const GpuFamily* const> families);
+
+/// Returns the same as an array of JSON.
+nlohmann::json predictionJson(std::span<const PredictedWay> ways,
+                              std::span<const GpuFamily* const> families);
+
+/// Returns what a stage is on a family as JSON, with the milliseconds on the family's cards.
+nlohmann::json stageJson(const StageStatistics& stage, const GpuFamily& family);
+
+/// Says what the numbers are, and what is left out of them.
+std::string predictionLegend(const std::string& driver, std::span<const GpuFamily* const> families);
+
+/// Returns the pieces of the legend as JSON: "driver", "leftOut", "cards" with their sources.
+nlohmann::json predictionNotes(const std::string& driver,
+                               std::span<const GpuFamily* const> families);
+
+} // namespace patina

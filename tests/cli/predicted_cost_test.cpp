@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a material costs on graphics cards that are not here.
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/patina_program.h"
+#include "predict/family_compiler.h"
+
+namespace patina::tests::predicted_cost_test {
+namespace {
+
+const std::string threeLights = shipped("presets/three-lights.patina-scene.json").string();
+
+nlohmann::json predicted(std::vector<std::string> command) {
+    command.emplace_back("--json");
+    const Outcome outcome = patina(std::move(command));
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    return nlohmann::json::parse(outcome.out, nullptr, false);
+}
+
+/// The fragment stage of a model, exact, under three lights.
+nlohmann::json stageOf(const std::string& model, const std::string& family) {
+    const nlohmann::json json =
+        predicted({"cost", "--model", model, "--scene", threeLights, "--gpu", family});
+    return json.at("presets").at(0).at("ways").at(0).at("families").at(family);
+}
+
+TEST(PredictedCost, Table_SaysThatItIsPredictedForWhichCardsAndWhatIsLeftOut) {
+    const Outcome outcome = patina({"cost", gold, "--gpu", "rdna2,gcn,rdna3"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    for (const char* word : {"exact", "facets=reduced", "RDNA 2", "GCN 4", "RDNA 3",
+                             "predicted at 1080p", "Steam Deck", "Mesa", "left out", "amd.com"}) {
+        EXPECT_NE(outcome.out.find(word), std::string::npos) << word << '\n' << outcome.out;
+    }
+}
+
+TEST(PredictedCost, SameMaterial_CostsTheSameEachTime) {
+    const std::vector<std::string> command{"cost", gold, "--gpu", "rdna2,gcn", "--json"};
+    const Outcome first = patina(command);
+    ASSERT_EQ(first.exitCode, 0) << first.err;
+    EXPECT_EQ(first.out, patina(command).out);
+}
+
+TEST(PredictedCost, DearerModels_TakeMoreInstructionsAndCycles) {
+    const nlohmann::json phong = stageOf("phong", "rdna2");
+    const nlohmann::json cookTorrance = stageOf("cook-torrance", "rdna2");
+    const nlohmann::json strauss = stageOf("strauss", "rdna2");
+    for (const char* number : {"instructions", "cycles"}) {
+        EXPECT_LT(phong.at(number).get<double>(), cookTorrance.at(number).get<double>());
+        EXPECT_LT(cookTorrance.at(number).get<double>(), strauss.at(number).get<double>());
+    }
+}
+
+/// A card's milliseconds: 32400 waves of 64 pixels, shared by 72 x 2 SIMD units at 2015 MHz.
+TEST(PredictedCost, Milliseconds_FollowFromCyclesUnitsAndClock) {
+    const nlohmann::json stage = stageOf("phong", "rdna2");
+    const double expected =
+        stage.at("cycles").get<double>() * 32400.0 / (72.0 * 2.0 * 2015.0 * 1e3);
+    EXPECT_NEAR(stage.at("milliseconds").at("Radeon RX 6800 XT").get<double>(), expected,
+                1e-6 * expected); // JSON has seven digits
+}
+
+TEST(PredictedCost, OfEffects_IsWhatTheShaderHasMoreWithThem) {
+    const nlohmann::json json = predicted({"effects", gold, "--scene", threeLights, "--fog",
+                                           "height", "--gpu", "rdna2", "--no-cost"});
+    const auto& whole = json.at("predicted").at("families").at("rdna2");
+    double sum = 0.0;
+    int counted = 0;
+    for (const auto& effect : json.at("effects")) {
+        if (effect.at("removable").get<bool>() && effect.at("within").get<std::string>().empty()) {
+            sum += effect.at("predicted").at("rdna2").at("instructions").get<double>();
+            ++counted;
+        }
+    }
+    EXPECT_GE(counted, 4) << "three lights and the fog";
+    EXPECT_GT(sum, 0.5 * whole.at("instructions").get<double>());
+    const auto fog = std::ranges::find_if(json.at("effects"), [](const nlohmann::json& effect) {
+        return effect.at("effect").get<std::string>().starts_with("fog");
+    });
+    ASSERT_NE(fog, json.at("effects").end());
+    EXPECT_GT(fog->at("predicted").at("rdna2").at("cycles").get<double>(), 0.0);
+}
+
+TEST(PredictedCost, UnknownFamily_IsRefusedWithTheKnownOnes) {
+    const Outcome outcome = patina({"cost", gold, "--gpu", "rdna2,voodoo"});
+    EXPECT_NE(outcome.exitCode, 0);
+    EXPECT_NE(outcome.err.find("\"voodoo\""), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("rdna3"), std::string::npos) << outcome.err;
+}
+
+TEST(PredictedCost, MissingDriver_SaysWhatToInstall) {
+    const Outcome outcome = patina(Start{.arguments = {"cost", gold, "--gpu", "rdna2"},
+                                         .environment = {{"VK_DRIVER_FILES", "/nowhere.json"}},
+                                         .input = {}});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.err.find("mesa-vulkan-drivers"), std::string::npos) << outcome.err;
+}
+
+/// A compiler written as a shell script; it has answered with its driver when it does the rest.
+CompiledForFamilies compiledBy(const std::string& rest, FamilyCompilerOptions options = {}) {
+    const TemporaryFolder folder;
+    options.program = folder / "compiler";
+    writeFile(options.program, "#!/bin/sh\necho '{\"driver\":\"test\"}'\n" + rest + "\n");
+    std::filesystem::permissions(options.program, std::filesystem::perms::owner_all);
+    const auto compiled =
+        compileForFamilies(*gpuFamiliesIn("rdna2"), {{"first", ""}, {"second", ""}}, options);
+    EXPECT_TRUE(compiled) << compiled.error().text();
+    return compiled.value_or(CompiledForFamilies());
+}
+
+TEST(FamilyCompiler, ProgramThatEndsIt_IsAnErrorOfThatProgramOnly) {
+    const CompiledForFamilies compiled =
+        compiledBy("grep -q first && kill -9 $$\necho '{\"families\":{}}'");
+    ASSERT_EQ(compiled.programs.size(), 2u);
+    EXPECT_FALSE(compiled.programs[0]);
+    EXPECT_TRUE(compiled.programs[1]);
+}
+
+TEST(FamilyCompiler, ProgramThatTakesTooLong_IsEnded) {
+    FamilyCompilerOptions options;
+    options.secondsEach = 0.02;
+    const CompiledForFamilies compiled = compiledBy("exec sleep 60", options);
+    ASSERT_EQ(compiled.programs.size(), 2u);
+    EXPECT_NE(compiled.programs[0].error().problem.find("too long"), std::string::npos);
+}
+
+TEST(FamilyCompiler, TextThatDoesNotCompile_IsAnErrorWithTheCompilersWords) {
+    const auto compiled = compileForFamilies(*gpuFamiliesIn("rdna2"), {{"void main() {", "x"}}, {});
+    ASSERT_TRUE(compiled) << compiled.error().text();
+    ASSERT_FALSE(compiled->programs.at(0));
+    EXPECT_NE(compiled->programs.at(0).error().problem.find("syntax error"), std::string::npos)
+        << compiled->programs.at(0).error().problem;
+}
+
+} // namespace
+} // namespace patina::tests::predicted_cost_test
