@@ -10,8 +10,8 @@
 #include "assets/asset_client.h"
 #include "catalog/json_text.h"
 #include "cli/cost_drawing.h"
+#include "cli/cost_prediction.h"
 #include "cli/cost_sweeps.h"
-#include "cli/prediction_table.h"
 #include "cli/prepared_subject.h"
 #include "core/display_image.h"
 #include "gl/headless_context.h"
@@ -144,34 +144,10 @@ Checked<bool> scale(const CostRequest& options, const Tools& tools) {
     return true;
 }
 
-/// Reads every preset before the first is measured, so that a mistake in the last one costs no
-/// measurement.
-Checked<std::vector<Prepared>> readAll(const std::vector<std::string>& presets,
-                                       const CostRequest& options, const Catalog& catalog,
-                                       AssetClient& files) {
-    std::vector<Prepared> all;
-    for (const std::string& preset : presets) {
-        auto subject = prepared(preset, options.picture, catalog, files);
-        if (!subject) {
-            return tl::unexpected(subject.error());
-        }
-        all.push_back(std::move(*subject));
-    }
-    return all;
-}
-
-/// Returns the name of a chart: its preset, or else the model or the scene.
-std::string nameOf(const Prepared& subject, const CostRequest& options) {
-    if (!subject.preset.empty()) {
-        return subject.preset;
-    }
-    return options.picture.model.empty() ? options.picture.scene : options.picture.model;
-}
-
 /// Measures the charts of all presets, or those begun before it was stopped.
 Checked<std::vector<Measured>> chartsOf(const std::vector<std::string>& presets,
                                         const CostRequest& options, const Tools& tools) {
-    const auto subjects = readAll(presets, options, *tools.catalog, tools.files);
+    const auto subjects = allPrepared(presets, options, *tools.catalog, tools.files);
     if (!subjects) {
         return tl::unexpected(subjects.error());
     }
@@ -212,48 +188,6 @@ Checked<bool> chart(const CostRequest& options, const Tools& tools) {
     return met;
 }
 
-/// Predicts what the material of each preset costs on graphics cards that are not here, and prints
-/// it. Nothing is drawn.
-Checked<bool> predict(const CostRequest& options, const LongWork& work) {
-    const auto catalog = std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()));
-    report(catalog->errors);
-    AssetClient files;
-    const auto subjects =
-        readAll(options.presets.empty() ? std::vector<std::string>(1) : options.presets, options,
-                *catalog, files);
-    if (!subjects) {
-        return tl::unexpected(subjects.error());
-    }
-    std::vector<PredictedSubject> shown;
-    for (const Prepared& subject : *subjects) {
-        if (subject.scene.objects.empty()) {
-            return tl::unexpected(
-                oneError(failure("there is no object to predict for", "a scene with one").value()));
-        }
-        shown.push_back({subject.scene, 0,
-                         [&subject](const Object& object) { return subject.meshes.view(object); },
-                         catalog});
-    }
-    FamilyCompilerOptions compiler;
-    compiler.isStopped = [&work] { return work.isStopped(); };
-    const auto predicted = predictedWays(shown, options.families, compiler);
-    if (!predicted) {
-        return tl::unexpected(predicted.error());
-    }
-    nlohmann::json json = predictionNotes(predicted->driver, options.families);
-    std::string text;
-    for (std::size_t i = 0; i < shown.size(); ++i) {
-        const std::string name = nameOf((*subjects)[i], options);
-        const std::vector<PredictedWay>& ways = predicted->subjects[i];
-        text += name + '\n' + predictionText(ways, options.families);
-        json["presets"].push_back(
-            {{"preset", name}, {"ways", predictionJson(ways, options.families)}});
-    }
-    std::cout << (options.json ? writeJson(json)
-                               : text + predictionLegend(predicted->driver, options.families));
-    return true;
-}
-
 /// Measures what is asked for, with a context that stays current meanwhile.
 Checked<bool> measured(const CostRequest& options, LongWork& work) {
     const auto catalog = std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()));
@@ -283,7 +217,7 @@ int cost(const CostRequest& options) {
     Checked<bool> done = false;
     {
         LongWork work;
-        done = options.families.empty() ? measured(options, work) : predict(options, work);
+        done = options.families.empty() ? measured(options, work) : predictCosts(options, work);
         isStopped = work.isStopped();
     }
     if (!done) {

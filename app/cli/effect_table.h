@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "measure/cost/effect_cost.h"
-#include "measure/prediction/predicted_ways.h"
+#include "measure/prediction/predicted_effects.h"
 
 namespace patina {
 

@@ -27,10 +27,32 @@ std::string cardsText(const StageStatistics& stage, const GpuFamily& family) {
     return text;
 }
 
-std::size_t widestName(std::span<const PredictedWay> ways) {
-    std::size_t columns = 0;
+/// Is a row of a table: something that was compiled.
+struct PredictedRow {
+    std::string name;
+    const Result<FamilyStatistics>& statistics;
+};
+
+std::vector<PredictedRow> rowsOf(std::span<const PredictedWay> ways) {
+    std::vector<PredictedRow> rows;
     for (const PredictedWay& way : ways) {
-        columns = std::max(columns, levelsText(way.levels).size());
+        rows.push_back({levelsText(way.levels), way.statistics});
+    }
+    return rows;
+}
+
+std::vector<PredictedRow> rowsOf(std::span<const PredictedModel> models) {
+    std::vector<PredictedRow> rows;
+    for (const PredictedModel& model : models) {
+        rows.push_back({model.label, model.statistics});
+    }
+    return rows;
+}
+
+std::size_t widestName(std::span<const PredictedRow> rows) {
+    std::size_t columns = 0;
+    for (const PredictedRow& row : rows) {
+        columns = std::max(columns, row.name.size());
     }
     return columns;
 }
@@ -42,26 +64,47 @@ std::string lineText(const StageStatistics& stage, const GpuFamily& family) {
                        cardsText(stage, family));
 }
 
-} // namespace
-
-std::string predictionText(std::span<const PredictedWay> ways, Families families) {
-    const std::size_t columns = widestName(ways);
+std::string rowsText(std::span<const PredictedRow> rows, Families families) {
+    const std::size_t columns = widestName(rows);
     std::string text = fmt::format("{:<{}}  {:<7} {:>6} {:>5} {:>5} {:>6} {:>5} {:>7} {:>7}  {}\n",
                                    "", columns, "", "instr.", "VGPRs", "SGPRs", "spills", "waves",
                                    "cycles", "latency", "predicted at 1080p");
-    for (const PredictedWay& way : ways) {
-        std::string name = levelsText(way.levels);
-        if (!way.statistics) {
-            text += fmt::format("{:<{}}  {}\n", name, columns, way.statistics.error().problem);
+    for (const PredictedRow& row : rows) {
+        std::string name = row.name;
+        if (!row.statistics) {
+            text += fmt::format("{:<{}}  {}\n", name, columns, row.statistics.error().problem);
             continue;
         }
         for (const GpuFamily* family : families) {
             text += fmt::format("{:<{}}  {}", name, columns,
-                                lineText(way.statistics->at(family->id).fragment, *family));
+                                lineText(row.statistics->at(family->id).fragment, *family));
             name.clear();
         }
     }
     return text;
+}
+
+/// Adds what was compiled to an object of JSON, or why it was not.
+nlohmann::json withStatistics(nlohmann::json json, const Result<FamilyStatistics>& statistics,
+                              Families families) {
+    if (!statistics) {
+        json["problem"] = statistics.error().problem;
+        return json;
+    }
+    for (const GpuFamily* family : families) {
+        json["families"][family->id] = stageJson(statistics->at(family->id).fragment, *family);
+    }
+    return json;
+}
+
+} // namespace
+
+std::string predictionText(std::span<const PredictedWay> ways, Families families) {
+    return rowsText(rowsOf(ways), families);
+}
+
+std::string predictionText(std::span<const PredictedModel> models, Families families) {
+    return rowsText(rowsOf(models), families);
 }
 
 nlohmann::json stageJson(const StageStatistics& stage, const GpuFamily& family) {
@@ -76,17 +119,16 @@ nlohmann::json stageJson(const StageStatistics& stage, const GpuFamily& family) 
 nlohmann::json predictionJson(std::span<const PredictedWay> ways, Families families) {
     nlohmann::json json = nlohmann::json::array();
     for (const PredictedWay& way : ways) {
-        nlohmann::json entry{{"levels", way.levels}};
-        if (!way.statistics) {
-            entry["problem"] = way.statistics.error().problem;
-        }
-        for (const GpuFamily* family : families) {
-            if (way.statistics) {
-                entry["families"][family->id] =
-                    stageJson(way.statistics->at(family->id).fragment, *family);
-            }
-        }
-        json.push_back(std::move(entry));
+        json.push_back(withStatistics({{"levels", way.levels}}, way.statistics, families));
+    }
+    return json;
+}
+
+nlohmann::json predictionJson(std::span<const PredictedModel> models, Families families) {
+    nlohmann::json json = nlohmann::json::array();
+    for (const PredictedModel& model : models) {
+        json.push_back(withStatistics({{"model", model.model}, {"label", model.label}},
+                                      model.statistics, families));
     }
     return json;
 }

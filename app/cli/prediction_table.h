@@ -6,16 +6,21 @@
 
 #include <nlohmann/json.hpp>
 
+#include "measure/prediction/predicted_models.h"
 #include "measure/prediction/predicted_ways.h"
 
 namespace patina {
 
-/// Returns the ways of a material as a table, one line for each on each family.
+/// Return the ways of a material, or models, as a table with one line for each on each family.
 std::string predictionText(std::span<const PredictedWay> ways,
                            std::span<const GpuFamily* const> families);
+std::string predictionText(std::span<const PredictedModel> models,
+                           std::span<const GpuFamily* const> families);
 
-/// Returns the same as an array of JSON.
+/// Return the same as an array of JSON.
 nlohmann::json predictionJson(std::span<const PredictedWay> ways,
+                              std::span<const GpuFamily* const> families);
+nlohmann::json predictionJson(std::span<const PredictedModel> models,
                               std::span<const GpuFamily* const> families);
 
 /// Returns what a stage is on a family as JSON, with the milliseconds on the family's cards.

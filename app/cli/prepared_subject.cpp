@@ -26,4 +26,25 @@ Checked<Prepared> prepared(const std::string& preset, const PictureOptions& opti
     return Prepared{preset, std::move(setup->scene), std::move(*loaded), *environment};
 }
 
+Checked<std::vector<Prepared>> allPrepared(const std::vector<std::string>& presets,
+                                           const CostRequest& options, const Catalog& catalog,
+                                           AssetClient& files) {
+    std::vector<Prepared> all;
+    for (const std::string& preset : presets) {
+        auto subject = prepared(preset, options.picture, catalog, files);
+        if (!subject) {
+            return tl::unexpected(subject.error());
+        }
+        all.push_back(std::move(*subject));
+    }
+    return all;
+}
+
+std::string nameOf(const Prepared& subject, const CostRequest& options) {
+    if (!subject.preset.empty()) {
+        return subject.preset;
+    }
+    return options.picture.model.empty() ? options.picture.scene : options.picture.model;
+}
+
 } // namespace patina

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "assets/asset_client.h"
 #include "cli/command.h"
@@ -27,6 +28,15 @@ struct Prepared {
 /// are reported.
 Checked<Prepared> prepared(const std::string& preset, const PictureOptions& options,
                            const Catalog& catalog, AssetClient& files);
+
+/// Reads every preset before the first is measured, so that a mistake in the last one costs no
+/// measurement.
+Checked<std::vector<Prepared>> allPrepared(const std::vector<std::string>& presets,
+                                           const CostRequest& options, const Catalog& catalog,
+                                           AssetClient& files);
+
+/// Returns the name of what was prepared: its preset, or else the model or the scene.
+std::string nameOf(const Prepared& subject, const CostRequest& options);
 
 /// Holds what all measurements use.
 struct Tools {

@@ -55,6 +55,20 @@ TEST(PredictedCost, DearerModels_TakeMoreInstructionsAndCycles) {
     }
 }
 
+TEST(PredictedCost, OfAllModels_HasEachModelOnce) {
+    const nlohmann::json json =
+        predicted({"cost", "--all-models", "--scene", threeLights, "--gpu", "rdna1"});
+    std::vector<std::string> models;
+    for (const auto& model : json.at("models")) {
+        models.push_back(model.at("model"));
+        EXPECT_GT(model.at("families").at("rdna1").at("instructions").get<int>(), 100)
+            << models.back();
+    }
+    std::ranges::sort(models);
+    EXPECT_GE(models.size(), 20u);
+    EXPECT_EQ(std::ranges::adjacent_find(models), models.end());
+}
+
 /// A card's milliseconds: 32400 waves of 64 pixels, shared by 72 x 2 SIMD units at 2015 MHz.
 TEST(PredictedCost, Milliseconds_FollowFromCyclesUnitsAndClock) {
     const nlohmann::json stage = stageOf("phong", "rdna2");

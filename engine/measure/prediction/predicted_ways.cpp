@@ -5,11 +5,6 @@
 #include <iterator>
 #include <utility>
 
-#include "render/surfaces/scene_depth.h"
-#include "shading/effects/effect_set.h"
-#include "shading/effects/surface_program.h"
-#include "shading/program/program_source.h"
-
 namespace patina {
 namespace {
 
@@ -26,21 +21,6 @@ std::vector<ChosenLevels> levelsToCompile(const std::vector<Choice>& choices,
         all.push_back(present);
     }
     return all;
-}
-
-/// Returns the text of the subject's object in each of these scenes.
-Checked<std::vector<ProgramText>> textsIn(std::vector<Scene> scenes,
-                                          const PredictedSubject& subject) {
-    std::vector<ProgramText> texts;
-    for (Scene& scene : scenes) {
-        auto text =
-            surfaceText({std::move(scene), subject.object, subject.meshes, subject.catalog});
-        if (!text) {
-            return tl::unexpected(text.error());
-        }
-        texts.push_back(std::move(*text));
-    }
-    return texts;
 }
 
 /// Holds the levels of a subject's ways, and the scene of each.
@@ -64,17 +44,6 @@ Ways waysOf(const PredictedSubject& subject) {
 
 } // namespace
 
-Checked<ProgramText> surfaceText(const PredictedSubject& subject) {
-    const auto& [scene, object, meshes, catalog] = subject;
-    const EffectSet effects = effectSet(scene.objects[object].material, scene, *catalog,
-                                        objectView(scene, object, *catalog, meshes));
-    auto source = surfaceProgram(effects, *catalog);
-    if (!source) {
-        return tl::unexpected(source.error());
-    }
-    return ProgramText{std::move(source->vertex.text), std::move(source->fragment.text)};
-}
-
 Checked<PredictedWays> predictedWays(std::span<const PredictedSubject> subjects,
                                      std::span<const GpuFamily* const> families,
                                      const FamilyCompilerOptions& options) {
@@ -82,7 +51,7 @@ Checked<PredictedWays> predictedWays(std::span<const PredictedSubject> subjects,
     std::vector<ProgramText> texts;
     for (const PredictedSubject& subject : subjects) {
         Ways ways = waysOf(subject);
-        auto more = textsIn(std::move(ways.scenes), subject);
+        auto more = surfaceTexts(subject, ways.scenes);
         if (!more) {
             return tl::unexpected(more.error());
         }
@@ -102,62 +71,6 @@ Checked<PredictedWays> predictedWays(std::span<const PredictedSubject> subjects,
         }
     }
     return predicted;
-}
-
-Checked<PredictedEffects> predictedEffects(const PredictedSubject& subject,
-                                           std::span<const EffectRow> rows,
-                                           std::span<const GpuFamily* const> families,
-                                           const FamilyCompilerOptions& options) {
-    std::vector<std::string> effects;
-    std::vector<Scene> scenes{subject.scene};
-    for (const EffectRow& row : rows) {
-        if (row.in && row.removable) {
-            effects.push_back(row.line.effect);
-            scenes.push_back(withoutEffects(subject.scene, {&effects.back(), 1}, *subject.catalog));
-        }
-    }
-    auto texts = textsIn(std::move(scenes), subject);
-    if (!texts) {
-        return tl::unexpected(texts.error());
-    }
-    auto compiled = compileForFamilies(families, std::move(*texts), options);
-    if (!compiled) {
-        return tl::unexpected(oneError(compiled.error()));
-    }
-    PredictedEffects predicted{
-        std::move(compiled->driver), std::move(compiled->programs.front()), {}};
-    for (std::size_t i = 0; i < effects.size(); ++i) {
-        predicted.effects.push_back({std::move(effects[i]), std::move(compiled->programs[i + 1])});
-    }
-    return predicted;
-}
-
-namespace {
-
-/// Returns the fragment stages with and without an effect; nothing where one is missing.
-std::optional<std::pair<StageStatistics, StageStatistics>>
-stagesOf(const PredictedEffects& predicted, std::string_view effect, const std::string& family) {
-    const auto found = std::ranges::find(predicted.effects, effect, &PredictedEffect::effect);
-    if (found == predicted.effects.end() || !predicted.whole || !found->without ||
-        !predicted.whole->contains(family) || !found->without->contains(family)) {
-        return std::nullopt;
-    }
-    return std::pair(predicted.whole->at(family).fragment, found->without->at(family).fragment);
-}
-
-} // namespace
-
-std::optional<double> PredictedEffects::cyclesOf(std::string_view effect,
-                                                 const std::string& family) const {
-    const auto stages = stagesOf(*this, effect, family);
-    return stages ? std::optional(stages->first.cycles - stages->second.cycles) : std::nullopt;
-}
-
-std::optional<int> PredictedEffects::instructionsOf(std::string_view effect,
-                                                    const std::string& family) const {
-    const auto stages = stagesOf(*this, effect, family);
-    return stages ? std::optional(stages->first.instructions - stages->second.instructions)
-                  : std::nullopt;
 }
 
 } // namespace patina

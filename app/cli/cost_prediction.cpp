@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/cost_prediction.h"
+
+#include <iostream>
+#include <memory>
+
+#include "assets/asset_client.h"
+#include "catalog/json_text.h"
+#include "cli/prediction_table.h"
+#include "cli/prepared_subject.h"
+
+namespace patina {
+namespace {
+
+/// Refers to what was prepared, which must outlive it.
+PredictedSubject subjectOf(const Prepared& subject, std::shared_ptr<const Catalog> catalog) {
+    return {subject.scene, 0,
+            [&subject](const Object& object) { return subject.meshes.view(object); },
+            std::move(catalog)};
+}
+
+FamilyCompilerOptions compilerFor(const LongWork& work) {
+    FamilyCompilerOptions options;
+    options.isStopped = [&work] { return work.isStopped(); };
+    return options;
+}
+
+Checked<void> predictModels(const Prepared& subject, const CostRequest& options,
+                            const std::shared_ptr<const Catalog>& catalog, const LongWork& work) {
+    const auto predicted =
+        predictedModels(subjectOf(subject, catalog), options.families, compilerFor(work));
+    if (!predicted) {
+        return tl::unexpected(predicted.error());
+    }
+    if (options.json) {
+        nlohmann::json json = predictionNotes(predicted->driver, options.families);
+        json["models"] = predictionJson(predicted->models, options.families);
+        std::cout << writeJson(json);
+    } else {
+        std::cout << predictionText(predicted->models, options.families)
+                  << predictionLegend(predicted->driver, options.families);
+    }
+    return {};
+}
+
+Checked<void> predictWays(const std::vector<Prepared>& subjects, const CostRequest& options,
+                          const std::shared_ptr<const Catalog>& catalog, const LongWork& work) {
+    std::vector<PredictedSubject> shown;
+    for (const Prepared& subject : subjects) {
+        shown.push_back(subjectOf(subject, catalog));
+    }
+    const auto predicted = predictedWays(shown, options.families, compilerFor(work));
+    if (!predicted) {
+        return tl::unexpected(predicted.error());
+    }
+    nlohmann::json json = predictionNotes(predicted->driver, options.families);
+    std::string text;
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        const std::string name = nameOf(subjects[i], options);
+        const std::vector<PredictedWay>& ways = predicted->subjects[i];
+        text += name + '\n' + predictionText(ways, options.families);
+        json["presets"].push_back(
+            {{"preset", name}, {"ways", predictionJson(ways, options.families)}});
+    }
+    std::cout << (options.json ? writeJson(json)
+                               : text + predictionLegend(predicted->driver, options.families));
+    return {};
+}
+
+} // namespace
+
+Checked<bool> predictCosts(const CostRequest& options, const LongWork& work) {
+    const auto catalog = std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()));
+    report(catalog->errors);
+    AssetClient files;
+    const auto subjects =
+        allPrepared(options.presets.empty() ? std::vector<std::string>(1) : options.presets,
+                    options, *catalog, files);
+    if (!subjects) {
+        return tl::unexpected(subjects.error());
+    }
+    for (const Prepared& subject : *subjects) {
+        if (subject.scene.objects.empty()) {
+            return tl::unexpected(
+                oneError(failure("there is no object to predict for", "a scene with one").value()));
+        }
+    }
+    const auto done = options.allModels ? predictModels(subjects->front(), options, catalog, work)
+                                        : predictWays(*subjects, options, catalog, work);
+    return done ? Checked<bool>(true) : tl::unexpected(done.error());
+}
+
+} // namespace patina
