@@ -58,17 +58,18 @@ std::size_t widestName(std::span<const PredictedRow> rows) {
 }
 
 std::string lineText(const StageStatistics& stage, const GpuFamily& family) {
-    return fmt::format("{:<7} {:>6} {:>5} {:>5} {:>6} {:>5} {:>7.0f} {:>7.0f}  {}\n", family.label,
-                       stage.instructions, stage.vectorRegisters, stage.scalarRegisters,
-                       stage.spilledRegisters, stage.waves, stage.cycles, stage.latency,
-                       cardsText(stage, family));
+    return fmt::format("{:<7} {:>6} {:>5} {:>5} {:>6} {:>5} {:>5} {:>7.0f} {:>7.0f}  {}\n",
+                       family.label, stage.instructions, stage.vectorRegisters,
+                       stage.scalarRegisters, stage.spilledRegisters, stage.waves, stage.loops,
+                       stage.cycles, stage.latency, cardsText(stage, family));
 }
 
 std::string rowsText(std::span<const PredictedRow> rows, Families families) {
     const std::size_t columns = widestName(rows);
-    std::string text = fmt::format("{:<{}}  {:<7} {:>6} {:>5} {:>5} {:>6} {:>5} {:>7} {:>7}  {}\n",
-                                   "", columns, "", "instr.", "VGPRs", "SGPRs", "spills", "waves",
-                                   "cycles", "latency", "predicted at 1080p");
+    std::string text =
+        fmt::format("{:<{}}  {:<7} {:>6} {:>5} {:>5} {:>6} {:>5} {:>5} {:>7} {:>7}  {}\n", "",
+                    columns, "", "instr.", "VGPRs", "SGPRs", "spills", "waves", "loops", "cycles",
+                    "latency", "predicted at 1080p");
     for (const PredictedRow& row : rows) {
         std::string name = row.name;
         if (!row.statistics) {
@@ -139,6 +140,8 @@ std::string predictionLegend(const std::string& driver, Families families) {
         "object's shader, on each pixel of 1920 x 1080\n"
         "cycles: of a SIMD unit for 64 pixels, when it holds as many waves as it can; latency: of "
         "one wave alone\n"
+        "loops: each is taken to run 8 times, one within another 4 times for each of these: the "
+        "compiler does not know how often\n"
         "left out: {}\n",
         driver, whatIsLeftOut);
     for (const GpuFamily* family : families) {

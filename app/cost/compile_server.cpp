@@ -29,6 +29,7 @@ StageStatistics stageStatistics(const NullDevice::Statistics& numbers) {
     stage.spilledRegisters = number(numbers, "Spilled VGPRs") + number(numbers, "Spilled SGPRs");
     stage.waves = number(numbers, "Subgroups per SIMD");
     stage.lanesOfWave = number(numbers, "Subgroup size");
+    stage.loops = number(numbers, "Loops");
     stage.latency = number(numbers, "Latency");
     stage.cycles = number(numbers, "Inverse Throughput");
     return stage;

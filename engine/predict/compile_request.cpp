@@ -14,6 +14,7 @@ StageStatistics stageIn(const json& value) {
     stage.spilledRegisters = value.at("spills");
     stage.waves = value.at("waves");
     stage.lanesOfWave = value.at("lanes");
+    stage.loops = value.at("loops");
     stage.latency = value.at("latency");
     stage.cycles = value.at("cycles");
     return stage;
@@ -56,6 +57,7 @@ json toJson(const StageStatistics& statistics) {
             {"spills", statistics.spilledRegisters},
             {"waves", statistics.waves},
             {"lanes", statistics.lanesOfWave},
+            {"loops", statistics.loops},
             {"latency", statistics.latency},
             {"cycles", statistics.cycles}};
 }

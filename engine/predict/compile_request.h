@@ -37,6 +37,7 @@ struct StageStatistics {
     int spilledRegisters = 0;
     int waves = 0;        ///< counts those that a SIMD unit holds at a time
     int lanesOfWave = 0;  ///< is 32 or 64
+    int loops = 0;        ///< counts those that run as often as the compiler guesses
     double latency = 0.0; ///< cycles from the first instruction of a wave to its last
     double cycles = 0.0;  ///< is the inverse throughput: cycles of a SIMD unit for 64 lanes
 

@@ -190,6 +190,15 @@ double numberIn(const VkPipelineExecutableStatisticKHR& statistic) {
     }
 }
 
+int occurrences(std::string_view text, std::string_view word) {
+    int count = 0;
+    for (std::size_t at = text.find(word); at != std::string_view::npos;
+         at = text.find(word, at + word.size())) {
+        ++count;
+    }
+    return count;
+}
+
 const char* stageName(VkShaderStageFlags stages) {
     return (stages & VK_SHADER_STAGE_FRAGMENT_BIT) != 0 ? "fragment" : "vertex";
 }
@@ -202,7 +211,9 @@ class NullDevice::Implementation {
         : instance_(std::move(instance)), device_(std::move(device)),
           driver_(driverVersion(physical)),
           executables_(function<decltype(executables_)>("vkGetPipelineExecutablePropertiesKHR")),
-          statistics_(function<decltype(statistics_)>("vkGetPipelineExecutableStatisticsKHR")) {}
+          statistics_(function<decltype(statistics_)>("vkGetPipelineExecutableStatisticsKHR")),
+          listings_(
+              function<decltype(listings_)>("vkGetPipelineExecutableInternalRepresentationsKHR")) {}
 
     const std::string& driver() const { return driver_; }
 
@@ -363,7 +374,8 @@ class NullDevice::Implementation {
         VkGraphicsPipelineCreateInfo wanted{};
         wanted.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO;
         wanted.pNext = &targets;
-        wanted.flags = VK_PIPELINE_CREATE_CAPTURE_STATISTICS_BIT_KHR;
+        wanted.flags = VK_PIPELINE_CREATE_CAPTURE_STATISTICS_BIT_KHR |
+                       VK_PIPELINE_CREATE_CAPTURE_INTERNAL_REPRESENTATIONS_BIT_KHR;
         wanted.stageCount = std::uint32_t(stages.size());
         wanted.pStages = stages.data();
         wanted.pVertexInputState = &input;
@@ -394,6 +406,7 @@ class NullDevice::Implementation {
             Statistics& numbers = all[stageName(executables[i].stages)];
             numbers = executableStatistics(pipeline, i);
             numbers["Subgroup size"] = executables[i].subgroupSize;
+            numbers["Loops"] = loopsOf(pipeline, i);
         }
         return all;
     }
@@ -414,11 +427,36 @@ class NullDevice::Implementation {
         return numbers;
     }
 
+    /// Counts the loops that are left in a stage, by the driver's listing of its code.
+    int loopsOf(VkPipeline pipeline, std::uint32_t index) const {
+        VkPipelineExecutableInfoKHR asked{VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_INFO_KHR, nullptr,
+                                          pipeline, index};
+        std::uint32_t count = 0;
+        listings_(device_.handle, &asked, &count, nullptr);
+        VkPipelineExecutableInternalRepresentationKHR empty{};
+        empty.sType = VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_INTERNAL_REPRESENTATION_KHR;
+        std::vector<VkPipelineExecutableInternalRepresentationKHR> listings(count, empty);
+        listings_(device_.handle, &asked, &count, listings.data());
+        std::vector<std::string> texts;
+        for (VkPipelineExecutableInternalRepresentationKHR& listing : listings) {
+            texts.emplace_back(listing.dataSize, '\0');
+            listing.pData = texts.back().data();
+        }
+        listings_(device_.handle, &asked, &count, listings.data());
+        for (std::size_t i = 0; i < listings.size(); ++i) {
+            if (std::string_view(listings[i].name) == "ACO IR") {
+                return occurrences(texts[i], "loop-header");
+            }
+        }
+        return 0;
+    }
+
     Instance instance_;
     Device device_;
     std::string driver_;
     PFN_vkGetPipelineExecutablePropertiesKHR executables_;
     PFN_vkGetPipelineExecutableStatisticsKHR statistics_;
+    PFN_vkGetPipelineExecutableInternalRepresentationsKHR listings_;
 };
 
 NullDevice::NullDevice(std::unique_ptr<Implementation> implementation)

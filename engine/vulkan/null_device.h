@@ -16,7 +16,7 @@ namespace patina {
 class NullDevice {
   public:
     /// Holds the driver's numbers about one compiled stage by the driver's own names, such as
-    /// "Instructions", and "Subgroup size".
+    /// "Instructions", "Subgroup size", and "Loops", those that are left.
     using Statistics = std::map<std::string, double>;
 
     /// Holds the statistics of each stage: "vertex", "fragment".

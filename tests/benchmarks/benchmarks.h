@@ -14,6 +14,7 @@ bool presetLibrary();
 bool programMaking();
 bool modelCost();
 bool accuracyCost();
+bool predictedCost();
 bool sweepTime();
 bool frontTwice();
 bool fittedLight();

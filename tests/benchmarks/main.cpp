@@ -30,6 +30,7 @@ int main(int count, char** arguments) {
                                         {"program-making", patina::benchmarks::programMaking},
                                         {"model-cost", patina::benchmarks::modelCost},
                                         {"accuracy-cost", patina::benchmarks::accuracyCost},
+                                        {"predicted-cost", patina::benchmarks::predictedCost},
                                         {"sweep-time", patina::benchmarks::sweepTime},
                                         {"front-twice", patina::benchmarks::frontTwice},
                                         {"fitted-light", patina::benchmarks::fittedLight},
