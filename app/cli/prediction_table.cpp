@@ -12,17 +12,12 @@ namespace {
 
 using Families = std::span<const GpuFamily* const>;
 
-constexpr double pixelsOfFullHd = 1920.0 * 1080.0;
-
-constexpr const char* whatIsLeftOut =
-    "memory, caches and texture units, the rasteriser, the vertex stage and all other passes";
-
 /// Returns "Steam Deck 5.10 ms, Radeon RX 6600 1.42 ms".
 std::string cardsText(const StageStatistics& stage, const GpuFamily& family) {
     std::string text;
     for (const GraphicsCard& card : family.cards) {
         text += fmt::format("{}{} {:.2f} ms", text.empty() ? "" : ", ", card.name,
-                            predictedMilliseconds(stage.cycles, pixelsOfFullHd, family, card));
+                            predictedMilliseconds(stage.cycles, fullHdPixels, family, card));
     }
     return text;
 }
@@ -112,7 +107,7 @@ nlohmann::json stageJson(const StageStatistics& stage, const GpuFamily& family) 
     nlohmann::json json = toJson(stage);
     for (const GraphicsCard& card : family.cards) {
         json["milliseconds"][card.name] =
-            predictedMilliseconds(stage.cycles, pixelsOfFullHd, family, card);
+            predictedMilliseconds(stage.cycles, fullHdPixels, family, card);
     }
     return json;
 }
@@ -143,7 +138,7 @@ std::string predictionLegend(const std::string& driver, Families families) {
         "loops: each is taken to run 8 times, one within another 4 times for each of these: the "
         "compiler does not know how often\n"
         "left out: {}\n",
-        driver, whatIsLeftOut);
+        driver, leftOutOfPrediction);
     for (const GpuFamily* family : families) {
         for (const GraphicsCard& card : family->cards) {
             text += fmt::format("{}: {} compute units at {:.0f} MHz ({})\n", card.name,
@@ -163,7 +158,10 @@ nlohmann::json predictionNotes(const std::string& driver, Families families) {
                                 {"source", card.source}};
         }
     }
-    return {{"driver", driver}, {"predicted", true}, {"leftOut", whatIsLeftOut}, {"cards", cards}};
+    return {{"driver", driver},
+            {"predicted", true},
+            {"leftOut", leftOutOfPrediction},
+            {"cards", cards}};
 }
 
 } // namespace patina

@@ -28,6 +28,13 @@ struct GpuFamily {
     std::vector<GraphicsCard> cards;
 };
 
+/// Is the number of pixels of 1920 x 1080, for which milliseconds are given.
+inline constexpr double fullHdPixels = 1920.0 * 1080.0;
+
+/// Names what a prediction leaves out, for users.
+inline constexpr const char* leftOutOfPrediction =
+    "memory, caches and texture units, the rasteriser, the vertex stage and all other passes";
+
 /// Returns all families that costs are predicted for, the oldest first.
 std::span<const GpuFamily> gpuFamilies();
 
