@@ -129,9 +129,11 @@ std::string predictedText(const EffectRow& row, const EffectTable& table) {
     for (const GpuFamily* family : table.families) {
         const auto cycles = table.predicted->cyclesOf(row.line.effect, family->id);
         const auto instructions = table.predicted->instructionsOf(row.line.effect, family->id);
-        text += cycles ? fmt::format("{:>6} instr. {:>6.0f} cycles {:>5.1f} %  ", *instructions,
-                                     *cycles, 100.0 * *cycles / cyclesOf(table, *family))
-                       : fmt::format("{:36}", "");
+        const bool isElsewhere = cycles && *cycles == 0.0 && *instructions == 0;
+        text += isElsewhere ? fmt::format("{:>34}  ", "not in this shader")
+                : cycles ? fmt::format("{:>6} instr. {:>6.0f} cycles {:>5.1f} %  ", *instructions,
+                                       *cycles, 100.0 * *cycles / cyclesOf(table, *family))
+                         : fmt::format("{:36}", "");
     }
     return text;
 }

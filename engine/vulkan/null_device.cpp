@@ -143,6 +143,17 @@ bool isKnown(const std::string& chip) {
     return child > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
+/// Returns how many lanes the smallest waves of a device have.
+std::uint32_t smallestWave(VkPhysicalDevice physical) {
+    VkPhysicalDeviceVulkan13Properties newer{};
+    newer.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_PROPERTIES;
+    VkPhysicalDeviceProperties2 properties{};
+    properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
+    properties.pNext = &newer;
+    vkGetPhysicalDeviceProperties2(physical, &properties);
+    return newer.minSubgroupSize;
+}
+
 std::string driverVersion(VkPhysicalDevice physical) {
     VkPhysicalDeviceDriverProperties driver{};
     driver.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES;
@@ -209,7 +220,7 @@ class NullDevice::Implementation {
   public:
     Implementation(Instance instance, VkPhysicalDevice physical, Device device)
         : instance_(std::move(instance)), device_(std::move(device)),
-          driver_(driverVersion(physical)),
+          driver_(driverVersion(physical)), smallestWave_(smallestWave(physical)),
           executables_(function<decltype(executables_)>("vkGetPipelineExecutablePropertiesKHR")),
           statistics_(function<decltype(statistics_)>("vkGetPipelineExecutableStatisticsKHR")),
           listings_(
@@ -407,6 +418,8 @@ class NullDevice::Implementation {
             numbers = executableStatistics(pipeline, i);
             numbers["Subgroup size"] = executables[i].subgroupSize;
             numbers["Loops"] = loopsOf(pipeline, i);
+            // RADV counts the smallest waves, of which a larger one takes the room of several.
+            numbers["Subgroups per SIMD"] *= double(smallestWave_) / executables[i].subgroupSize;
         }
         return all;
     }
@@ -454,6 +467,7 @@ class NullDevice::Implementation {
     Instance instance_;
     Device device_;
     std::string driver_;
+    std::uint32_t smallestWave_; ///< lanes
     PFN_vkGetPipelineExecutablePropertiesKHR executables_;
     PFN_vkGetPipelineExecutableStatisticsKHR statistics_;
     PFN_vkGetPipelineExecutableInternalRepresentationsKHR listings_;
