@@ -49,7 +49,9 @@ Checked<void> predictWays(const std::vector<Prepared>& subjects, const CostReque
     for (const Prepared& subject : subjects) {
         shown.push_back(subjectOf(subject, catalog));
     }
-    const auto predicted = predictedWays(shown, options.families, compilerFor(work));
+    const auto predicted =
+        predictedWays(shown, options.asItIs ? PredictedLevels::Present : PredictedLevels::Each,
+                      options.families, compilerFor(work));
     if (!predicted) {
         return tl::unexpected(predicted.error());
     }

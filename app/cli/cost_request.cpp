@@ -169,7 +169,10 @@ void addCostOptions(CLI::App& command, CostRequest& request) {
         .add_flag("--scaling", request.scaling,
                   "How the time grows with pixels, lights and objects instead")
         ->excludes(all);
-    addFamiliesOption(command, request.families);
+    command
+        .add_flag("--as-it-is", request.asItIs,
+                  "With --gpu only the levels that the material has, not each one")
+        ->needs(addFamiliesOption(command, request.families));
     command.add_option("--plot", request.plot, "Draw the chart into a file: .svg or .png");
     command.add_option("--error-map", request.errorMap,
                        "Draw where the way that the budget buys, or else the fastest one that is "

@@ -25,6 +25,7 @@ struct CostRequest {
     bool csv = false;
     /// Are those that costs are predicted for instead of measured; empty: measured.
     std::vector<const GpuFamily*> families;
+    bool asItIs = false; ///< predicts no level but those that the material has
     std::string plot;
     std::string errorMap;
     std::string errorMapOf; ///< names levels as levelsText() does; empty where not given

@@ -9,8 +9,8 @@ namespace patina {
 namespace {
 
 /// Returns the levels to compile: none, each alone, those that the material has.
-std::vector<ChosenLevels> levelsToCompile(const std::vector<Choice>& choices,
-                                          const ChosenLevels& present) {
+std::vector<ChosenLevels> eachLevel(const std::vector<Choice>& choices,
+                                    const ChosenLevels& present) {
     std::vector<ChosenLevels> all{{}};
     for (const Choice& choice : choices) {
         for (std::size_t i = 1; i < choice.levels.size(); ++i) {
@@ -29,11 +29,13 @@ struct Ways {
     std::vector<Scene> scenes;
 };
 
-Ways waysOf(const PredictedSubject& subject) {
+Ways waysOf(const PredictedSubject& subject, PredictedLevels levels) {
     const Scene& scene = subject.scene;
     const std::vector<Choice> choices = materialChoices(scene, subject.object, *subject.catalog);
-    Ways ways{levelsToCompile(choices, levelsOf(scene.objects[subject.object].material, choices)),
-              {}};
+    const ChosenLevels present = levelsOf(scene.objects[subject.object].material, choices);
+    Ways ways;
+    ways.levels = levels == PredictedLevels::Each ? eachLevel(choices, present)
+                                                  : std::vector<ChosenLevels>{present};
     for (const ChosenLevels& each : ways.levels) {
         ChosenFrame frame{scene, {}};
         choose(frame, subject.object, choices, each, *subject.catalog);
@@ -45,12 +47,13 @@ Ways waysOf(const PredictedSubject& subject) {
 } // namespace
 
 Checked<PredictedWays> predictedWays(std::span<const PredictedSubject> subjects,
+                                     PredictedLevels wanted,
                                      std::span<const GpuFamily* const> families,
                                      const FamilyCompilerOptions& options) {
     std::vector<std::vector<ChosenLevels>> levels;
     std::vector<ProgramText> texts;
     for (const PredictedSubject& subject : subjects) {
-        Ways ways = waysOf(subject);
+        Ways ways = waysOf(subject, wanted);
         auto more = surfaceTexts(subject, ways.scenes);
         if (!more) {
             return tl::unexpected(more.error());

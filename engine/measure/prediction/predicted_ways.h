@@ -22,10 +22,15 @@ struct PredictedWays {
     std::vector<std::vector<PredictedWay>> subjects;
 };
 
-/// Predicts what each subject's material costs when it is exact, then with each level of each of
-/// its choices by itself, then with the levels that it has, where these are others. Nothing is
-/// drawn.
+/// Says which levels of a material's choices are compiled.
+enum class PredictedLevels {
+    Each,   ///< none, each level by itself, and those that the material has
+    Present ///< only those that the material has
+};
+
+/// Predicts what these ways to compute each subject's material cost. Nothing is drawn.
 Checked<PredictedWays> predictedWays(std::span<const PredictedSubject> subjects,
+                                     PredictedLevels levels,
                                      std::span<const GpuFamily* const> families,
                                      const FamilyCompilerOptions& options = {});
 
