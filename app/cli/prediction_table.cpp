@@ -135,8 +135,8 @@ std::string predictionLegend(const std::string& driver, Families families) {
         "object's shader, on each pixel of 1920 x 1080\n"
         "cycles: of a SIMD unit for 64 pixels, when it holds as many waves as it can; latency: of "
         "one wave alone\n"
-        "loops: each is taken to run 8 times, one within another 4 times for each of these: the "
-        "compiler does not know how often\n"
+        "loops: those of which the compiler does not know how often they run; it takes 8 times, "
+        "and one within another 4 times for each of these\n"
         "left out: {}\n",
         driver, leftOutOfPrediction);
     for (const GpuFamily* family : families) {

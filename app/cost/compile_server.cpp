@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cost/compile_server.h"
 
+#include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "predict/compile_request.h"
 #include "vulkan/null_device.h"
+#include "vulkan/spirv_loops.h"
 #include "vulkan/spirv_program.h"
 
 namespace patina {
@@ -35,20 +38,73 @@ StageStatistics stageStatistics(const NullDevice::Statistics& numbers) {
     return stage;
 }
 
+/// Is how often the driver's compiler takes a loop to run whose rounds it does not count.
+constexpr double guessedRounds = 8.0;
+
+/// Corrects what a compiler guesses of loops whose rounds are constants. The program is compiled
+/// with one round of such a loop; what the guess has more than that are its other rounds.
+class KnownRounds {
+  public:
+    explicit KnownRounds(const SpirvProgram& program) : program_(program) {
+        if (auto optimised = optimisedSpirv(program.fragment)) {
+            program_.fragment = std::move(*optimised);
+            loops_ = countedLoops(program_.fragment);
+        }
+    }
+
+    /// Corrects the cycles of a fragment stage. The loops that are left in it are those that are
+    /// still guessed.
+    void correct(StageStatistics& stage, const NullDevice& device) const {
+        const auto guessed = fragmentOf(program_, device);
+        for (const CountedLoop& loop : loops_) {
+            SpirvProgram once = program_;
+            once.fragment = loop.once;
+            const auto single = fragmentOf(once, device);
+            // The compiler may have counted the rounds itself, with no loop left.
+            if (!guessed || !single || single->loops != guessed->loops - 1) {
+                continue;
+            }
+            const double more = (loop.rounds - guessedRounds) / (guessedRounds - 1.0);
+            stage.cycles += more * (guessed->cycles - single->cycles);
+            stage.latency += more * (guessed->latency - single->latency);
+            --stage.loops;
+        }
+        stage.cycles = std::round(stage.cycles);
+        stage.latency = std::round(stage.latency);
+    }
+
+  private:
+    static std::optional<StageStatistics> fragmentOf(const SpirvProgram& program,
+                                                     const NullDevice& device) {
+        auto stages = device.compile(program);
+        return stages ? std::optional(stageStatistics((*stages)["fragment"])) : std::nullopt;
+    }
+
+    SpirvProgram program_;
+    std::vector<CountedLoop> loops_;
+};
+
 Result<FamilyStatistics> compiled(const ProgramText& text,
                                   const std::vector<FamilyDevice>& devices) {
     const auto program = spirvProgram(text.vertex, text.fragment);
     if (!program) {
         return tl::unexpected(program.error());
     }
+    std::optional<KnownRounds> rounds;
     FamilyStatistics answer;
     for (const FamilyDevice& each : devices) {
         auto stages = each.device.compile(*program);
         if (!stages) {
             return tl::unexpected(stages.error());
         }
-        answer[each.family] = {stageStatistics((*stages)["vertex"]),
-                               stageStatistics((*stages)["fragment"])};
+        PipelineStatistics& statistics = answer[each.family];
+        statistics = {stageStatistics((*stages)["vertex"]), stageStatistics((*stages)["fragment"])};
+        if (statistics.fragment.loops > 0) {
+            if (!rounds) {
+                rounds.emplace(*program);
+            }
+            rounds->correct(statistics.fragment, each.device);
+        }
     }
     return answer;
 }
