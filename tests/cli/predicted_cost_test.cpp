@@ -78,6 +78,30 @@ TEST(PredictedCost, Milliseconds_FollowFromCyclesUnitsAndClock) {
                 1e-6 * expected); // JSON has seven digits
 }
 
+/// The compiler does not unroll the loops over 8, 16 and 48 places of a soft shadow's search, and
+/// twice as many of its edge, and takes each to run 8 times.
+TEST(PredictedCost, RoundsOfALoopThatAreAConstant_CountEach) {
+    const auto cyclesWith = [](const std::string& quality) {
+        const nlohmann::json json =
+            predicted({"cost", "--model", "lambert", "--set", "shadow.samples=" + quality, "--gpu",
+                       "rdna2", "--as-it-is"});
+        const auto& stage = json.at("presets").at(0).at("ways").at(0).at("families").at("rdna2");
+        EXPECT_EQ(stage.at("loops"), 0);
+        return stage.at("cycles").get<double>();
+    };
+    const double coarse = cyclesWith("coarse");
+    const double normal = cyclesWith("normal");
+    const double fine = cyclesWith("fine");
+    EXPECT_GT(normal, 1.2 * coarse);
+    EXPECT_NEAR((fine - normal) / (normal - coarse), 4.0, 0.02) << "96 more rounds, and 24";
+}
+
+/// The terms of the series depend on the pixel.
+TEST(PredictedCost, RoundsThatNobodyKnows_AreSaidToBeGuessed) {
+    EXPECT_GT(stageOf("he-torrance", "rdna2").at("loops").get<int>(), 0);
+    EXPECT_EQ(stageOf("phong", "rdna2").at("loops"), 0);
+}
+
 TEST(PredictedCost, OfEffects_IsWhatTheShaderHasMoreWithThem) {
     const nlohmann::json json = predicted({"effects", gold, "--scene", threeLights, "--fog",
                                            "height", "--gpu", "rdna2", "--no-cost"});
