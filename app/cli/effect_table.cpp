@@ -144,6 +144,7 @@ std::string familiesText(const EffectTable& table) {
     for (const GpuFamily* family : table.families) {
         text += fmt::format("{:<36}", "predicted for " + family->label);
     }
+    text.erase(text.find_last_not_of(' ') + 1);
     return text;
 }
 
