@@ -105,10 +105,10 @@ vec3 kuwaharaPass(PicturePoint at, KuwaharaPass p) {
     vec2 across = vec2(-axis.y, axis.x) * (radius / axis.z);
     float apart = radius / float(reach); // of two places, where strokes are round
     vec4 means[8];
-    vec3 squares[8];
+    float squares[8];
     for (int k = 0; k < sectors; ++k) {
         means[k] = vec4(0.0);
-        squares[k] = vec3(0.0);
+        squares[k] = 0.0;
     }
     float half45 = 0.70710678;
     for (int j = -reach; j <= reach; ++j) {
@@ -130,6 +130,7 @@ vec3 kuwaharaPass(PicturePoint at, KuwaharaPass p) {
                 shares[5] = kuwaharaShare(t, s);
                 shares[6] = kuwaharaShare(-s, t);
                 shares[7] = kuwaharaShare(-t, s);
+                float square = dot(color, color);
                 float sum = 0.0;
                 for (int k = 0; k < sectors; ++k) {
                     sum += shares[k];
@@ -137,7 +138,7 @@ vec3 kuwaharaPass(PicturePoint at, KuwaharaPass p) {
                 for (int k = 0; k < sectors; ++k) {
                     float weight = bell * shares[k] / max(sum, 1e-6);
                     means[k] += vec4(color * weight, weight);
-                    squares[k] += color * color * weight;
+                    squares[k] += square * weight;
                 }
             }
         }
@@ -148,8 +149,7 @@ vec3 kuwaharaPass(PicturePoint at, KuwaharaPass p) {
         float one = 1.0 / max(means[k].w, 1e-6);
         means[k] = means[k] * one;
         vec3 mean = vec3(means[k].x, means[k].y, means[k].z);
-        vec3 varies = abs(squares[k] * one - mean * mean);
-        deviations[k] = 1.0 + 255.0 * sqrt(varies.r + varies.g + varies.b);
+        deviations[k] = 1.0 + 255.0 * sqrt(max(squares[k] * one - dot(mean, mean), 0.0));
         least = min(least, deviations[k]);
     }
     vec3 total = vec3(0.0);
