@@ -59,8 +59,7 @@ TEST_F(PicturePasses, PanelsButtons_MoveAndRemovePasses) {
     const auto press = [&](const QString& text, int which) {
         QList<QToolButton*> fitting;
         for (auto* button : panel->findChildren<QToolButton*>()) {
-            if (button->text() == text && !button->isHidden() &&
-                !button->parentWidget()->isHidden()) {
+            if (button->text() == text && button->isVisibleTo(panel)) {
                 fitting.push_back(button);
             }
         }
