@@ -6,6 +6,8 @@
 #include "accuracy/model_list.h"
 #include "accuracy/models_page.h"
 #include "accuracy/scaling_page.h"
+#include "docks/family_chooser.h"
+#include "text/display_number.h"
 #include "ui/accuracy_fixture.h"
 
 namespace patina::tests::accuracy_pages_test {
@@ -39,6 +41,31 @@ TEST_F(ModelsPanel, Stopped_KeepsWhatIsMeasured) {
     measureSome();
     EXPECT_TRUE(page().state().startsWith("Stopped")) << page().state().toStdString();
     EXPECT_EQ(models().topLevelItemCount(), static_cast<int>(page().costs().size()));
+}
+
+TEST_F(ModelsPanel, Measured_HasPredictedCyclesOfTheChosenCards) {
+    measureSome();
+    constexpr int cycles = 9;
+    QTreeWidgetItem& first = *models().topLevelItem(0);
+    EXPECT_EQ(models().headerItem()->text(cycles), "RDNA 2");
+    EXPECT_GT(numberLocale().toDouble(first.text(cycles)), 100.0)
+        << first.text(cycles).toStdString();
+    const QString note = first.toolTip(cycles);
+    EXPECT_TRUE(note.contains("Steam Deck: ")) << note.toStdString();
+    EXPECT_TRUE(note.contains("Left out")) << note.toStdString();
+    const QString before = first.text(cycles);
+    auto& chooser = *page().findChild<FamilyChooser*>();
+    chooser.setCurrentIndex(chooser.findData("gcn"));
+    EXPECT_EQ(models().headerItem()->text(cycles), "GCN 4");
+    EXPECT_NE(models().topLevelItem(0)->text(cycles), before);
+}
+
+TEST_F(ModelsPanel, WithoutTheDriver_SaysWhatToInstall) {
+    ModelCost cost{"matte", "Matte", {}, std::nullopt, std::nullopt};
+    cost.predicted = failure("no driver", "the package mesa-vulkan-drivers");
+    models().setCosts({cost}, false);
+    EXPECT_EQ(models().topLevelItem(0)->text(9), QStringLiteral("–"));
+    EXPECT_TRUE(models().topLevelItem(0)->toolTip(9).contains("mesa-vulkan-drivers"));
 }
 
 TEST_F(ModelsPanel, OtherScene_PutsItOutOfDate) {

@@ -239,6 +239,14 @@ TEST_F(EffectsPanel, Measured_ShowsCostsAndTheTotal) {
     EXPECT_TRUE(total().contains("pixels")) << total().toStdString();
 }
 
+TEST_F(EffectsPanel, Measured_ShowsWhatIsPredictedForOtherCards) {
+    ASSERT_TRUE(measure());
+    constexpr int cycles = 4;
+    EXPECT_GT(row("fog/")->text(cycles).toDouble(), 0.0) << row("fog/")->text(cycles).toStdString();
+    EXPECT_TRUE(row("fog/")->toolTip(cycles).contains("Predicted"));
+    EXPECT_EQ(row("fresnel/")->text(cycles), "") << "it goes only with its model";
+}
+
 TEST_F(EffectsPanel, CostsOfTooFewFrames_AreMarked) {
     dock().measure();
     const auto* progress = dock().findChild<QProgressBar*>();

@@ -9,13 +9,27 @@
 
 #include "accuracy/cost_text.h"
 #include "accuracy/number_row.h"
+#include "docks/prediction_text.h"
 
 namespace patina {
 namespace {
 
 constexpr int modelRole = Qt::UserRole;
 
-enum Column { Model, Ratio, Time, Total, Sums, Roots, Images, Branches, Memory, Loss, Columns };
+enum Column {
+    Model,
+    Ratio,
+    Time,
+    Total,
+    Sums,
+    Roots,
+    Images,
+    Branches,
+    Memory,
+    Cycles,
+    Loss,
+    Columns
+};
 constexpr int modelWidth = 170;
 
 /// Rounds before writing, so that a loss near zero is not shown as "-0.0".
@@ -41,7 +55,7 @@ void fillCounts(NumberRow& row, const std::optional<InstructionCount>& count) {
     }
 }
 
-void fillRow(NumberRow& row, const ModelCost& each) {
+void fillRow(NumberRow& row, const ModelCost& each, const GpuFamily& family) {
     row.setText(Model, QString::fromStdString(each.label));
     row.setData(Model, modelRole, QString::fromStdString(each.model));
     row.setToolTip(Model, ModelList::tr("%1. Enter or a double click gives the selected object "
@@ -54,13 +68,16 @@ void fillRow(NumberRow& row, const ModelCost& each) {
     row.setNumber(Time, perPixelText(each.cost, true), each.cost.nanosecondsPerPixel);
     fillCounts(row, each.instructions);
     row.setNumber(Loss, lossText(each.albedoLoss), each.albedoLoss.value_or(2.0));
+    row.setNumber(Cycles, predictedCyclesText(each.predicted, family),
+                  predictedCycles(each.predicted, family));
+    row.setToolTip(Cycles, predictionNote(each.predicted, family));
 }
 
 void nameColumns(QTreeWidget& list) {
     list.setHeaderLabels({ModelList::tr("Model"), ModelList::tr("Of quickest"),
                           ModelList::tr("ns/pixel"), ModelList::tr("Instructions"),
                           ModelList::tr("Sums"), ModelList::tr("Roots"), ModelList::tr("Images"),
-                          ModelList::tr("Branches"), ModelList::tr("Memory"),
+                          ModelList::tr("Branches"), ModelList::tr("Memory"), QString(),
                           ModelList::tr("Light lost")});
     QTreeWidgetItem& head = *list.headerItem();
     head.setToolTip(Ratio, ModelList::tr("Time beside that of the quickest model; <: nobody can "
@@ -82,9 +99,10 @@ void nameColumns(QTreeWidget& list) {
 
 } // namespace
 
-ModelList::ModelList(QWidget* parent) : QTreeWidget(parent) {
+ModelList::ModelList(QWidget* parent) : QTreeWidget(parent), family_(&gpuFamilies().front()) {
     setAccessibleName(tr("Models and what they cost"));
     nameColumns(*this);
+    setFamily(*family_);
     setRootIsDecorated(false);
     setUniformRowHeights(true);
     setFrameShape(QFrame::NoFrame);
@@ -98,6 +116,12 @@ ModelList::ModelList(QWidget* parent) : QTreeWidget(parent) {
     });
 }
 
+void ModelList::setFamily(const GpuFamily& family) {
+    family_ = &family;
+    headerItem()->setText(Cycles, QString::fromStdString(family.label));
+    headerItem()->setToolTip(Cycles, predictionHint(family));
+}
+
 void ModelList::setCosts(const std::vector<ModelCost>& costs, bool stale) {
     const QSignalBlocker blocker(this);
     const QVariant kept =
@@ -107,7 +131,7 @@ void ModelList::setCosts(const std::vector<ModelCost>& costs, bool stale) {
     clear();
     for (const ModelCost& each : costs) {
         auto* row = new NumberRow;
-        fillRow(*row, each);
+        fillRow(*row, each, *family_);
         for (int column = 0; stale && column < Columns; ++column) {
             row->setForeground(column, palette().placeholderText());
         }

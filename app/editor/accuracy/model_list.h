@@ -6,6 +6,7 @@
 #include <QTreeWidget>
 
 #include "measure/cost/model_ranking.h"
+#include "predict/gpu_family.h"
 
 namespace patina {
 
@@ -17,11 +18,17 @@ class ModelList : public QTreeWidget {
   public:
     explicit ModelList(QWidget* parent = nullptr);
 
+    /// Chooses the family whose predicted cycles the costs that are set from now on show.
+    void setFamily(const GpuFamily& family);
+
     /// Shows the costs; `stale` says that they were measured on another scene.
     void setCosts(const std::vector<ModelCost>& costs, bool stale);
 
   Q_SIGNALS:
     void picked(QString model);
+
+  private:
+    const GpuFamily* family_;
 };
 
 } // namespace patina

@@ -8,10 +8,12 @@
 
 namespace patina {
 
+class FamilyChooser;
 class ModelList;
 
 /// Shows what each model costs with its defaults on the current object, how many instructions it
-/// takes and how much light it loses. Enter gives the object a model.
+/// takes, how much light it loses and what it would cost on graphics cards that are not here. Enter
+/// gives the object a model.
 class ModelsPage : public MeasurePage {
     Q_OBJECT
 
@@ -31,6 +33,7 @@ class ModelsPage : public MeasurePage {
     QByteArray bytesFor(const QString& ending) const override;
 
   private:
+    FamilyChooser* family_;
     ModelList* list_;
 };
 

@@ -9,6 +9,7 @@
 #include <QTreeWidgetItemIterator>
 
 #include "docks/effect_label.h"
+#include "docks/prediction_text.h"
 #include "text/as_text.h"
 #include "text/display_number.h"
 
@@ -18,8 +19,9 @@ namespace {
 constexpr int effectRole = Qt::UserRole;
 constexpr int minRows = 6;
 
-enum Column { Effect, Time, Share, Why };
-constexpr std::pair<Column, int> columnWidths[] = {{Effect, 190}, {Time, 96}, {Share, 64}};
+enum Column { Effect, Time, Share, Why, Cycles };
+constexpr std::pair<Column, int> columnWidths[] = {
+    {Effect, 190}, {Time, 96}, {Share, 64}, {Cycles, 110}};
 
 QString numberText(double number, int decimals) {
     return numberLocale().toString(number, 'f', decimals);
@@ -38,16 +40,26 @@ QString effectOf(const QTreeWidgetItem* item) {
 
 EffectList::EffectList(const Document& document, EffectSwitches& switches,
                        const EffectMeasurement& measurement, QWidget* parent)
-    : QTreeWidget(parent), document_(document), switches_(switches), measurement_(measurement) {
+    : QTreeWidget(parent), document_(document), switches_(switches), measurement_(measurement),
+      family_(&gpuFamilies().front()) {
     setAccessibleName(tr("Effects"));
-    setHeaderLabels({tr("Effect"), tr("Time"), tr("Share"), tr("Why it is in or not")});
+    setHeaderLabels({tr("Effect"), tr("Time"), tr("Share"), tr("Why it is in or not"), QString()});
+    setFamily(*family_);
     setFrameShape(QFrame::NoFrame);
     header()->setStretchLastSection(true);
+    header()->moveSection(Cycles, Why);
     setMinimumHeight(heightOf(minRows));
     for (const auto& [column, width] : columnWidths) {
         setColumnWidth(column, width);
     }
     connect(this, &QTreeWidget::itemChanged, this, &EffectList::toggle);
+}
+
+void EffectList::setFamily(const GpuFamily& family) {
+    family_ = &family;
+    headerItem()->setText(Cycles, tr("Cycles, %1").arg(asText(family.label)));
+    headerItem()->setToolTip(Cycles, predictionHint(family));
+    refresh();
 }
 
 int EffectList::heightOf(int rows) const {
@@ -106,7 +118,7 @@ void EffectList::fillRow(QTreeWidgetItem* item, const EffectRow& row) const {
         off ? tr("Switched off in the views. %1").arg(asText(row.line.reason)) : reasonOf(row);
     item->setText(Why, why);
     item->setToolTip(Why, why);
-    for (const Column column : {Time, Share}) {
+    for (const Column column : {Time, Share, Cycles}) {
         item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     }
     item->setFlags(item->flags().setFlag(Qt::ItemIsUserCheckable, row.removable || off));
@@ -120,6 +132,7 @@ void EffectList::fillRow(QTreeWidgetItem* item, const EffectRow& row) const {
         }
     }
     fillCost(item, row);
+    fillPrediction(item, row);
 }
 
 void EffectList::fillCost(QTreeWidgetItem* item, const EffectRow& row) const {
@@ -142,6 +155,31 @@ void EffectList::fillCost(QTreeWidgetItem* item, const EffectRow& row) const {
     item->setToolTip(
         Time, cost->isSure() ? intervalText(cost->milliseconds)
                              : tr("By too few pairs of frames to be certain: %1").arg(cost->pairs));
+}
+
+void EffectList::fillPrediction(QTreeWidgetItem* item, const EffectRow& row) const {
+    const Result<PredictedEffects>* predicted = measurement_.predicted();
+    if (predicted == nullptr || !row.in || !row.removable) {
+        return;
+    }
+    item->setForeground(Cycles, costsAreFresh_ ? palette().text() : palette().placeholderText());
+    if (!*predicted) {
+        item->setText(Cycles, QStringLiteral("–"));
+        item->setToolTip(Cycles, asText(predicted->error().text()));
+        return;
+    }
+    const auto cycles = (*predicted)->cyclesOf(row.line.effect, family_->id);
+    const auto instructions = (*predicted)->instructionsOf(row.line.effect, family_->id);
+    if (cycles && *cycles == 0.0 && *instructions == 0) {
+        item->setText(Cycles, tr("no part"));
+        item->setToolTip(Cycles, tr("It is in another pass than the object's shader"));
+    } else if (cycles) {
+        item->setText(Cycles, numberText(*cycles, 0));
+        item->setToolTip(Cycles, tr("Predicted: the object's shader has %1 instructions more with "
+                                    "it. Of the whole shader:\n%2")
+                                     .arg(*instructions)
+                                     .arg(predictionNote((*predicted)->whole, *family_)));
+    }
 }
 
 QString EffectList::labelOf(const std::string& effect) const {

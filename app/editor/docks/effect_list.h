@@ -22,6 +22,9 @@ class EffectList : public QTreeWidget {
     EffectList(const Document& document, EffectSwitches& switches,
                const EffectMeasurement& measurement, QWidget* parent = nullptr);
 
+    /// Shows what is predicted for this family of graphics cards.
+    void setFamily(const GpuFamily& family);
+
     /// Returns the height of so many rows and the header, in pixels.
     int heightOf(int rows) const;
 
@@ -40,6 +43,7 @@ class EffectList : public QTreeWidget {
     QTreeWidgetItem* parentOf(const EffectRow& row) const;
     void fillRow(QTreeWidgetItem* item, const EffectRow& row) const;
     void fillCost(QTreeWidgetItem* item, const EffectRow& row) const;
+    void fillPrediction(QTreeWidgetItem* item, const EffectRow& row) const;
     QString labelOf(const std::string& effect) const;
     QString reasonOf(const EffectRow& row) const;
     void toggle(QTreeWidgetItem* item);
@@ -47,6 +51,7 @@ class EffectList : public QTreeWidget {
     const Document& document_;
     EffectSwitches& switches_;
     const EffectMeasurement& measurement_;
+    const GpuFamily* family_;
     std::vector<EffectRow> rows_;
     std::vector<std::string> shownOff_; ///< effects that were off when the rows were shown
     bool costsAreFresh_ = false;        ///< when the rows were shown

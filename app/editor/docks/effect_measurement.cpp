@@ -6,6 +6,23 @@
 #include "text/display_number.h"
 
 namespace patina {
+namespace {
+
+/// Runs in the worker's thread.
+Result<PredictedEffects> predictedFor(const EffectCostMeter::Subject& subject,
+                                      const Worker::Control& control, std::size_t object) {
+    std::vector<const GpuFamily*> families;
+    for (const GpuFamily& family : gpuFamilies()) {
+        families.push_back(&family);
+    }
+    FamilyCompilerOptions options;
+    options.isStopped = [&control] { return control.isCancelled(); };
+    return predictedEffects({subject.scene, object, subject.meshes, subject.catalog}, subject.rows,
+                            families, options)
+        .map_error([](const Errors& errors) { return errors.front(); });
+}
+
+} // namespace
 
 EffectMeasurement::EffectMeasurement(const Document& document, QObject* parent)
     : QObject(parent), document_(document),
@@ -20,7 +37,9 @@ void EffectMeasurement::start(const EffectCostMeter::Subject& subject) {
     const Side side = document_.selection().side();
     measured_ = Measured{subject.scene, document_.selection().object(), side,
                          KnownBlocks(document_.sharedCatalog(), subject.scene)};
-    worker_.ask([this, subject](Worker::Control& control) { return meter(subject, control); },
+    const auto object = static_cast<std::size_t>(document_.selection().object());
+    worker_.ask([this, subject,
+                 object](Worker::Control& control) { return meter(subject, object, control); },
                 [this](const MeasureEnd& end) {
                     if (measured_) {
                         measured_->end = end;
@@ -30,7 +49,7 @@ void EffectMeasurement::start(const EffectCostMeter::Subject& subject) {
 }
 
 /// Runs in the worker's thread.
-MeasureEnd EffectMeasurement::meter(const EffectCostMeter::Subject& subject,
+MeasureEnd EffectMeasurement::meter(const EffectCostMeter::Subject& subject, std::size_t object,
                                     Worker::Control& control) {
     if (const Result<void> opened = control.openContext(); !opened) {
         return endOf(false, {opened.error()});
@@ -42,6 +61,11 @@ MeasureEnd EffectMeasurement::meter(const EffectCostMeter::Subject& subject,
     if (!meter) {
         return endOf(false, {meter.error()});
     }
+    control.show([this, predicted = predictedFor(subject, control, object)] {
+        if (measured_) {
+            measured_->predicted = predicted;
+        }
+    });
     while (!(*meter)->finished() && !control.isCancelled()) {
         (*meter)->step();
         control.tell((*meter)->progress());
@@ -68,6 +92,10 @@ bool EffectMeasurement::isStale() const {
 const EffectCosts* EffectMeasurement::costs() const {
     const bool isOfObject = measured_ && measured_->object == document_.selection().object();
     return isOfObject ? &measured_->costs : nullptr;
+}
+
+const Result<PredictedEffects>* EffectMeasurement::predicted() const {
+    return costs() != nullptr ? &measured_->predicted : nullptr;
 }
 
 QString EffectMeasurement::stateText(const std::vector<EffectRow>& rows) const {

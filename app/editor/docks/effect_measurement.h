@@ -10,6 +10,7 @@
 #include "document/document.h"
 #include "library/read_blocks.h"
 #include "measure/cost/effect_cost.h"
+#include "measure/prediction/predicted_effects.h"
 
 namespace patina {
 
@@ -38,6 +39,10 @@ class EffectMeasurement : public QObject {
     /// Returns the costs of the current object, however old they are; null where there are none.
     const EffectCosts* costs() const;
 
+    /// Returns what is predicted for graphics cards that are not here; null where there are no
+    /// costs.
+    const Result<PredictedEffects>* predicted() const;
+
     /// Returns a sentence on what was measured of these rows, or on why there are no costs.
     QString stateText(const std::vector<EffectRow>& rows) const;
 
@@ -53,10 +58,13 @@ class EffectMeasurement : public QObject {
         Side side = Side::A;
         KnownBlocks blocks; ///< of that scene
         EffectCosts costs{};
+        /// Is what each effect takes on graphics cards that are not here, or why that is not known.
+        Result<PredictedEffects> predicted{PredictedEffects()};
         MeasureEnd end = false;
     };
 
-    MeasureEnd meter(const EffectCostMeter::Subject& subject, Worker::Control& control);
+    MeasureEnd meter(const EffectCostMeter::Subject& subject, std::size_t object,
+                     Worker::Control& control);
     QString whyStale() const;
     QString totalText(const std::vector<EffectRow>& rows) const;
 

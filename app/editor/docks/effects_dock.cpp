@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "docks/effect_list.h"
+#include "docks/family_chooser.h"
 #include "docks/panel.h"
 #include "docks/settling.h"
 #include "document/document.h"
@@ -42,7 +43,7 @@ EffectsDock::EffectsDock(const DockContext& context)
                         this)),
       cancel_(textButton(tr("Cancel"), tr("Stop and keep what was measured so far"), this)),
       allOn_(textButton(tr("All on"), tr("Show every effect in the views again"), this)),
-      progress_(new QProgressBar(this)), state_(new QLabel(this)),
+      progress_(new QProgressBar(this)), state_(new QLabel(this)), family_(new FamilyChooser(this)),
       list_(new EffectList(document_, switches_, measurement_, this)) {
     settle_.setSingleShot(true);
     settle_.setInterval(settleMs);
@@ -73,6 +74,7 @@ void EffectsDock::layOut() {
     row->addWidget(cancel_);
     row->addWidget(progress_);
     row->addWidget(state_, 1);
+    row->addWidget(family_);
     row->addWidget(allOn_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 4, 6, 0);
@@ -84,6 +86,9 @@ void EffectsDock::layOut() {
 void EffectsDock::connectParts() {
     connect(start_, &QToolButton::clicked, this, &EffectsDock::measure);
     connect(cancel_, &QToolButton::clicked, &measurement_, &EffectMeasurement::cancel);
+    list_->setFamily(family_->family());
+    connect(family_, &QComboBox::currentIndexChanged, this,
+            [this] { list_->setFamily(family_->family()); });
     connect(allOn_, &QToolButton::clicked, &switches_, &EffectSwitches::switchAllOn);
     connect(&measurement_, &EffectMeasurement::progressed, this, [this](double share) {
         progress_->setValue(static_cast<int>(std::lround(share * progressSteps)));

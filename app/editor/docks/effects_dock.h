@@ -15,6 +15,7 @@ class QToolButton;
 namespace patina {
 
 class EffectList;
+class FamilyChooser;
 
 /// Shows the effects of the current object and its scene as its view has them, and measures what
 /// they cost when it is asked to.
@@ -58,6 +59,7 @@ class EffectsDock : public QWidget {
     QToolButton* allOn_;
     QProgressBar* progress_;
     QLabel* state_;
+    FamilyChooser* family_;
     EffectList* list_;
 };
 

@@ -8,6 +8,7 @@
 
 #include "measure/cost/cost_sweep.h"
 #include "measure/time/choice_cost.h"
+#include "predict/compile_request.h"
 
 namespace patina {
 
@@ -22,6 +23,8 @@ struct ModelCost {
     /// reflects more than arrives. Empty without code in double precision.
     std::optional<double> albedoLoss;
     RatioBound bound = RatioBound::None; ///< tells whether the ratio is a bound
+    /// Is what its program is on graphics cards that are not here; empty where nobody asked.
+    Result<FamilyStatistics> predicted{FamilyStatistics()};
 
     friend bool operator==(const ModelCost&, const ModelCost&) = default;
 };
