@@ -229,7 +229,7 @@ surface and need not be unit; parameters that are not named have their defaults.
   {"refraction": BLOCK, "l": where the ray comes from, "n": normal on that side,
    "channel": 0 .. 2 (1), "leaves": true or false (false)}
                               the direction in which it goes on; 0 where all is reflected
-  {"outline": BLOCK, "turns": true or false, "ends": true or false, "bend": 0 .. pi}
+  {"outline": BLOCK, "silhouette": true or false, "open": true or false, "dihedral": 0 .. pi}
                               how wide an edge's lines are, outside the shape and on it
   {"transparency": BLOCK, "depth": 0 .. 1, "opacity": 0 .. 1}
                               how much a surface counts

@@ -2,7 +2,6 @@
 #include "cli/marked_source.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <filesystem>
 #include <string_view>
@@ -24,27 +23,24 @@ const std::string* fileStarting(std::string_view line, const ShaderSource& sourc
     return index < source.files.size() ? &source.files[index] : nullptr;
 }
 
-/// Maps the start of file names in passes/ to that of effects which have another name.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 5> effectsOfPasses{{
-    {"textures", "texture/"},
-    {"image_place", "texture/"},
-    {"normal_map", "texture/normal"},
-    {"height_map", "texture/height"},
-    {"shadow", "shadows/"},
-}};
-
-/// Tells whether a file, given by its folder and its name without an extension, belongs to an
-/// effect. Files in passes/ begin with the name of an effect or of its kind, as passes/fog.glsl.
-bool belongsTo(const std::string& folder, const std::string& stem, const std::string& effect) {
-    if (folder != "passes") {
-        return effect == folder + '/' + stem;
+/// Returns the effect that a file belongs to, given by its folder and its name without extension;
+/// null when it is none's. Files in passes/ are called kind or kind_name:
+/// passes/texture_normal.glsl is that of texture/normal, passes/shadows_taps.glsl that of whatever
+/// shadows there are.
+const EffectLine* effectOf(const std::string& folder, const std::string& stem,
+                           const std::vector<EffectLine>& effects) {
+    const bool isOfPass = folder == "passes";
+    const std::string kind = stem.substr(0, stem.find('_'));
+    const std::string name = !isOfPass      ? folder + '/' + stem
+                             : stem == kind ? kind
+                                            : kind + '/' + stem.substr(kind.size() + 1);
+    auto found = std::ranges::find(effects, name, &EffectLine::effect);
+    if (found == effects.end() && isOfPass) {
+        found = std::ranges::find_if(effects, [&kind](const EffectLine& line) {
+            return line.effect.substr(0, line.effect.find('/')) == kind;
+        });
     }
-    for (const auto& [pass, effects] : effectsOfPasses) {
-        if (stem.starts_with(pass)) {
-            return effect.starts_with(effects);
-        }
-    }
-    return effect.substr(0, effect.find('/')) == stem.substr(0, stem.find('_'));
+    return found == effects.end() ? nullptr : &*found;
 }
 
 std::string markOf(const std::string& file, const std::vector<EffectLine>& effects) {
@@ -54,12 +50,10 @@ std::string markOf(const std::string& file, const std::vector<EffectLine>& effec
         return "// ---- generated\n";
     }
     const std::string name = folder + '/' + path.filename().string();
-    const auto found = std::find_if(effects.begin(), effects.end(), [&](const EffectLine& line) {
-        return belongsTo(folder, path.stem().string(), line.effect);
-    });
-    return found == effects.end()
+    const EffectLine* effect = effectOf(folder, path.stem().string(), effects);
+    return effect == nullptr
                ? fmt::format("// ---- {}\n", name)
-               : fmt::format("// ---- {}: effect {}. {}\n", name, found->effect, found->reason);
+               : fmt::format("// ---- {}: effect {}. {}\n", name, effect->effect, effect->reason);
 }
 
 } // namespace

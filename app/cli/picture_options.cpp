@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "cli/option_numbers.h"
+#include "core/exposure.h"
 #include "core/number_text.h"
 #include "material/material.h"
-#include "scene/scene_limits.h"
 
 namespace patina {
 namespace {

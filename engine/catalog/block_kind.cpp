@@ -17,18 +17,18 @@ constexpr auto functions(const Functions&... all) {
 
 using Field = ArgumentField::Type;
 
-constexpr auto crossing =
+constexpr auto atInterface =
     std::to_array<ArgumentField>({{.key = "l", .type = Field::Direction},
                                   {.key = "n", .type = Field::Normal},
                                   {.key = "channel", .type = Field::Whole, .max = 2, .usual = 1},
                                   {.key = "leaves", .type = Field::Flag, .usual = 0}});
 constexpr auto way = std::to_array<ArgumentField>({{.key = "way", .type = Field::Amount}});
 constexpr auto edge =
-    std::to_array<ArgumentField>({{.key = "turns", .type = Field::Flag, .usual = 0},
-                                  {.key = "ends", .type = Field::Flag, .usual = 0},
-                                  {.key = "bend", .max = std::numbers::pi, .usual = 0}});
+    std::to_array<ArgumentField>({{.key = "silhouette", .type = Field::Flag, .usual = 0},
+                                  {.key = "open", .type = Field::Flag, .usual = 0},
+                                  {.key = "dihedral", .max = std::numbers::pi, .usual = 0}});
 constexpr auto layer = std::to_array<ArgumentField>({{.key = "depth"}, {.key = "opacity"}});
-constexpr auto outlook =
+constexpr auto skyRay =
     std::to_array<ArgumentField>({{.key = "direction", .type = Field::Direction, .member = "d"},
                                   {.key = "picture", .type = Field::Color, .usual = 1.0}});
 
@@ -36,8 +36,8 @@ constexpr auto ofDirections = functions(BlockFunction{"", "vec3", "Directions", 
 constexpr auto ofFresnel =
     functions(BlockFunction{"", "vec3", "Incidence", "i"}, BlockFunction{"Tint", "vec3"});
 constexpr auto ofRefraction =
-    functions(BlockFunction{"", "vec3", "Crossing", "c", true, crossing},
-              BlockFunction{"Mirrored", "float", "Crossing", "c", false, crossing},
+    functions(BlockFunction{"", "vec3", "Interface", "c", true, atInterface},
+              BlockFunction{"Mirrored", "float", "Interface", "c", false, atInterface},
               BlockFunction{"Left", "vec3", "float", "way", false, way});
 constexpr auto ofOutline =
     functions(BlockFunction{"", "vec2", "Edge", "e", false, edge}, BlockFunction{"Color", "vec3"});
@@ -49,7 +49,7 @@ constexpr auto ofTransparency = functions(BlockFunction{"", "float", "Layer", "l
 constexpr auto radiance = std::to_array<ArgumentField>({{.key = "radiance", .type = Field::Color}});
 constexpr auto ofTone = functions(BlockFunction{"", "vec3", "vec3", "light", false, radiance});
 constexpr auto ofPass = functions(BlockFunction{"", "vec3", "PicturePoint", "at"});
-constexpr auto ofEnvironment = functions(BlockFunction{"", "vec3", "Outlook", "o", false, outlook});
+constexpr auto ofEnvironment = functions(BlockFunction{"", "vec3", "SkyRay", "o", false, skyRay});
 
 constexpr std::array<std::string_view, 2> indexSources{"surface", "own"};
 constexpr std::array<std::string_view, 2> falloffs{"polynomial", "inverse-square"};

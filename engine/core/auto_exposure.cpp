@@ -6,13 +6,13 @@
 #include <cstddef>
 
 #include "core/color.h"
+#include "core/exposure.h"
 
 namespace patina {
 namespace {
 
 constexpr double middleGrey = 0.18;
 constexpr double blackest = 1e-6; ///< anything darker counts as black
-constexpr double maxStops = 32.0;
 constexpr double stepsPerStop = 100.0;
 
 /// Returns the luminance of a pixel of one, three or four channels.

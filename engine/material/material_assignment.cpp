@@ -71,6 +71,19 @@ std::vector<std::string> knownIds(const Material& material, const Catalog& catal
     return ids;
 }
 
+/// Says why "<kind>.<id>" sets nothing: the part is not there, or has no such parameter.
+tl::unexpected<Error> failureInPart(const Material& material, const BlockKind& kind,
+                                    const std::string& id, const Catalog& catalog) {
+    const BlockValues* part = material.part(kind.folder);
+    const Block* block = part == nullptr ? nullptr : catalog.find(kind.folder, part->id);
+    return block == nullptr
+               ? failure(fmt::format("the material has no {}", kind.singular),
+                         fmt::format("--{}", kind.singular))
+               : failure(
+                     fmt::format("the {} \"{}\" has no such parameter", kind.singular, block->id),
+                     oneOf(id, parameterIds(*block, std::string(kind.folder) + '.')));
+}
+
 } // namespace
 
 Result<bool> choosePart(Material& material, const std::string& kind, const std::string& id,
@@ -118,6 +131,10 @@ Result<void> assignInMaterial(Material& material, const std::string& text, const
     if (const BlockKind* kind = kindCalled(id)) {
         return failure(fmt::format("a {} is chosen by an option of its own", kind->singular),
                        fmt::format("--{} {}", kind->singular, assignment->text));
+    }
+    if (const BlockKind* kind = kindCalled(id.substr(0, id.find('.')));
+        kind != nullptr && kind->owner == BlockOwner::Material && kind->folder != kinds::models) {
+        return failureInPart(material, *kind, id, catalog);
     }
     return failure(fmt::format("the model \"{}\" has no such parameter", material.model.id),
                    oneOf(id, knownIds(material, catalog)) + "; `patina models` lists all");

@@ -44,7 +44,7 @@ glm::dvec3 triple(const std::array<double, 3>& numbers) {
     return {numbers[0], numbers[1], numbers[2]};
 }
 
-std::array<double, 8> numbersOf(const Crossing& x) {
+std::array<double, 8> numbersOf(const Interface& x) {
     return {x.l.x, x.l.y, x.l.z, x.n.x, x.n.y, x.n.z, double(x.channel), double(x.leaves)};
 }
 
@@ -92,12 +92,12 @@ double Block::transparency(double depth, double opacity, Parameters parameters) 
     return call<1>("", std::array{depth, opacity}, parameters)[0];
 }
 
-glm::dvec3 Block::refract(const Crossing& crossing, Parameters parameters) const {
-    return triple(call<3>("", numbersOf(crossing), parameters));
+glm::dvec3 Block::refract(const Interface& at, Parameters parameters) const {
+    return triple(call<3>("", numbersOf(at), parameters));
 }
 
-double Block::mirrored(const Crossing& crossing, Parameters parameters) const {
-    return call<1>("Mirrored", numbersOf(crossing), parameters)[0];
+double Block::mirrored(const Interface& at, Parameters parameters) const {
+    return call<1>("Mirrored", numbersOf(at), parameters)[0];
 }
 
 glm::dvec3 Block::left(double way, Parameters parameters) const {
@@ -105,7 +105,7 @@ glm::dvec3 Block::left(double way, Parameters parameters) const {
 }
 
 glm::dvec2 Block::outline(const Edge& edge, Parameters parameters) const {
-    const std::array numbers{double(edge.turns), double(edge.ends), edge.bend};
+    const std::array numbers{double(edge.silhouette), double(edge.open), edge.dihedral};
     const auto widths = call<2>("", numbers, parameters);
     return {widths[0], widths[1]};
 }

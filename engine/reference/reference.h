@@ -47,7 +47,7 @@ struct FogRay {
 };
 
 /// Holds a ray where it meets the surface of a transparent body.
-struct Crossing {
+struct Interface {
     glm::dvec3 l{0.0, 0.0, 1.0}; ///< unit, from the surface to where the ray comes from
     glm::dvec3 n{0.0, 0.0, 1.0}; ///< unit normal on the side of l
     int channel = 1;             ///< 0, 1, 2: red, green, blue light
@@ -56,9 +56,9 @@ struct Crossing {
 
 /// Describes an edge of a mesh as it is seen (shaders/lib/edge.glsl).
 struct Edge {
-    bool turns = false;
-    bool ends = false;
-    double bend = 0.0; ///< radians
+    bool silhouette = false;
+    bool open = false;
+    double dihedral = 0.0; ///< radians
 };
 
 /// Describes one packed field as it was when the block was compiled.
@@ -119,9 +119,9 @@ struct Block {
     /// Returns the weight of a surface at the depth 0 .. 1.
     double transparency(double depth, double opacity, Parameters) const;
     /// Returns the direction in which the ray goes on.
-    glm::dvec3 refract(const Crossing&, Parameters) const;
+    glm::dvec3 refract(const Interface&, Parameters) const;
     /// Returns the share of light that is reflected.
-    double mirrored(const Crossing&, Parameters) const;
+    double mirrored(const Interface&, Parameters) const;
     /// Returns the share of light that is left after so many metres inside the body.
     glm::dvec3 left(double way, Parameters) const;
     /// Returns the widths of an edge's lines outside of the shape and on it, in pixels.

@@ -112,34 +112,56 @@ Result<void> assignInLight(Light& light, const Block* block, const Assignment& o
     if (isSetting && (block == nullptr || block->parameter(own.id) == nullptr)) {
         return assignSetting(light, settings::light, own);
     }
-    return assignInBlock(block, &light.block, own, what, "--light");
+    auto done = assignInBlock(block, &light.block, own, what, "--light");
+    if (!done && block != nullptr && block->parameter(own.id) == nullptr) {
+        std::vector<std::string> known = parameterIds(*block);
+        const auto settings = parameterIds(*settingsBlock(settings::light));
+        known.insert(known.end(), settings.begin(), settings.end());
+        return unknownId(own, what, known);
+    }
+    return done;
+}
+
+/// Returns the light whose name an id is or begins with, the longest of several: "key light.2" is
+/// no part of "key light". Null where there is none.
+template <class AnyScene>
+auto lightIn(AnyScene& scene, const std::string& id) {
+    decltype(scene.lights.data()) found = nullptr;
+    for (auto& light : scene.lights) {
+        const std::string name = lowered(light.name);
+        const bool isNamed =
+            lowered(id) == name || !Assignment{lowered(id), {}}.inside(name).empty();
+        if (isNamed && (found == nullptr || found->name.size() < light.name.size())) {
+            found = &light;
+        }
+    }
+    return found;
 }
 
 /// Sets "key.intensity": the light's name, and what is set of it.
 Result<void> assignInLights(Scene& scene, const Assignment& inner, const Catalog& catalog) {
-    for (Light& light : scene.lights) {
-        const std::string name = lowered(light.name);
-        const std::string what = fmt::format("the light \"{}\"", light.name);
-        if (const Block* block = catalog.find(kinds::lights, light.block.id);
-            block != nullptr && lowered(inner.id) == name) {
-            return failure(what + " is no value", oneOf(inner.id, parameterIds(*block)));
-        }
-        const Assignment own{inner.inside(inner.id.substr(0, light.name.size())), inner.text};
-        if (own.id.empty() || lowered(inner.id.substr(0, light.name.size())) != name) {
-            continue;
-        }
-        for (const std::string_view kind : partKinds(BlockOwner::Light)) {
-            const std::string_view word = findKind(kind)->singular;
-            if (const std::string id = own.inside(word); !id.empty()) {
-                return assignInBlock(blockOf(light.parts, kind, catalog), light.part(kind),
-                                     {id, inner.text}, fmt::format("the {} of {}", word, what),
-                                     fmt::format("--{}", word));
-            }
-        }
-        return assignInLight(light, catalog.find(kinds::lights, light.block.id), own, what);
+    Light* light = lightIn(scene, inner.id);
+    if (light == nullptr) {
+        const std::string name = firstWord(inner.id);
+        return failure(fmt::format("there is no light \"{}\"", name), expectedLights(scene, name));
     }
-    const std::string name = firstWord(inner.id);
-    return failure(fmt::format("there is no light \"{}\"", name), expectedLights(scene, name));
+    const std::string what = fmt::format("the light \"{}\"", light->name);
+    const Block* block = catalog.find(kinds::lights, light->block.id);
+    if (inner.id.size() == light->name.size()) {
+        return block == nullptr
+                   ? failure(what + " is no value")
+                   : failure(what + " is no value", oneOf(inner.id, parameterIds(*block)));
+    }
+    const Assignment own{inner.id.substr(light->name.size() + 1), inner.text};
+    for (const std::string_view kind : partKinds(BlockOwner::Light)) {
+        const std::string_view word = findKind(kind)->singular;
+        if (const std::string id = own.inside(word); !id.empty()) {
+            return assignInBlock(blockOf(light->parts, kind, catalog), light->part(kind),
+                                 {id, inner.text}, fmt::format("the {} of {}", word, what),
+                                 fmt::format("--{}", word));
+        }
+    }
+    return assignInLight(*light, block, own, what);
 }
 
 /// Sets the value in every light that has a part of the kind: "shadow.angle=3".
@@ -242,10 +264,8 @@ NamedParameter parameterOfLights(const Scene& scene, const BlockKind& kind, std:
 /// Finds "key.intensity", "key.shadow.softness" of the light's block, what every light has, or a
 /// part.
 NamedParameter parameterOfLight(const Scene& scene, const std::string& id, const Catalog& catalog) {
-    const auto light = std::ranges::find_if(scene.lights, [&](const Light& each) {
-        return !Assignment{lowered(id), {}}.inside(lowered(each.name)).empty();
-    });
-    if (light == scene.lights.end()) {
+    const Light* light = lightIn(scene, id);
+    if (light == nullptr || light->name.size() == id.size()) {
         return {};
     }
     const Assignment own{id.substr(light->name.size() + 1), {}};

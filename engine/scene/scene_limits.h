@@ -20,7 +20,6 @@ inline constexpr double farthest = 1e6;
 inline constexpr double largestScale = 1e6;
 inline constexpr double smallestScale = 1e-6f; // numbers of files are floats
 inline constexpr double brightest = 1e6;
-inline constexpr double maxStops = 32.0; ///< EV, limits the exposure in both directions
 
 /// Returns the nearest factors that neither flatten an object nor let its corners overflow.
 inline glm::dvec3 usableScale(const glm::dvec3& scale) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
-#include "lib/outlook.glsl"
+#include "lib/sky_ray.glsl"
 
-vec3 imageEnvironment(Outlook o, ImageEnvironment p) {
+vec3 imageEnvironment(SkyRay o, ImageEnvironment p) {
     return o.picture * p.tint * p.intensity;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT-0
-#include "lib/outlook.glsl"
+#include "lib/sky_ray.glsl"
 
 // How much of a lamp's light the cloth in the direction d passes on, where the lamp shines on it
 // from the direction c: 1 in the middle, falling off with the angle, the wider the less.
@@ -9,7 +9,7 @@ float tentPatch(vec3 d, vec3 c, float spread) {
 }
 
 // Cloth with three lit patches, the floor below, and the dark opening in front (+z).
-vec3 lightTentEnvironment(Outlook o, LightTentEnvironment p) {
+vec3 lightTentEnvironment(SkyRay o, LightTentEnvironment p) {
     float sides = tentPatch(o.d, vec3(-0.9806, 0.1961, 0.0), p.spread) +
                   tentPatch(o.d, vec3(0.9806, 0.1961, 0.0), p.spread);
     float top = tentPatch(o.d, vec3(0.0, 1.0, 0.0), p.spread);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT-0
-#include "lib/outlook.glsl"
+#include "lib/sky_ray.glsl"
 
 // Perez' five terms: how bright the sky is at the angle `toSun` from the sun and `up`, the cosine
 // of the angle from the zenith.
@@ -70,7 +70,7 @@ vec3 lightOfSky(float t, float rise) {
 
 // The sky above the horizon, the ground below it, and the sun's disc, whose edge fades over a tenth
 // of its radius. A disc of radius r that is L bright gives L sin^2 r to a surface that faces it.
-vec3 skyEnvironment(Outlook o, SkyEnvironment p) {
+vec3 skyEnvironment(SkyRay o, SkyEnvironment p) {
     float scale = 0.1; // of kcd/m^2: a clear day then is about 1
     vec3 toSun = vec3(cos(p.sunHeight) * sin(p.sunAzimuth), sin(p.sunHeight),
                       cos(p.sunHeight) * cos(p.sunAzimuth));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT-0
-#include "lib/outlook.glsl"
+#include "lib/sky_ray.glsl"
 
 // Upright strips at even angles around the object, the first one in front on the right, and one
 // strip overhead from front to back.
-vec3 stripLightsEnvironment(Outlook o, StripLightsEnvironment p) {
+vec3 stripLightsEnvironment(SkyRay o, StripLightsEnvironment p) {
     float soft = 0.01 + 0.3 * p.softness;
     float around = azimuthOf(o.d);
     float height = elevationOf(o.d);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT-0
 #include "lib/lamp_share.glsl"
-#include "lib/outlook.glsl"
+#include "lib/sky_ray.glsl"
 
 // Walls that grow darker downwards from the ceiling to the floor, with the step at the horizon
 // softened, and five lamps: a large key in front on the right, a wide dim fill on the left, two
 // upright strips behind that draw the edges of things, and a panel under the ceiling.
-vec3 studioEnvironment(Outlook o, StudioEnvironment p) {
+vec3 studioEnvironment(SkyRay o, StudioEnvironment p) {
     float edge = 0.01 + 0.2 * p.softness;
     float horizon = 0.02 + 0.3 * p.horizon;
     float height = max(o.d.y, 0.0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 #include "lib/lamp_share.glsl"
-#include "lib/outlook.glsl"
+#include "lib/sky_ray.glsl"
 
 // The share of a window that is seen in the direction d: its panes, two across and three up,
 // without the bars between them. The window stands one metre away along the unit vector c.
@@ -19,7 +19,7 @@ float windowShare(vec3 d, vec3 c, float w, float h, float bars, float edge) {
 }
 
 // Walls between a light ceiling and the floor, two windows on the left and a doorway on the right.
-vec3 windowRoomEnvironment(Outlook o, WindowRoomEnvironment p) {
+vec3 windowRoomEnvironment(SkyRay o, WindowRoomEnvironment p) {
     float edge = 0.008 + 0.2 * p.softness;
     vec3 wall = smoothLerp(p.wallColor, p.ceilingColor, 0.45, 0.75, o.d.y);
     vec3 light = smoothLerp(p.floorColor, wall, -0.45, -0.3, o.d.y);

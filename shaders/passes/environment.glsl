@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 // The environment of the scene: its values, the way from directions to places in its pictures, and
 // what it sends from a direction.
-#include "lib/outlook.glsl"
+#include "lib/sky_ray.glsl"
 
 // 0: cosine and sine of its rotation, the first round of samples, how many rounds; 1: columns and
 // rows of its table, how many samples, which series of them; then the block's own values.

@@ -180,9 +180,9 @@ void drawEdge(Outline p) {
     bool isLeftA = dot(faceA, from - viewData[4].xyz) < 0.0;
     bool isLeftB = dot(faceB, from - viewData[4].xyz) < 0.0;
     Edge e;
-    e.ends = edgeCorner[0] == edgeCorner[3];
-    e.turns = e.ends || (isLeftA == isLeftB && areFaces(faceA, faceB));
-    e.bend = e.ends ? 0.0 : bendBetween(faceA, faceB);
+    e.open = edgeCorner[0] == edgeCorner[3];
+    e.silhouette = e.open || (isLeftA == isLeftB && areFaces(faceA, faceB));
+    e.dihedral = e.open ? 0.0 : bendBetween(faceA, faceB);
     vec2 widths = lineWidths(e, p);
     edgeFrom = gl_in[1].gl_Position;
     edgeTo = gl_in[2].gl_Position;
@@ -198,5 +198,5 @@ void drawEdge(Outline p) {
     }
     along = way / length(way);
     vec2 left = vec2(-along.y, along.x);
-    emitLines(widths, e.turns, isLeftA ? left : -left);
+    emitLines(widths, e.silhouette, isLeftA ? left : -left);
 }

@@ -77,7 +77,7 @@ float wayToPlane(vec3 x, vec3 d, float way, OUT(vec3) n) {
     return along > 0.05 && isNear ? max(exact, 0.0) : way;
 }
 
-Passage passageFrom(Surface s, Crossing c, Refraction p) {
+Passage passageFrom(Surface s, Interface c, Refraction p) {
     vec3 inside = safeNormalize(refractedRay(c, p), -s.v);
     vec3 n;
     float way = wayThrough(s.x, inside);
@@ -85,7 +85,7 @@ Passage passageFrom(Surface s, Crossing c, Refraction p) {
     Passage w;
     w.way = wayToPlane(s.x, inside, way, n);
     w.x = s.x + w.way * inside;
-    Crossing leaving;
+    Interface leaving;
     leaving.l = -inside;
     leaving.n = -n;
     leaving.channel = c.channel;

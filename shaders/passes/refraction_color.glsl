@@ -7,7 +7,7 @@ vec3 shownThrough(Surface s, Refraction p) {
     vec3 mirrored = distantLight(r, dFdx(r), dFdy(r));
     vec3 sum = vec3(0.0);
     for (int channel = FIRST_CHANNEL; channel <= LAST_CHANNEL; ++channel) {
-        Crossing c = entering(s, channel);
+        Interface c = entering(s, channel);
         Passage w = passageFrom(s, c, p);
         vec3 passed = lightThrough(s, w) * leftShare(w.way, p);
         vec3 shown = mix(passed, mirrored, mirroredShare(c, p));

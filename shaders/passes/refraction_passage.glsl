@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 // The way of a ray through a transparent body.
-#include "lib/crossing.glsl"
+#include "lib/interface.glsl"
 
 struct Passage {
     vec3 x;       // where it leaves
@@ -11,8 +11,8 @@ struct Passage {
 };
 
 // The ray from the eye, where it meets the surface.
-Crossing entering(Surface s, int channel) {
-    Crossing c;
+Interface entering(Surface s, int channel) {
+    Interface c;
     c.l = s.v;
     c.n = s.n;
     c.channel = channel;

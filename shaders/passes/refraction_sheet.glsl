@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 // A pane: the ray leaves it in its old direction.
 
-Passage passageFrom(Surface s, Crossing c, Refraction p) {
+Passage passageFrom(Surface s, Interface c, Refraction p) {
     vec3 inside = refractedRay(c, p);
     Passage w;
     w.way = p.thickness / max(-dot(inside, s.n), 1e-3);

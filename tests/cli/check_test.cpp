@@ -128,8 +128,8 @@ TEST_F(CheckCommand, BlocksOfAStructsFields_AreSound) {
 
 TEST_F(CheckCommand, EnvironmentThatIsDarkerThanBlackBelow_Fails) {
     write("environment", "", soundClaims,
-          "#include \"lib/outlook.glsl\"\n"
-          "vec3 triedEnvironment(Outlook o, TriedEnvironment p) {\n"
+          "#include \"lib/sky_ray.glsl\"\n"
+          "vec3 triedEnvironment(SkyRay o, TriedEnvironment p) {\n"
           "    return vec3(o.d.y);\n}\n");
     const nlohmann::json found = checkedJson();
     ASSERT_EQ(found["defects"].size(), 1u) << found;
@@ -176,9 +176,9 @@ TEST_F(CheckCommand, WayOfAnyLength_IsTried) {
           R"({"id": "index", "label": "Index", "doc": "Bends.", "type": "float", "role": "index",
               "default": 1.5, "min": 1.0, "max": 3.0, "step": 0.01})",
           soundClaims,
-          "#include \"lib/crossing.glsl\"\n"
-          "vec3 triedRefraction(Crossing c, TriedRefraction p) {\n    return -c.l;\n}\n"
-          "float triedRefractionMirrored(Crossing c, TriedRefraction p) {\n"
+          "#include \"lib/interface.glsl\"\n"
+          "vec3 triedRefraction(Interface c, TriedRefraction p) {\n    return -c.l;\n}\n"
+          "float triedRefractionMirrored(Interface c, TriedRefraction p) {\n"
           "    return 0.0;\n}\n"
           "vec3 triedRefractionLeft(float way, TriedRefraction p) {\n"
           "    return vec3(way > 1e5 ? -1.0 : 1.0);\n}\n");

@@ -194,8 +194,8 @@ TEST(EvalCommand, Refraction_FollowsSnell) {
 TEST(EvalCommand, Outline_AnswersWithTheWidthsOfAnEdge) {
     Json request{{"outline", {{"id", "ink-line"}, {"parameters", {{"width", 3}}}}}};
     EXPECT_EQ(answerTo(request).at("value"), Json({0.0, 0.0}));
-    request["turns"] = true;
-    request["bend"] = 1.5;
+    request["silhouette"] = true;
+    request["dihedral"] = 1.5;
     EXPECT_EQ(answerTo(request).at("value"), Json({3.0, 1.5}));
 }
 
@@ -264,7 +264,7 @@ TEST(EvalCommand, FieldsOnTheGpu_AgreeWithDouble) {
                {"n", {0, 0.1, 1}},
                {"channel", 2},
                {"leaves", true}},
-          Json{{"outline", "ink-line"}, {"ends", true}, {"bend", 0.2}},
+          Json{{"outline", "ink-line"}, {"open", true}, {"dihedral", 0.2}},
           Json{{"transparency", "weighted"}, {"depth", 0.25}, {"opacity", 0.75}},
           Json{{"fresnel", "strauss"}, {"call", "Tint"}},
           Json{{"refraction", "solid-body"}, {"call", "Left"}, {"way", 0.5}}}) {
@@ -279,17 +279,17 @@ TEST(EvalCommand, FieldsOnTheGpu_AgreeWithDouble) {
 }
 
 TEST(EvalCommand, FieldsOutsideTheirRange_AreErrors) {
-    const Json crossing{{"refraction", "solid-body"}, {"l", {0, 0, 1}}, {"n", {0, 0, 1}}};
+    const Json interface{{"refraction", "solid-body"}, {"l", {0, 0, 1}}, {"n", {0, 0, 1}}};
     const auto errorWith = [](Json request, const char* key, const Json& value) {
         request[key] = value;
         return errorOf(request);
     };
-    EXPECT_EQ(errorOf(crossing), "");
-    EXPECT_NE(errorWith(crossing, "channel", 3).find("channel is 3"), std::string::npos);
-    EXPECT_NE(errorWith(crossing, "channel", 0.5).find("channel is 0.5"), std::string::npos);
-    EXPECT_NE(errorWith(crossing, "leaves", 1).find("true or false"), std::string::npos);
-    EXPECT_NE(errorWith(crossing, "n", {0, 0, -1}).find("the other side"), std::string::npos);
-    EXPECT_NE(errorWith(crossing, "side", 1).find("means nothing here"), std::string::npos);
+    EXPECT_EQ(errorOf(interface), "");
+    EXPECT_NE(errorWith(interface, "channel", 3).find("channel is 3"), std::string::npos);
+    EXPECT_NE(errorWith(interface, "channel", 0.5).find("channel is 0.5"), std::string::npos);
+    EXPECT_NE(errorWith(interface, "leaves", 1).find("true or false"), std::string::npos);
+    EXPECT_NE(errorWith(interface, "n", {0, 0, -1}).find("the other side"), std::string::npos);
+    EXPECT_NE(errorWith(interface, "side", 1).find("means nothing here"), std::string::npos);
     EXPECT_NE(errorOf({{"environment", "sky"}}).find("no \"direction\""), std::string::npos);
 }
 

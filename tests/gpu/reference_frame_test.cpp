@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/exposure.h"
 #include "core/mesh_openness.h"
 #include "gpu_fixture.h"
 #include "measure/error/frame_error.h"
@@ -60,7 +61,7 @@ class ReferenceFrameTest : public GpuTest {
         const auto image = renderer->capture(scene, wholeView(scene), meshSource(), false);
         EXPECT_TRUE(image);
         LinearFrame frame;
-        const double factor = DisplayCurve::factor(scene.exposure);
+        const double factor = exposureFactor(scene.exposure);
         for (std::size_t i = 0; i + 3 < image->pixels.size(); i += 4) {
             frame.colors.push_back(
                 glm::dvec3(image->pixels[i], image->pixels[i + 1], image->pixels[i + 2]) / factor);
@@ -262,7 +263,7 @@ TEST_F(ReferenceFrameTest, DisplayCurve_IsTheDevices) {
         ASSERT_NE(curve.tone, nullptr);
         for (const int x : {0, 12, 24, 30}) {
             const glm::dvec3 light =
-                glm::dvec3(pixel(*linear, x, 24)) / DisplayCurve::factor(scene.exposure);
+                glm::dvec3(pixel(*linear, x, 24)) / exposureFactor(scene.exposure);
             EXPECT_NEAR(curve.shown(light).r, pixel(*shown, x, 24).r, 0.51 / 255.0);
         }
     }

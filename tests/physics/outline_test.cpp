@@ -11,7 +11,7 @@ namespace {
 
 reference::Edge fold(double degrees) {
     reference::Edge edge;
-    edge.bend = glm::radians(degrees);
+    edge.dihedral = glm::radians(degrees);
     return edge;
 }
 
@@ -27,7 +27,7 @@ TEST(InkLine, FlatEdge_HasNone) {
 
 TEST(InkLine, Silhouette_HasOneOutside) {
     reference::Edge edge = fold(5.0);
-    edge.turns = true;
+    edge.silhouette = true;
     EXPECT_EQ(widthsOf(edge), glm::dvec2(3.0, 0.0));
 }
 
@@ -39,14 +39,14 @@ TEST(InkLine, Crease_HasOneFromItsAngleOn) {
 
 TEST(InkLine, CreaseOnTheSilhouette_HasBoth) {
     reference::Edge edge = fold(90.0);
-    edge.turns = true;
+    edge.silhouette = true;
     EXPECT_EQ(widthsOf(edge), glm::dvec2(3.0, 2.0));
 }
 
 TEST(InkLine, OpenEdge_HasBothUnlessSwitchedOff) {
     reference::Edge edge;
-    edge.turns = true;
-    edge.ends = true;
+    edge.silhouette = true;
+    edge.open = true;
     EXPECT_EQ(widthsOf(edge), glm::dvec2(3.0, 2.0));
     EXPECT_EQ(widthsOf(edge, {{"boundaries", false}}), glm::dvec2(0.0));
 }

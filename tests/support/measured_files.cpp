@@ -68,6 +68,13 @@ std::string tensorBytes(const std::vector<Array>& arrays, const std::string& des
     return bytes + data;
 }
 
+/// Returns where the i-th point of a grid of size x size lies, 0 .. 1.
+glm::dvec2 placeInGrid(std::size_t i, int size) {
+    const std::size_t row = i / static_cast<std::size_t>(size);
+    const std::size_t column = i % static_cast<std::size_t>(size);
+    return glm::dvec2(double(column), double(row)) / double(size - 1);
+}
+
 } // namespace
 
 std::string merlBytes(const std::array<int, 3>& bins, const Reflectance& reflectance) {
@@ -109,7 +116,7 @@ std::string RglFile::bytes(const Reflectance& reflectance) const {
     const std::size_t points = std::size_t(grid) * std::size_t(grid);
     Array ndf{"ndf", {std::size_t(grid), std::size_t(grid)}, {}};
     for (std::size_t i = 0; i < points; ++i) {
-        const double u = double(i % std::size_t(grid)) / (grid - 1);
+        const double u = placeInGrid(i, grid).x;
         ndf.numbers.push_back(float(normalsAt(u * u * 0.5 * pi)));
     }
     Array sigma{"sigma", {2, 2}, {0.9f, 0.4f, 0.9f, 0.4f}};
@@ -117,10 +124,9 @@ std::string RglFile::bytes(const Reflectance& reflectance) const {
     for (std::size_t slice = 0; slice < phi.numbers.size() * theta.numbers.size(); ++slice) {
         const double tilt = theta.numbers[slice % theta.numbers.size()];
         for (std::size_t i = 0; i < points; ++i) {
-            const double u = double(i % std::size_t(grid)) / (grid - 1);
-            const double v = double(i / std::size_t(grid)) / (grid - 1);
-            vndf.numbers.push_back(float(double(ndf.numbers[i]) * (0.1 + u) *
-                                         (1.2 + std::sin(tilt) * std::cos(2.0 * pi * v))));
+            const glm::dvec2 square = placeInGrid(i, grid);
+            vndf.numbers.push_back(float(double(ndf.numbers[i]) * (0.1 + square.x) *
+                                         (1.2 + std::sin(tilt) * std::cos(2.0 * pi * square.y))));
         }
     }
     const WarpTable warp(SquareTable(vndf.numbers, {grid, grid}, phi.numbers, theta.numbers));
@@ -138,9 +144,7 @@ std::string RglFile::bytes(const Reflectance& reflectance) const {
                                  (double(azimuth) + pi) / (2.0 * pi));
             for (std::size_t band = 0; band < bands; ++band) {
                 for (std::size_t i = 0; i < points; ++i) {
-                    const glm::dvec2 square(double(i % std::size_t(grid)) / (grid - 1),
-                                            double(i / std::size_t(grid)) / (grid - 1));
-                    const glm::dvec2 half = warp.forward(square, slices);
+                    const glm::dvec2 half = warp.forward(placeInGrid(i, grid), slices);
                     const glm::dvec3 h =
                         direction(half.x * half.x * 0.5 * pi,
                                   (2.0 * half.y - 1.0) * pi + (azimuths == 1 ? azimuth : 0.0f));

@@ -1,22 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measure/error/display_curve.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include <glm/common.hpp>
 
 #include "catalog/parameter_layout.h"
 #include "core/color.h"
+#include "core/exposure.h"
 #include "measure/eval/compiled_block.h"
 
 namespace patina {
-namespace {
-
-/// Limits the exposure, EV: beyond it the whole range of a half float is black or white.
-constexpr double maxStops = 40.0;
-
-} // namespace
 
 DisplayCurve DisplayCurve::of(const Scene& scene, const Catalog& catalog) {
     DisplayCurve curve{scene.exposure};
@@ -32,12 +24,8 @@ DisplayCurve DisplayCurve::of(const Scene& scene, const Catalog& catalog) {
     return curve;
 }
 
-double DisplayCurve::factor(double exposure) {
-    return std::exp2(std::clamp(exposure, -maxStops, maxStops));
-}
-
 glm::dvec3 DisplayCurve::shown(const glm::dvec3& light) const {
-    const glm::dvec3 exposed = glm::min(light * factor(exposure), glm::dvec3(1e30));
+    const glm::dvec3 exposed = glm::min(light * exposureFactor(exposure), glm::dvec3(1e30));
     return srgbEncoded(tone == nullptr ? exposed : tone->toned(exposed, values));
 }
 

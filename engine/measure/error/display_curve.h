@@ -22,9 +22,6 @@ struct DisplayCurve {
     /// since the program was built, counts as none.
     static DisplayCurve of(const Scene& scene, const Catalog& catalog);
 
-    /// Returns the factor of an exposure in EV, which is limited to -40 .. 40.
-    static double factor(double exposure);
-
     /// Returns display values 0 .. 1, not rounded to 8 bits.
     glm::dvec3 shown(const glm::dvec3& light) const;
 };

@@ -8,6 +8,7 @@
 
 #include <glm/common.hpp>
 
+#include "core/exposure.h"
 #include "measure/error/parallel.h"
 #include "measure/error/relative_error.h"
 
@@ -80,7 +81,7 @@ std::vector<double> ofCounted(const std::vector<double>& all,
 
 ErrorMeter::ErrorMeter(LinearFrame groundTruth, const DisplayCurve& curve, ParallelJob& work)
     : groundTruth_(std::move(groundTruth)), curve_(curve), shown_(groundTruth_.colors.size()),
-      floor_(minShownLight / DisplayCurve::factor(curve.exposure)) {
+      floor_(minShownLight / exposureFactor(curve.exposure)) {
     work.add(shown_.size(), [this](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             shown_[i] = curve_.shown(groundTruth_.colors[i]);
@@ -91,7 +92,7 @@ ErrorMeter::ErrorMeter(LinearFrame groundTruth, const DisplayCurve& curve, Paral
 
 ErrorMeter::ErrorMeter(LinearFrame groundTruth, const DisplayCurve& curve)
     : groundTruth_(std::move(groundTruth)), curve_(curve),
-      floor_(minShownLight / DisplayCurve::factor(curve.exposure)) {
+      floor_(minShownLight / exposureFactor(curve.exposure)) {
     shown_.reserve(groundTruth_.colors.size());
     for (const glm::dvec3& color : groundTruth_.colors) {
         shown_.push_back(curve_.shown(color));

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "measure/error/display_curve.h"
+#include "core/exposure.h"
 #include "render/frame/frame_job.h"
 
 namespace patina {
@@ -67,7 +67,7 @@ Result<LinearFrame> IncrementalCapture::frame() const {
     if (!image) {
         return tl::unexpected(image.error());
     }
-    const double factor = DisplayCurve::factor(frame_.scene.exposure);
+    const double factor = exposureFactor(frame_.scene.exposure);
     LinearFrame frame;
     frame.size = {image->width, image->height};
     frame.colors.reserve(image->pixels.size() / 4);

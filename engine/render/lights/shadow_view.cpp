@@ -197,7 +197,7 @@ ShadowView sphereView(const LightFrame& frame, std::span<const CasterBox> caster
     return view;
 }
 
-/// Returns the view turned to a face, as passes/shadow_local.glsl turns directions.
+/// Returns the view turned to a face, as passes/shadows_local.glsl turns directions.
 ShadowView faceOf(const ShadowView& view, int face) {
     ShadowView turned = view;
     const auto set = [&turned](const glm::dvec3& right, const glm::dvec3& up,

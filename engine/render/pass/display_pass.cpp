@@ -1,26 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/pass/display_pass.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <epoxy/gl.h>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "core/exposure.h"
 #include "render/pass/frame_gpu.h"
 #include "shading/effects/display_set.h"
 #include "shading/effects/effect_key.h"
 #include "shading/program/parameter_packer.h"
 
 namespace patina {
-namespace {
-
-/// stops; beyond them the whole range of a half float is black or white
-constexpr double maxStops = 40.0;
-
-} // namespace
-
 bool DisplayPass::has(const Scene& scene, const Catalog& catalog) const {
     return stages_.contains(EffectKey::ofDisplay(scene, catalog));
 }
@@ -113,8 +105,7 @@ void DisplayPass::drawDisplayed(const gl::Texture& linear, double exposure, doub
     glDisable(GL_DITHER);
     glDisable(GL_FRAMEBUFFER_SRGB);
     current_->program->use();
-    const double stops = std::clamp(exposure, -maxStops, maxStops);
-    glUniform1f(current_->exposureUniform, static_cast<float>(std::exp2(stops)));
+    glUniform1f(current_->exposureUniform, static_cast<float>(exposureFactor(exposure)));
     if (!tone_.empty()) {
         glUniform4fv(current_->toneUniform, static_cast<int>(tone_.size()),
                      glm::value_ptr(tone_.front()));

@@ -10,6 +10,7 @@
 #include <epoxy/gl.h>
 
 #include "core/color.h"
+#include "core/exposure.h"
 #include "render/gpu/binding.h"
 #include "render/gpu/capture_image.h"
 #include "shading/program/storable.h"
@@ -21,9 +22,6 @@ namespace {
 /// light's term (shaders/passes/inspection.glsl).
 constexpr int window = inspectionOutputs - 1;
 constexpr int firstLightTerm = 7;
-
-/// stops; beyond them the whole range of a half float is black or white
-constexpr double maxStops = 40.0;
 
 } // namespace
 
@@ -118,7 +116,7 @@ Result<void> InspectionDrawer::prepare(const Scene& scene, const View& view,
     if (catalog_ == nullptr) {
         return failure("there are no shaders to draw with", "a call of setCatalog before draw");
     }
-    if (const Result<void> made = makeDisplays(); !made) {
+    if (Result<void> made = makeDisplays(); !made) {
         return made;
     }
     items_.prepare(scene, view, meshes, false);
@@ -167,8 +165,8 @@ void InspectionDrawer::show(const Scene& scene, const View& view, unsigned frame
     if (shown != InspectedView::Numbers) {
         glUniform1i(display.uniform("shown"), static_cast<int>(shown));
     }
-    const double stops = std::clamp(scene.exposure, -maxStops, maxStops);
-    glUniform1f(display.uniform("exposureFactor"), static_cast<float>(std::exp2(stops)));
+    glUniform1f(display.uniform("exposureFactor"),
+                static_cast<float>(exposureFactor(scene.exposure)));
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, target_.resolved().name());
     noVertices_.bind();

@@ -123,15 +123,10 @@ void describeEnvironment(std::vector<EffectRow>& rows, const KnownImages& images
     }
 }
 
-bool isOfThePicture(const EffectRow& row) {
-    return row.line.effect == "ground" || row.line.effect == "exposure" ||
-           row.line.effect.starts_with(kinds::tone) || row.line.effect.starts_with(kinds::pass);
-}
-
 /// Sets all effects of the object to out, since it is not drawn; effects of the whole picture stay.
 void takeOut(std::vector<EffectRow>& rows, const std::string& reason) {
     for (EffectRow& row : rows) {
-        if (row.in && !isOfThePicture(row)) {
+        if (row.in && !row.isOfPicture) {
             row.in = false;
             row.removable = false;
             row.line.reason = reason;

@@ -64,7 +64,7 @@ struct LightPlace {
     int vec4s() const;
 };
 
-/// Says how a light's depth map looks at the scene (passes/shadow.glsl says what is where).
+/// Says how a light's depth map looks at the scene (passes/shadows.glsl says what is where).
 struct ShadowLayout {
     static constexpr int vec4s = 6;
 };

@@ -73,14 +73,16 @@ EffectSet groundOf(const EffectSubject& subject) {
     return groundEffects(subject.scene, subject.catalog, view);
 }
 
-std::vector<EffectLine> linesOf(const Scene& scene, std::size_t object, const Catalog& catalog,
-                                const EffectView& view) {
-    const Material& material = scene.objects[object].material;
-    const EffectSubject subject{&material, scene, catalog, view};
-    std::vector<EffectLine> lines = effectLines(effectSet(material, scene, catalog, view), subject);
+std::vector<EffectLine> objectLines(const EffectSubject& subject) {
+    return effectLines(effectSet(*subject.material, subject.scene, subject.catalog, subject.view),
+                       subject);
+}
+
+/// Returns what the whole picture has: its ground and what is done to it behind the objects.
+std::vector<EffectLine> pictureLines(const EffectSubject& subject) {
     EffectListing ground(&subject);
     groundOf(subject).GroundEffect::list(ground, {});
-    append(lines, ground.take());
+    std::vector<EffectLine> lines = ground.take();
     append(lines, displayLines(subject));
     return lines;
 }
@@ -117,7 +119,9 @@ void findRemovable(std::vector<EffectRow>& rows, const Scene& alone, const Catal
                    const EffectView& view) {
     for (EffectRow& row : rows) {
         const Scene without = withoutEffects(alone, {&row.line.effect, 1}, catalog);
-        const std::vector<EffectLine> left = linesOf(without, 0, catalog, view);
+        const EffectSubject subject{&without.objects.front().material, without, catalog, view};
+        std::vector<EffectLine> left = objectLines(subject);
+        append(left, pictureLines(subject));
         row.removable = !has(left, row.line.effect);
         for (EffectRow& other : rows) {
             const bool goesAlong = &other != &row && !has(left, other.line.effect);
@@ -133,13 +137,16 @@ void findRemovable(std::vector<EffectRow>& rows, const Scene& alone, const Catal
 std::vector<EffectRow> effectRows(const Scene& scene, std::size_t object, const Catalog& catalog,
                                   const EffectView& view) {
     std::vector<EffectRow> rows;
-    for (EffectLine& line : linesOf(scene, object, catalog, view)) {
+    const EffectSubject subject{&scene.objects[object].material, scene, catalog, view};
+    for (EffectLine& line : objectLines(subject)) {
         rows.push_back({std::move(line), true, false, {}});
     }
+    for (EffectLine& line : pictureLines(subject)) {
+        rows.push_back({std::move(line), true, false, {}, true});
+    }
     findRemovable(rows, aloneIn(scene, object, catalog), catalog, view);
-    const Material& material = scene.objects[object].material;
-    const EffectSet set = effectSet(material, scene, catalog, view);
-    for (EffectLine& line : missingLines({&material, scene, catalog, view}, set)) {
+    const EffectSet set = effectSet(*subject.material, scene, catalog, view);
+    for (EffectLine& line : missingLines(subject, set)) {
         rows.push_back({std::move(line), false, false, {}});
     }
     return rows;

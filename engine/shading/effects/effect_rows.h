@@ -12,9 +12,10 @@ namespace patina {
 /// Represents an effect in the listing that the editor's panel and `patina effects` show.
 struct EffectRow {
     EffectLine line;
-    bool in = true;         ///< in the program or the pass behind it
-    bool removable = false; ///< withoutEffects() leaves it out
-    std::string within;     ///< the effect that takes this one along when it is left out
+    bool in = true;           ///< in the program or the pass behind it
+    bool removable = false;   ///< withoutEffects() leaves it out
+    std::string within;       ///< the effect that takes this one along when it is left out
+    bool isOfPicture = false; ///< of the whole picture, so in it without the object, too
 
     friend bool operator==(const EffectRow&, const EffectRow&) = default;
 };

@@ -23,7 +23,7 @@ void addAlphaTest(SourceBuilder& out, const OpacityPart& tested) {
         out.add("void main() {\n" + decided + "}\n");
         return;
     }
-    out.addFile("passes/shadow_alpha_test.glsl");
+    out.addFile("passes/shadows_alpha_test.glsl");
     out.add("void main() {\n" + decided +
             "    if (there < MIN_SHADOWING) {\n        discard;\n    }\n}\n");
 }
@@ -51,7 +51,7 @@ Checked<ProgramSource> shadowMapProgram(const Catalog& catalog) {
     return program(
         catalog,
         [](SourceBuilder& vertex) {
-            vertex.addFile("passes/shadow_map.vert");
+            vertex.addFile("passes/shadows_map.vert");
             vertex.add("void main() {\n    placeInMap();\n}\n");
         },
         [](SourceBuilder& fragment) { fragment.add("void main() {\n}\n"); });
@@ -62,7 +62,7 @@ Checked<ProgramSource> shadowMapProgram(const OpacityPart& tested, const Catalog
         catalog,
         [&](SourceBuilder& vertex) {
             const std::string images = TextureWriter(tested.set, tested.layout).writeVertex(vertex);
-            vertex.addFile("passes/shadow_map.vert");
+            vertex.addFile("passes/shadows_map.vert");
             vertex.add("void main() {\n    placeInMap();\n" + images + "}\n");
         },
         [&](SourceBuilder& fragment) { addAlphaTest(fragment, tested); });

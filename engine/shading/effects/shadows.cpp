@@ -195,12 +195,12 @@ void writeShadowCode(SurfaceText& text) {
     bool parallel = false;
     bool local = false;
     text.out.add("#define SHADOW_DATA(i) sceneData[base + (i)]\n");
-    text.out.addFile("passes/shadow.glsl");
+    text.out.addFile("passes/shadows.glsl");
     for (const LightGroup& group : text.set.lights) {
         if (group.shadow) {
             const bool isParallel = group.projection() == ShadowProjection::Parallel;
             (isParallel ? parallel : local) = true;
-            text.out.addFile(fmt::format("passes/shadow_{}.glsl", mapOf(group)));
+            text.out.addFile(fmt::format("passes/shadows_{}.glsl", mapOf(group)));
         }
     }
     text.out.add(
@@ -208,7 +208,7 @@ void writeShadowCode(SurfaceText& text) {
                     "vec4 shadowDepths(ShadowPoint s, vec4 stored) {{\n    return {};\n}}\n",
                     dispatch(parallel, local, "ShadowRay", "(s, offset)"),
                     dispatch(parallel, local, "ShadowDepths", "(s, stored)")));
-    text.out.addFile("passes/shadow_taps.glsl");
+    text.out.addFile("passes/shadows_taps.glsl");
     text.main += "    shadowFace = faceNormal(s.v);\n    shadowLift = shadingNormal(s.v);\n"
                  "    shadowAside = shadowInset(s.v);\n";
 }

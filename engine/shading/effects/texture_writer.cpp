@@ -66,11 +66,11 @@ std::string TextureWriter::writeVertex(SourceBuilder& out) const {
     if (set_.textures.empty()) {
         return {};
     }
-    out.addFile("passes/textures.vert");
+    out.addFile("passes/texture.vert");
     if (!has(TextureRole::Height)) {
         return "    placeImages();\n";
     }
-    out.addFile("passes/height_map.vert");
+    out.addFile("passes/texture_height.vert");
     return "    placeImages();\n    placeHeights();\n";
 }
 
@@ -78,19 +78,19 @@ void TextureWriter::writeDeclarations(SourceBuilder& out) const {
     if (set_.textures.empty()) {
         return;
     }
-    out.addFile("passes/textures.glsl");
+    out.addFile("passes/texture.glsl");
     if (has(TextureRole::Normal)) {
-        out.addFile("passes/normal_map.glsl");
+        out.addFile("passes/texture_normal.glsl");
     }
     if (has(TextureRole::Height)) {
-        out.addFile("passes/height_map.glsl");
+        out.addFile("passes/texture_height.glsl");
     }
     writeSamplers(out);
 }
 
 void TextureWriter::writeOpacityDeclarations(SourceBuilder& out) const {
     if (!set_.textures.empty()) {
-        out.addFile("passes/image_place.glsl");
+        out.addFile("passes/texture_place.glsl");
         writeSamplers(out);
     }
 }

@@ -6,7 +6,7 @@
 #include "lib/math.glsl"
 #include "lib/refraction.glsl"
 
-struct Crossing {
+struct Interface {
     vec3 l;      // unit, from the surface to where the ray comes from
     vec3 n;      // unit normal on the side of l
     int channel; // 0, 1, 2: red, green, blue light
@@ -35,17 +35,17 @@ vec3 dispersedIndices(float index, float dispersion) {
 
 // The index beyond the surface over that on the side of l, of a body with these indices relative to
 // what surrounds it.
-float indexBeyond(Crossing c, vec3 indices) {
+float indexBeyond(Interface c, vec3 indices) {
     return c.leaves ? 1.0 / indices[c.channel] : indices[c.channel];
 }
 
 // The unit direction in which the ray goes on; the zero vector where all is reflected.
-vec3 crossedDirection(Crossing c, vec3 indices) {
+vec3 crossedDirection(Interface c, vec3 indices) {
     return refractedDirection(c.l, c.n, indexBeyond(c, indices));
 }
 
 // The share of ordinary light that the surface reflects; 1 where nothing passes.
-float crossedReflectance(Crossing c, vec3 indices) {
+float crossedReflectance(Interface c, vec3 indices) {
     float Rs;
     float Rp;
     dielectricReflectances(incidenceBetween(c.l, c.n), 1.0, indexBeyond(c, indices), Rs, Rp);

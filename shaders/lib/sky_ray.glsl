@@ -3,7 +3,7 @@
 #include "lib/elementary.glsl"
 #include "lib/math.glsl"
 
-struct Outlook {
+struct SkyRay {
     vec3 d;       // unit, the way one looks; y is up
     vec3 picture; // what the environment's picture shows there, linear; white where it has none
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 // What images do to the surface.
-#include "passes/image_place.glsl"
+#include "passes/texture_place.glsl"
 #include "passes/surface.glsl"
 
 in float surfaceSide;

@@ -6,7 +6,7 @@
 
 #include "physics_cases.h"
 
-namespace patina::physics::crossing_test {
+namespace patina::physics::interface_test {
 namespace {
 
 const glm::dvec3 up(0.0, 0.0, 1.0);
@@ -20,11 +20,11 @@ Subject pane(double index) {
     return {"refraction", "thin-pane", {{"index", index}}};
 }
 
-glm::dvec3 goesOn(const Subject& subject, const reference::Crossing& c) {
+glm::dvec3 goesOn(const Subject& subject, const reference::Interface& c) {
     return subject.code->refract(c, subject.parameters);
 }
 
-double mirrored(const Subject& subject, const reference::Crossing& c) {
+double mirrored(const Subject& subject, const reference::Interface& c) {
     return subject.code->mirrored(c, subject.parameters);
 }
 
@@ -79,9 +79,9 @@ TEST(SolidBody, Reflectance_IsFresnels) {
 }
 
 TEST(SolidBody, ThereAndBack_LosesTheSame) {
-    const reference::Crossing in{direction(50.0, 0.0), up, 1, false};
+    const reference::Interface in{direction(50.0, 0.0), up, 1, false};
     const glm::dvec3 inside = goesOn(body(1.5), in);
-    const reference::Crossing out{glm::dvec3(inside.x, 0.0, -inside.z), up, 1, true};
+    const reference::Interface out{glm::dvec3(inside.x, 0.0, -inside.z), up, 1, true};
     EXPECT_NEAR(mirrored(body(1.5), out), mirrored(body(1.5), in), 1e-14);
 }
 
@@ -132,4 +132,4 @@ TEST(ThinPane, Leaving_GoesOnAsItCame) {
 }
 
 } // namespace
-} // namespace patina::physics::crossing_test
+} // namespace patina::physics::interface_test
