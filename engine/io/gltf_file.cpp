@@ -126,7 +126,8 @@ std::string withoutEscapes(std::string_view uri) {
     return plain;
 }
 
-/// Relative, not upwards, and with nothing that a shell or another system reads otherwise.
+/// Tells whether a path is relative, leads not upwards, and has nothing that a shell or another
+/// system reads otherwise.
 bool uriStaysInFolder(const std::string& uri) {
     const fs::path path = fs::path(withoutEscapes(uri)).lexically_normal();
     return !path.empty() && path.is_relative() && *path.begin() != ".." &&

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Patina's own folders.
+/// Tells whether a file is in one of Patina's own folders.
 bool isPatinas(const fs::path& file) {
     const auto user = xdgDataFolder();
     return leadsWithin(file, dataFolder()) || (user && leadsWithin(file, *user));

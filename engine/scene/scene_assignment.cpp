@@ -85,7 +85,7 @@ Result<void> assignSettings(Scene& scene, std::string_view word, const Assignmen
     return assignSetting(scene.objects[object], word, inner);
 }
 
-/// In a block that the scene or a light of it may have; `option` is what would choose one.
+/// Sets a value of a block that the scene or a light may have; `option` is what would choose one.
 Result<void> assignInBlock(const Block* block, BlockValues* values, const Assignment& inner,
                            const std::string& what, const std::string& option) {
     if (block == nullptr || values == nullptr) {
@@ -105,7 +105,7 @@ std::string lowered(std::string_view text) {
     return lower;
 }
 
-/// In the light's block, or what every light has.
+/// Sets a value of the light's block, or of what every light has.
 Result<void> assignInLight(Light& light, const Block* block, const Assignment& own,
                            const std::string& what) {
     const bool isSetting = settingsBlock(settings::light)->parameter(own.id) != nullptr;

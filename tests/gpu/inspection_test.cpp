@@ -123,7 +123,7 @@ TEST_F(InspectionTest, MoreLightThanArrives_IsFound) {
     EXPECT_EQ(defectInTheMiddle("1.1 * d.nl"), PixelDefect::AboveOne);
 }
 
-TEST_F(InspectionTest, AsMuchLightAsArrives_IsSound) {
+TEST_F(InspectionTest, AsMuchLightAsArrives_IsNoDefect) {
     EXPECT_EQ(defectInTheMiddle("d.nl"), PixelDefect::None);
 }
 
@@ -278,7 +278,7 @@ TEST_F(InspectionTest, ModelsThatClaimToConserveEnergy_AreNotAboveOne) {
     }
 }
 
-TEST_F(InspectionTest, UnknownModel_IsDrawnAsAStandInWithoutTerms) {
+TEST_F(InspectionTest, UnknownModel_IsDrawnAsAFallbackWithoutTerms) {
     makeRenderer();
     Scene scene = simpleScene();
     scene.objects[0].material.model.id = "nowhere";

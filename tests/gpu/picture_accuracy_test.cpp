@@ -146,7 +146,7 @@ TEST_F(PictureAccuracyTest, SmallerScale_KeepsTheSizeAndBlursEdges) {
     EXPECT_NEAR(middle(linear(with(scene, "scale", "half"))).r, middle(linear(scene)).r, 0.002);
 }
 
-TEST_F(PictureAccuracyTest, SmallerScale_ShowsWhatIsBentInItsPlace) {
+TEST_F(PictureAccuracyTest, SmallerScale_ShowsWhatIsRefractedInItsPlace) {
     Scene scene = simpleScene();
     scene.objects[0].material.opacity = 0.2;
     scene.objects[0].material.parts["refraction"] = block("refraction", "thin-pane");

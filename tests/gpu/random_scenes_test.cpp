@@ -195,8 +195,8 @@ class RandomScene : public GpuTest, public testing::WithParamInterface<std::uint
 
     void expectSound(const Image& image) {
         ASSERT_FALSE(image.pixels.empty());
-        const auto isSound = [](float x) { return std::isfinite(x) && x >= 0.0f; };
-        EXPECT_TRUE(std::ranges::all_of(image.pixels, isSound));
+        const auto isLight = [](float x) { return std::isfinite(x) && x >= 0.0f; };
+        EXPECT_TRUE(std::ranges::all_of(image.pixels, isLight));
     }
 
     Image captured(const Scene& scene, std::uint64_t number, bool display) {

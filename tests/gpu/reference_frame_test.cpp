@@ -234,7 +234,7 @@ TEST_F(ReferenceFrameTest, EnvironmentsPictureAndShadows_AreInIt) {
     EXPECT_LE(error(scene).p99, rounding);
 }
 
-TEST_F(ReferenceFrameTest, WhatShinesThrough_IsRefused) {
+TEST_F(ReferenceFrameTest, WhatIsTransparent_IsRefused) {
     Scene scene = simpleScene();
     scene.objects[0].material.opacity = 0.5;
     EXPECT_FALSE(reference(scene));

@@ -237,13 +237,13 @@ TEST_F(RendererTest, MissingMesh_IsSkipped) {
     EXPECT_EQ(report().drawnObjects, 1);
 }
 
-TEST_F(RendererTest, UnknownModel_IsDrawnAsAStandIn) {
+TEST_F(RendererTest, UnknownModel_IsDrawnAsAFallback) {
     Scene scene = simpleScene();
     scene.objects[0].material.model.id = "from-the-future";
     EXPECT_NE(middle(capture(scene)), glm::vec3(0.25f));
 }
 
-TEST_F(RendererTest, UnknownModelWithAFresnelTerm_IsDrawnAsTheSameStandIn) {
+TEST_F(RendererTest, UnknownModelWithAFresnelTerm_IsDrawnAsTheSameFallback) {
     Scene scene = simpleScene();
     scene.objects[0].material.model.id = "from-the-future";
     const Image plain = capture(scene);

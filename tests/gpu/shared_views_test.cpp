@@ -249,7 +249,7 @@ TEST_F(Plan, OfAnotherScenesEffects_HoldsThem) {
     FramePlanner planner;
     FramePlan plan;
     planner.make(plan, scene, view, meshSource(), *catalog);
-    EXPECT_TRUE(plan.isHeld);
+    EXPECT_TRUE(plan.isFrozen);
     EXPECT_EQ(plan.effects, &effects);
 }
 

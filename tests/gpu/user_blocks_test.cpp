@@ -95,7 +95,7 @@ TEST_F(UserBlockTest, BrokenShader_IsCompiledOnce) {
     EXPECT_FALSE(renderer->report().messages.empty());
 }
 
-TEST_F(UserBlockTest, BrokenFromTheStart_IsDrawnAsAStandIn) {
+TEST_F(UserBlockTest, BrokenFromTheStart_IsDrawnAsAFallback) {
     writeShader("return vec3(p.sheen);");
     EXPECT_GT(middle(redraw()).g, 0.0f);
 }

@@ -24,7 +24,7 @@ TEST(ImagePlaces, MeshesMadeByCode_HaveThem) {
     }
 }
 
-TEST(ImagePlaces, VeryManyVertices_AreLookedAtHereAndThere) {
+TEST(ImagePlaces, VeryManyVertices_AreSampledHereAndThere) {
     std::vector<Vertex> vertices(std::size_t(3) << 20);
     EXPECT_FALSE(hasImagePlaces(vertices));
     for (std::size_t i = vertices.size() / 2; i < vertices.size(); ++i) {

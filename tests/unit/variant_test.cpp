@@ -73,7 +73,7 @@ class Variant : public testing::Test {
     tests::TemporaryFolder folder_;
 };
 
-TEST_F(Variant, OwnValues_AreLaidOverTheParents) {
+TEST_F(Variant, OwnValues_OverlayTheParents) {
     const auto child = read("child");
     ASSERT_TRUE(child) << problem("child");
     EXPECT_EQ(valueOf(child, "fuzz"), Value(0.125));

@@ -205,7 +205,7 @@ void PresetActions::tell(const QString& what, const std::vector<PresetOutcome>& 
                 : tr("%1: not done for %2 of %3").arg(what).arg(failed).arg(outcomes.size()));
 }
 
-/// With a button that takes it back.
+/// Says what was done, with a button that takes it back.
 void PresetActions::sayDone(const QString& text) {
     notice_.say(text, {{tr("Undo"), tr("Take it back (Ctrl+Z in the presets)"),
                         [this] {

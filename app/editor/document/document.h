@@ -53,7 +53,7 @@ class Document : public QObject {
     /// Returns the scene as one side shows it: all but A have a material of theirs on the current
     /// object.
     const Scene& scene(Side side) const;
-    /// The same without what overlays it while ways to draw the picture are compared.
+    /// Returns the same without what overlays it while ways to draw the picture are compared.
     Scene ownScene(Side side) const;
     /// Returns the current object's material of that side; null when there is none.
     const Material* material(Side side) const;
@@ -81,7 +81,8 @@ class Document : public QObject {
     const Block* block(const BlockPath& path) const;
     /// Describes one value in the same way.
     const Parameter* parameter(const ParameterTarget& target) const;
-    /// The value a parameter has, conformed to its descriptor; the default where none is stored.
+    /// Returns the value a parameter has, conformed to its descriptor; the default where none is
+    /// stored.
     Value value(const BlockPath& path, const Parameter& parameter) const;
     /// Makes an edit, but where the camera is: its moves have an undo of their own.
     void setValue(const BlockPath& path, std::string_view parameterId, const Value& value);

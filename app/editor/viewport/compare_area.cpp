@@ -187,7 +187,7 @@ bool CompareArea::placeViews() {
     return isMoved;
 }
 
-/// As much to each view, and none to what is hidden.
+/// Gives as much to each view, and none to what is hidden.
 void CompareArea::shareRoom() {
     for (QSplitter* splitter : {rows_, upper_, lower_}) {
         QList<int> sizes;

@@ -292,8 +292,8 @@ void FrameLoop::goOnWith(Progress progress) {
     turn_.start(0);
 }
 
-/// Another turn of a long frame. Where the same objects are seen in another way it is finished
-/// before a newer one begins: dropping it for every move of a drag would show none.
+/// Draws another turn of a long frame. Where the same objects are seen in another way it is
+/// finished before a newer one begins: dropping it for every move of a drag would show none.
 void FrameLoop::proceed() {
     if (progress_ == Progress::Waiting) {
         makeTargets();

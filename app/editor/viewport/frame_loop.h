@@ -33,7 +33,7 @@ class FrameLoop : public QObject {
     Q_OBJECT
 
   public:
-    /// How long a step of a frame, or of another picture, may keep the window waiting.
+    /// Limits how long a step of a frame, or of another picture, may keep the window waiting.
     static constexpr std::chrono::milliseconds stepPatience{20};
 
     /// Both outlive it.

@@ -12,7 +12,7 @@
 #include "measure/cost/sweep_frames.h"
 #include "measure/cost/sweep_plan.h"
 #include "measure/cost/sweep_size.h"
-#include "measure/error/error_standard.h"
+#include "measure/error/error_baseline.h"
 #include "measure/time/paired_frames.h"
 #include "measure/time/surface_instructions.h"
 
@@ -53,7 +53,7 @@ class CostSweep::Implementation {
         plan_ = SweepPlan(chart_.choices, options.combinations, options.present);
         singles_ = plan_.waiting();
         const auto directions = std::ranges::find_if(chart_.choices, isOfDirections);
-        standard_.emplace(GroundTruthFrame::Wish{drawn_->renderer(), drawn_->meshes(),
+        baseline_.emplace(GroundTruthFrame::Wish{drawn_->renderer(), drawn_->meshes(),
                                                  frames_.of({}), frames_.captured({}),
                                                  frames_.counted(), frames_.isOfMaterial()},
                           directions == chart_.choices.end() ? std::string() : directions->id);
@@ -76,7 +76,7 @@ class CostSweep::Implementation {
     bool finished() const { return run_.isDone(); }
 
     SweepStep doing() const {
-        const std::size_t before = standard_->steps() + 1; // the last one of empty frames
+        const std::size_t before = baseline_->steps() + 1; // the last one of empty frames
         SweepStep step{doing_.work,  doing_.levels, before, before + begun_ + plan_.waiting(),
                        doing_.share, secondsInAll_};
         if (finished()) {
@@ -92,11 +92,11 @@ class CostSweep::Implementation {
     const CostChart& chart() const { return chart_; }
     const Errors& problems() const { return problems_; }
     const LinearFrame* groundTruth() const {
-        return standard_->isDone() ? &standard_->groundTruth().meter().groundTruth() : nullptr;
+        return baseline_->isDone() ? &baseline_->groundTruth().meter().groundTruth() : nullptr;
     }
 
     std::vector<double> errorMap(const ChosenLevels& levels) {
-        if (!standard_->isDone()) {
+        if (!baseline_->isDone()) {
             return {};
         }
         IncrementalCapture capture(drawn_->renderer(), drawn_->meshes(), frames_.captured(levels));
@@ -105,7 +105,7 @@ class CostSweep::Implementation {
             drawn = capture.step(std::chrono::seconds(1));
         }
         const Result<LinearFrame> frame = drawn ? capture.frame() : tl::unexpected(drawn.error());
-        return frame ? standard_->meterOf(levels).mapOf(*frame) : std::vector<double>();
+        return frame ? baseline_->meterOf(levels).mapOf(*frame) : std::vector<double>();
     }
 
   private:
@@ -128,23 +128,23 @@ class CostSweep::Implementation {
 
     /// Makes the frames with which points are compared.
     Steps makeStandard() {
-        Result<bool> done = standard_->step(patience_);
+        Result<bool> done = baseline_->step(patience_);
         while (done && !*done) {
-            const bool isGroundTruth = !standard_->groundTruth().isDone();
+            const bool isGroundTruth = !baseline_->groundTruth().isDone();
             doing_ = {isGroundTruth ? SweepStep::Work::GroundTruthFrame
                                     : SweepStep::Work::ConvergedFrame,
                       {},
-                      standard_->progressOfStep()};
+                      baseline_->progressOfStep()};
             co_yield Steps::Pause();
-            done = standard_->step(patience_);
+            done = baseline_->step(patience_);
         }
         if (!done) {
             problems_.push_back(done.error());
             co_return;
         }
-        chart_.pixels = standard_->groundTruth().pixels();
-        chart_.groundTruth = standard_->groundTruth().method();
-        chart_.converged = standard_->converged();
+        chart_.pixels = baseline_->groundTruth().pixels();
+        chart_.groundTruth = baseline_->groundTruth().method();
+        chart_.converged = baseline_->converged();
         if (!frames_.isOfMaterial()) {
             foldLevels();
         }
@@ -187,7 +187,7 @@ class CostSweep::Implementation {
         return std::nullopt;
     }
 
-    /// Draws the frame of the levels, compares it with the standard, counts its instructions, and
+    /// Draws the frame of the levels, compares it with the baseline, counts its instructions, and
     /// times it beside the exact one.
     Steps measurePoint(ChosenLevels levels) {
         const double began = spent_;
@@ -206,7 +206,7 @@ class CostSweep::Implementation {
             co_return;
         }
         ParallelJob comparing;
-        standard_->meterOf(point.levels).addErrorOf(comparing, *frame, point.error);
+        baseline_->meterOf(point.levels).addErrorOf(comparing, *frame, point.error);
         while (!comparing.step(patience_)) {
             co_yield Steps::Pause();
         }
@@ -308,7 +308,7 @@ class CostSweep::Implementation {
     std::size_t singles_ = 0;
     std::size_t begun_ = 0;     ///< counts points
     double longestPoint_ = 0.0; ///< seconds
-    std::optional<ErrorStandard> standard_;
+    std::optional<ErrorBaseline> baseline_;
     double secondsInAll_ = 0.0;
     MedianInterval empty_; ///< milliseconds of a frame without what is measured
     std::vector<double> exactTimes_;

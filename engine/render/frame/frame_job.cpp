@@ -78,9 +78,9 @@ void FrameJob::begin(const Scene& scene, const View& view, const MeshSource& mes
     makePlan(scene, meshes);
 }
 
-void FrameJob::makePlan(const Scene& scene, const MeshSource& meshes, bool holdsEffects) {
+void FrameJob::makePlan(const Scene& scene, const MeshSource& meshes, bool freezesEffects) {
     planner_.make(plan_, scene, view_, meshes, *catalog_,
-                  {holdsEffects, purpose_ == FramePurpose::Prewarm});
+                  {freezesEffects, purpose_ == FramePurpose::Prewarm});
     at_ = Cursor();
     budget_.beginFrame();
     shared_->meshes.beginFrame();
@@ -249,17 +249,17 @@ std::uint64_t FrameJob::missingPrograms() {
     if (!passes_.display.has(*plan_.effects, *shared_->catalog)) {
         boost::hash_combine(missing, 1);
     }
-    if (purpose_ == FramePurpose::Prewarm && !hasHeldPrograms()) {
+    if (purpose_ == FramePurpose::Prewarm && !hasFrozenPrograms()) {
         boost::hash_combine(missing, 2);
     }
     return missing;
 }
 
 /// Returns true when all programs are there for drawing while a value is dragged
-/// (PlanWish::holdsEffects).
-bool FrameJob::hasHeldPrograms() {
+/// (PlanWish::freezesEffects).
+bool FrameJob::hasFrozenPrograms() {
     return passes_.display.has(*plan_.effects, *shared_->catalog) &&
-           passes_.programs.hasHeld(plan_, *shared_);
+           passes_.programs.hasFrozen(plan_, *shared_);
 }
 
 /// Makes the programs of the picture, and those for drawing while a value is dragged.
@@ -268,7 +268,7 @@ void FrameJob::prewarm() {
     if (isMissing || !passes_.display.has(*plan_.effects, *shared_->catalog)) {
         drawUnseen();
     }
-    if (!hasHeldPrograms()) {
+    if (!hasFrozenPrograms()) {
         makePlan(*plan_.scene, meshes_, true);
         drawUnseen();
     }

@@ -112,7 +112,7 @@ class FrameJob {
     };
 
     void followCatalog();
-    void makePlan(const Scene& scene, const MeshSource& meshes, bool holdsEffects = false);
+    void makePlan(const Scene& scene, const MeshSource& meshes, bool freezesEffects = false);
     void beginReport();
     Progress pause();
     Progress fail(const Error& error);
@@ -126,7 +126,7 @@ class FrameJob {
     Progress finish();
     void prewarm();
     void drawUnseen();
-    bool hasHeldPrograms();
+    bool hasFrozenPrograms();
     void showIn(unsigned framebuffer, glm::ivec2 size, double exposure, double share = 1.0);
 
     std::shared_ptr<RenderResources> shared_;

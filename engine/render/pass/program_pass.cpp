@@ -120,12 +120,12 @@ std::size_t ProgramPass::missing(const FramePlan& plan, RenderResources& shared)
     return missing;
 }
 
-bool ProgramPass::hasHeld(const FramePlan& plan, RenderResources& shared) {
+bool ProgramPass::hasFrozen(const FramePlan& plan, RenderResources& shared) {
     const Catalog& catalog = *shared.catalog;
     const Scene& effects = *plan.effects;
-    EffectView held;
-    held.fitsEnvironment = plan.effectView.fitsEnvironment;
-    const std::uint64_t sceneKey = keys_.ofScene(effects, catalog, held);
+    EffectView frozen;
+    frozen.fitsEnvironment = plan.effectView.fitsEnvironment;
+    const std::uint64_t sceneKey = keys_.ofScene(effects, catalog, frozen);
     if (isSeen(effects.ground) && !shared.pipelines.hasGround(effects.ground.mode, sceneKey)) {
         return false;
     }

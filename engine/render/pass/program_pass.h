@@ -28,8 +28,8 @@ class ProgramPass : public Pass {
     std::size_t missing(const FramePlan& plan, RenderResources& shared);
 
     /// Returns true when all programs are there for drawing while a value is dragged
-    /// (PlanWish::holdsEffects).
-    bool hasHeld(const FramePlan& plan, RenderResources& shared);
+    /// (PlanWish::freezesEffects).
+    bool hasFrozen(const FramePlan& plan, RenderResources& shared);
 
     /// Returns the store's entry for a material; it has errors instead of a program when that does
     /// not compile.

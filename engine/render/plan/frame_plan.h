@@ -34,7 +34,7 @@ struct FramePlan {
     const Scene* effects = nullptr; ///< is the scene whose effects the programs have; often `scene`
                                     ///< itself
     const View* view = nullptr;
-    bool isHeld = false;   ///< says that the effects may not be the scene's own, so that a drag
+    bool isFrozen = false; ///< says that the effects may not be the scene's own, so that a drag
                            ///< compiles nothing
     bool isUnseen = false; ///< says that the frame is drawn only to compile its programs
     glm::dmat4 worldToCamera{1.0};

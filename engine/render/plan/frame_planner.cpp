@@ -46,7 +46,7 @@ FogReach fogReach(const FramePlan& plan, const Catalog& catalog) {
 /// Returns the kinds of lights for which the objects of a list need no code. While a value is
 /// dragged it returns 0, so that lists change data alone.
 std::size_t missingKinds(FramePlan& plan, std::size_t lights) {
-    return plan.isHeld ? 0 : plan.lightKinds.missingKinds(plan.lightLists, lights);
+    return plan.isFrozen ? 0 : plan.lightKinds.missingKinds(plan.lightLists, lights);
 }
 
 void count(FramePlan& plan) {
@@ -64,7 +64,7 @@ void begin(FramePlan& plan, const Scene& scene, const View& view, PlanWish wish)
     plan.scene = &scene;
     plan.effects = &effectsOf(view, scene);
     plan.view = &view;
-    plan.isHeld = wish.holdsEffects || plan.effects != &scene;
+    plan.isFrozen = wish.freezesEffects || plan.effects != &scene;
     plan.isUnseen = wish.isUnseen;
     plan.worldToCamera = viewMatrix(view.camera);
     plan.cameraToWorld = glm::inverse(plan.worldToCamera);
@@ -82,7 +82,8 @@ void FramePlanner::make(FramePlan& plan, const Scene& scene, const View& view,
     collect(plan, meshes, catalog);
     count(plan);
     addGround(plan);
-    plan.effectView = plan.isHeld ? EffectView() : effectView(plan.depths, fogReach(plan, catalog));
+    plan.effectView =
+        plan.isFrozen ? EffectView() : effectView(plan.depths, fogReach(plan, catalog));
     plan.effectView.fitsEnvironment = view.isMoving;
 }
 
@@ -133,7 +134,7 @@ std::size_t FramePlanner::materialOf(FramePlan& plan, std::size_t object, std::s
     const Material& effects = plan.effects->objects[object].material;
     const Material& values = plan.scene->objects[object].material;
     std::uint64_t hash = materialHash(effects);
-    if (plan.isHeld) {
+    if (plan.isFrozen) {
         hash = 31 * hash + materialHash(values);
     }
     if (missing != 0) {

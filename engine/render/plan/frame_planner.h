@@ -13,10 +13,10 @@ namespace patina {
 
 /// Holds the options of a plan.
 struct PlanWish {
-    bool holdsEffects = false; ///< keeps the effects while a value is dragged: positions and
-                               ///< distances do not change them
-    bool isUnseen = false;     ///< is for a frame that only compiles programs: no object counts as
-                               ///< outside the picture
+    bool freezesEffects = false; ///< keeps the effects while a value is dragged: positions and
+                                 ///< distances do not change them
+    bool isUnseen = false; ///< is for a frame that only compiles programs: no object counts as
+                           ///< outside the picture
 };
 
 /// Makes plans, which depend only on its arguments. It remembers the placements and the lowest

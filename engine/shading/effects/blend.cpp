@@ -90,7 +90,7 @@ void BlendEffect::write(SurfaceText& text) const {
     text.noteTerm("BLENDED", "shaded", "share");
 }
 
-/// Also the term that a model calls.
+/// Removes the term that a model calls, too.
 void BlendEffect::remove(Scene& scene, const EffectName& effect, const Catalog&) {
     if (effect.kind == kinds::fresnel) {
         removePart(scene, effect);

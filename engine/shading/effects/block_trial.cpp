@@ -39,8 +39,9 @@ void chooseTables(Material& material, const Block& block) {
     }
 }
 
-/// A material that has the block where its kind is a material's, and is plain otherwise. What puts
-/// surfaces together and what refracts needs it to be transparent; it still casts a shadow.
+/// Returns a material that has the block where its kind is a material's, and is plain otherwise.
+/// What puts surfaces together and what refracts needs it to be transparent; it still casts a
+/// shadow.
 Material trialMaterial(const Block& block, const Catalog& catalog) {
     const bool isPart = std::ranges::count(partKinds(BlockOwner::Material), block.kind) > 0;
     const Block* model = block.kind == kinds::models

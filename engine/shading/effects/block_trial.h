@@ -11,9 +11,9 @@ namespace patina {
 /// ship.
 Scene trialScene(const Block& block, const Catalog& catalog);
 
-/// A small program that calls what the block is called by, whatever a document shows and, but of
-/// what fills a slot, even where its defaults call for nothing: to learn what a compiler says of
-/// it. Errors are those of files that cannot stand in a program.
+/// Returns a small program that calls what the block is called by, whatever a document shows and,
+/// but of what fills a slot, even where its defaults call for nothing: to learn what a compiler
+/// says of it. Errors are those of files that cannot stand in a program.
 Checked<ProgramSource> trialProgram(const Block& block, const Catalog& catalog);
 
 } // namespace patina

@@ -15,8 +15,8 @@ namespace patina {
 /// one is a row here.
 using AllDisplayEffects = EffectChoices<ExposureEffect, ToneEffect, PassesEffect>;
 
-/// Exactly what happens to a picture after the objects are drawn: the choices of all effects of the
-/// display. It points into the catalogue that it was made with.
+/// Says exactly what happens to a picture after the objects are drawn: the choices of all effects
+/// of the display. It points into the catalogue that it was made with.
 struct DisplaySet : AllDisplayEffects {
     friend bool operator==(const DisplaySet&, const DisplaySet&) = default;
 };

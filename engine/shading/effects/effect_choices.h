@@ -10,7 +10,7 @@
 
 namespace patina {
 
-/// The choices of some effects, each with its own members.
+/// Holds the choices of some effects, each with its own members.
 template <class... Effects>
 struct EffectChoices : Effects... {
     /// Calls `visit` with each effect in order.

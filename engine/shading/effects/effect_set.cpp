@@ -26,7 +26,7 @@ std::vector<EffectLine> listed(const EffectSet& set, const EffectSubject* subjec
     return listing.take();
 }
 
-/// By its name or its kind.
+/// Tells whether an effect is listed, by its name or its kind.
 bool isListed(const std::vector<EffectLine>& lines, const std::string& effect) {
     return std::ranges::any_of(lines, [&effect](const EffectLine& line) {
         return line.effect == effect || line.effect.starts_with(effect + '/') ||

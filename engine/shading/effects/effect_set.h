@@ -35,7 +35,7 @@ using AllEffects =
                   EmissionEffect, TexturesEffect, FogEffect, OpacityEffect, RefractionEffect,
                   RefractedSceneEffect, TransparencyEffect, OutlineEffect, PictureEffect>;
 
-/// Exactly what one program computes: the choices of all effects. A value: equal sets give equal
+/// Says exactly what one program computes: the choices of all effects. Equal sets give equal
 /// program text. It points into the catalogue that it was made with.
 struct EffectSet : AllEffects {
     friend bool operator==(const EffectSet&, const EffectSet&) = default;
@@ -73,7 +73,7 @@ std::vector<EffectLine> effectLines(const EffectSet& set, const EffectSubject& s
 /// Returns what the document has and the program has not, and why.
 std::vector<EffectLine> leftOut(const EffectSet& set, const EffectSubject& subject);
 
-/// The same, and what the document does not have at all.
+/// Returns the same, and what the document does not have at all.
 std::vector<EffectLine> leftOutLines(const EffectSet& set, const EffectSubject& subject);
 
 } // namespace patina

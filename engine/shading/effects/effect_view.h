@@ -20,8 +20,8 @@ struct EffectView {
     /// No ray from the eye to what is drawn meets the box that the scene's fog fills.
     bool missesFog = false;
 
-    /// The greatest share that the fog has of its density on the mean of a way from the eye to what
-    /// is drawn, where it gets thinner with height.
+    /// Is the greatest share that the fog has of its density on the mean of a way from the eye to
+    /// what is drawn, where it gets thinner with height.
     double fogThickness = 1.0;
 
     /// An environment's light is fitted, whatever the scene says.

@@ -15,7 +15,7 @@
 namespace patina {
 namespace {
 
-/// "It is dark. Its “Intensity” is 0."
+/// Returns a sentence such as "It is dark. Its “Intensity” is 0."
 std::string whyNoEnvironment(const Scene& scene, const Catalog& catalog, const char* whyNot) {
     const Block* block = catalog.find(kinds::environment, scene.part(kinds::environment)->id);
     const std::string neutral =
@@ -185,7 +185,7 @@ void EnvironmentEffect::choose(const SceneSubject& subject, const EffectSet&) {
                   (subject.scene.accuracy.fitsEnvironment() || subject.view.fitsEnvironment);
 }
 
-/// Sampled, since a surface calls it then.
+/// Takes the environment as sampled, since a surface calls it then.
 void EnvironmentEffect::admit(const BlockUse& use) {
     if (use.block().kind == kinds::environment) {
         *this = {.environment = use};

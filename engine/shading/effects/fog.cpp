@@ -205,7 +205,7 @@ std::string fogText(const Scene& scene, const Block& block, const EffectView& vi
                        percentText(*hiddenShare(block, values, view.farthest, view.fogThickness)));
 }
 
-/// The fog's block, and what the passes call it.
+/// Writes the fog's block, and what the passes call it.
 void writeFogBlock(SurfaceText& text) {
     const BlockUse& use = *text.set.fog;
     const Block& block = use.block();

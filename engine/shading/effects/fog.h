@@ -31,23 +31,23 @@ struct FogBox {
 /// Returns the box that the fog fills, by what its descriptor says; nothing where it fills none.
 std::optional<FogBox> fogBox(const Block& block, const Values& values);
 
-/// Fog that gets thinner above a height.
+/// Describes fog that gets thinner above a height.
 struct FogLayer {
     double base = 0.0;      ///< metres
     double thickness = 0.0; ///< so far above the base it has 1/e of its density
 
-    /// The mean share of its density on a straight way between two heights.
+    /// Returns the mean share of its density on a straight way between two heights.
     double between(double one, double other) const;
 };
 
 /// Returns how the fog's density falls with height, by what its descriptor says.
 std::optional<FogLayer> fogLayer(const Block& block, const Values& values);
 
-/// Half of a step between two display values of 8 bits.
+/// Is half of a step between two display values of 8 bits.
 inline constexpr double halfStep = 0.5 / 255.0;
 
-/// Fog between the eye and what is drawn. It is left out where it hides nothing, or nobody could
-/// see that it does.
+/// Puts fog between the eye and what is drawn. It is left out where it hides nothing, or nobody
+/// could see that it does.
 struct FogEffect {
     std::optional<BlockUse> fog;
     bool fogsAtVertices = false; ///< but on the ground

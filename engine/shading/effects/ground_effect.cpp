@@ -19,7 +19,7 @@ std::string groundText(const EffectSubject& subject) {
                        ground.opacity);
 }
 
-/// Light from all around, of which shadows take nothing away.
+/// Adds light from all around, of which shadows take nothing away.
 void addEvenLight(SurfaceText& text, const std::string& light) {
     text.main += fmt::format("    shaded += {};\n", light);
     if (text.set.ground == GroundMode::Shadows) {

@@ -8,7 +8,7 @@
 
 namespace patina {
 
-/// Ambient light that differs above and below.
+/// Adds ambient light that differs above and below.
 struct HemisphereEffect {
     bool hemisphere = false;
 

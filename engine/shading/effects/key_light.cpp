@@ -58,7 +58,7 @@ double arrivingAt(const glm::dvec3& way, double distance, const LightReach& reac
     return 1.0 - share * share * share * share;
 }
 
-/// The mean of the places of what is seen.
+/// Returns the mean of the places of what is seen.
 glm::dvec3 middleOf(const Scene& scene) {
     glm::dvec3 sum(0.0);
     double count = 0.0;

@@ -21,7 +21,7 @@ struct LightGroup {
     /// Says how the rays run that the shadows are cast along.
     ShadowProjection projection() const { return block.block().shadowProjection; }
 
-    /// A number that tells groups apart, whatever they have of lines: lightKey() of their lights.
+    /// Tells groups apart by a number, whatever they have of lines: lightKey() of their lights.
     std::uint64_t key() const;
 
     friend bool operator==(const LightGroup&, const LightGroup&) = default;
@@ -40,11 +40,11 @@ bool canShine(const Light& light, const Block& block);
 /// Returns what people call a light: by its name, or by its number where it has none.
 std::string lightName(const Scene& scene, std::size_t index);
 
-/// The names of the lights in some groups, group by group, in the scene's order.
+/// Returns the names of the lights in some groups, group by group, in the scene's order.
 std::vector<std::string> lightNames(const std::vector<const LightGroup*>& groups,
                                     const EffectSubject& subject);
 
-/// "Key, Fill and Rim", or how many where they are many.
+/// Returns "Key, Fill and Rim", or how many there are where they are many.
 std::string namesText(const std::vector<std::string>& names);
 
 /// Returns what is compiled of blocks of one kind, which differ in nothing else: each text once.

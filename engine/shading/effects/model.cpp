@@ -30,7 +30,7 @@ void forgetEqualOfTextured(BlockUse& use, const EffectSet& set) {
     }
 }
 
-/// When the model counts as 0 without being asked.
+/// Returns the condition under which the model counts as 0 without being asked.
 std::string gateSource(const Block& model) {
     std::string condition;
     if (model.hasGate("light")) {

@@ -16,7 +16,7 @@
 namespace patina {
 namespace {
 
-/// The angle of a light's cone, where it is 0 and the cone holds nothing; else null.
+/// Returns the angle of a light's cone where it is 0 and the cone holds nothing; else null.
 const Parameter* angleOfNothing(const Block& block, const Values& values) {
     const Parameter* angle = block.reach ? block.parameter(block.reach->angle) : nullptr;
     const bool isNothing =

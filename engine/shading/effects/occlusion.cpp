@@ -61,7 +61,7 @@ std::string_view OcclusionEffect::whyPerPixel(const EffectSet&) const {
     return isOccluded ? "which side is seen says what the object hides." : std::string_view();
 }
 
-/// How the free directions lie off the mesh's normal, and their share.
+/// Stores how the free directions lie off the mesh's normal, and their share.
 void OcclusionEffect::writeBuffer(SurfaceText& text, std::size_t place) const {
     if (isOccluded) {
         writeLight(text);

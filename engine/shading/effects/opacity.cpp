@@ -14,7 +14,7 @@
 namespace patina {
 namespace {
 
-/// The least that a model is taken to keep of the light: below half of an 8-bit step.
+/// Limits how little of the light a model is taken to keep: below half of an 8-bit step.
 constexpr double minKept = 1.0 / 1024.0;
 
 std::string opacityText(const EffectSubject& subject) {

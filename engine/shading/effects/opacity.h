@@ -5,12 +5,12 @@
 
 namespace patina {
 
-/// The share of the light that the material's model itself says to pass, 0 .. 1: by its parameters
-/// with the key `transparency`. 0 where it has none or is not known.
+/// Returns the share of the light that the material's model itself says to pass, 0 .. 1: by its
+/// parameters with the key `transparency`. It is 0 where it has none or is not known.
 double saidShare(const Material& material, const Catalog& catalog);
 
-/// The share that is taken to pass, at most 1 - 2^-10: what the surface still gives back is divided
-/// by the rest (see ObjectLayout::surface).
+/// Returns the share that is taken to pass, at most 1 - 2^-10: what the surface still gives back is
+/// divided by the rest (see ObjectLayout::surface).
 double passedShare(const Material& material, const Catalog& catalog);
 
 /// Returns how much of what is behind the material it hides, 0 .. 1: its opacity and its model's

@@ -86,7 +86,7 @@ const char* mapOf(const LightGroup& group) {
     return group.projection() == ShadowProjection::Parallel ? "parallel" : "local";
 }
 
-/// How a point of a light with a map of one kind or the other calls it.
+/// Returns how a point of a light with a map of one kind or the other calls it.
 std::string dispatch(bool parallel, bool local, const std::string& name,
                      const std::string& arguments) {
     const std::string call = parallel ? "parallel" + name + arguments : "local" + name + arguments;

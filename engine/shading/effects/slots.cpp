@@ -95,7 +95,7 @@ void SlotsEffect::list(EffectListing& listing, const EffectSet&) const {
     }
 }
 
-/// Also what the material chooses and the model does not call, but for what blends the sum.
+/// Lists what the material chooses and the model does not call, too, but for what blends the sum.
 void SlotsEffect::listMissing(LeftOutListing& listing, const EffectSet& set) const {
     const Material* material = listing.subject().material;
     const Block* model = material == nullptr

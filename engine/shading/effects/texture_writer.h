@@ -12,7 +12,7 @@ namespace patina {
 
 struct EffectSet;
 
-/// Name of the sampler of EffectSet::textures[index].
+/// Returns the name of the sampler of EffectSet::textures[index].
 std::string samplerName(std::size_t index);
 
 /// Writes what images bring into a program: their samplers, and statements of main. Where the set

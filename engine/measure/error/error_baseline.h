@@ -11,10 +11,10 @@ namespace patina {
 /// Makes the frames with which a sweep's points are compared: the ground truth and, where points
 /// differ in their directions of an environment, a converged frame. It must be made, used and
 /// destroyed with the same context current.
-class ErrorStandard {
+class ErrorBaseline {
   public:
     /// Takes as `directions` the Choice::id of the choice of directions; empty where there is none.
-    ErrorStandard(GroundTruthFrame::Wish wish, std::string directions);
+    ErrorBaseline(GroundTruthFrame::Wish wish, std::string directions);
 
     /// Works for about so long, and returns true when all is done.
     Result<bool> step(std::chrono::milliseconds patience);

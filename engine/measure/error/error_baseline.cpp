@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "measure/error/error_standard.h"
+#include "measure/error/error_baseline.h"
 
 #include <utility>
 
 namespace patina {
 
-ErrorStandard::ErrorStandard(GroundTruthFrame::Wish wish, std::string directions)
+ErrorBaseline::ErrorBaseline(GroundTruthFrame::Wish wish, std::string directions)
     : wish_(std::move(wish)), directions_(std::move(directions)), groundTruth_(wish_) {}
 
-Result<bool> ErrorStandard::step(std::chrono::milliseconds patience) {
+Result<bool> ErrorBaseline::step(std::chrono::milliseconds patience) {
     if (converged_) {
         return converged_->step(patience);
     }
@@ -20,15 +20,15 @@ Result<bool> ErrorStandard::step(std::chrono::milliseconds patience) {
     return done ? Result<bool>(isDone()) : done;
 }
 
-bool ErrorStandard::isDone() const {
+bool ErrorBaseline::isDone() const {
     return groundTruth_.isDone() && (directions_.empty() || (converged_ && converged_->isDone()));
 }
 
-double ErrorStandard::progressOfStep() const {
+double ErrorBaseline::progressOfStep() const {
     return converged_ ? converged_->progress() : groundTruth_.progress();
 }
 
-std::optional<ConvergedRender> ErrorStandard::converged() const {
+std::optional<ConvergedRender> ErrorBaseline::converged() const {
     if (!converged_) {
         return std::nullopt;
     }
@@ -36,7 +36,7 @@ std::optional<ConvergedRender> ErrorStandard::converged() const {
                            converged_->finest()};
 }
 
-const ErrorMeter& ErrorStandard::meterOf(const ChosenLevels& levels) const {
+const ErrorMeter& ErrorBaseline::meterOf(const ChosenLevels& levels) const {
     return converged_ && levels.contains(directions_) ? converged_->meter() : groundTruth_.meter();
 }
 

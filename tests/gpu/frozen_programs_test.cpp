@@ -6,7 +6,7 @@
 
 #include "gpu_fixture.h"
 
-namespace patina::held_effects_test {
+namespace patina::frozen_programs_test {
 namespace {
 
 /// A value that decides about an effect, and 0 .. 1 of how much of the effect it brings.
@@ -19,7 +19,7 @@ struct Dragged {
     }
 };
 
-class HeldEffects : public GpuTest, public testing::WithParamInterface<Dragged> {
+class FrozenPrograms : public GpuTest, public testing::WithParamInterface<Dragged> {
   protected:
     void SetUp() override {
         GpuTest::SetUp();
@@ -68,7 +68,7 @@ class HeldEffects : public GpuTest, public testing::WithParamInterface<Dragged> 
     Scene effects_;
 };
 
-TEST_P(HeldEffects, DragAcrossZero_CompilesNothing) {
+TEST_P(FrozenPrograms, DragAcrossZero_CompilesNothing) {
     drawn(true);
     int compiled = 0;
     for (const double share : {0.1, 0.0, 0.7, 0.0}) {
@@ -79,14 +79,14 @@ TEST_P(HeldEffects, DragAcrossZero_CompilesNothing) {
     EXPECT_EQ(compiled, 0);
 }
 
-TEST_P(HeldEffects, WithoutThem_AnotherProgramIsCompiled) {
+TEST_P(FrozenPrograms, WithoutThem_AnotherProgramIsCompiled) {
     drawn(false);
     GetParam().set(scene_, 0.5);
     drawn(false);
     EXPECT_GT(renderer->report().compiled, 0);
 }
 
-TEST_P(HeldEffects, ValueWithoutEffect_LooksAsItDoesInItsOwnProgram) {
+TEST_P(FrozenPrograms, ValueWithoutEffect_LooksAsItDoesInItsOwnProgram) {
     const Image held = drawn(true);
     const Image own = drawn(false);
     ASSERT_EQ(held.pixels.size(), own.pixels.size());
@@ -95,9 +95,9 @@ TEST_P(HeldEffects, ValueWithoutEffect_LooksAsItDoesInItsOwnProgram) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Values, HeldEffects,
-                         testing::Values(HeldEffects::intensity(), HeldEffects::opacity(),
-                                         HeldEffects::ambient(), HeldEffects::density()),
+INSTANTIATE_TEST_SUITE_P(Values, FrozenPrograms,
+                         testing::Values(FrozenPrograms::intensity(), FrozenPrograms::opacity(),
+                                         FrozenPrograms::ambient(), FrozenPrograms::density()),
                          [](const auto& tested) { return tested.param.name; });
 
 class ReleasedTargets : public GpuTest {};
@@ -133,4 +133,4 @@ TEST_F(Prewarmed, PictureWithoutExposure_CompilesNothingWhenItComes) {
 }
 
 } // namespace
-} // namespace patina::held_effects_test
+} // namespace patina::frozen_programs_test

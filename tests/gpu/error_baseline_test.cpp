@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "measure/error/error_standard.h"
+#include "measure/error/error_baseline.h"
 
 #include "environment_fixture.h"
 #include "measure/error/incremental_capture.h"
 
-namespace patina::error_standard_test {
+namespace patina::error_baseline_test {
 namespace {
 
 constexpr const char* choice = "picture.environment";
 
-class ErrorStandardTest : public EnvironmentTest {
+class ErrorBaselineTest : public EnvironmentTest {
   protected:
     void SetUp() override {
         EnvironmentTest::SetUp();
@@ -24,15 +24,15 @@ class ErrorStandardTest : public EnvironmentTest {
     }
 
     /// Of a picture whose finest frame has so many directions.
-    std::unique_ptr<ErrorStandard> standardOf(int directions) {
-        auto standard = std::make_unique<ErrorStandard>(
+    std::unique_ptr<ErrorBaseline> baselineOf(int directions) {
+        auto baseline = std::make_unique<ErrorBaseline>(
             GroundTruthFrame::Wish{
                 *renderer, source_, frameWith(directions), frameWith(directions), {true}, false},
             choice);
-        while (!standard->isDone()) {
-            EXPECT_TRUE(standard->step(std::chrono::milliseconds(10)));
+        while (!baseline->isDone()) {
+            EXPECT_TRUE(baseline->step(std::chrono::milliseconds(10)));
         }
-        return standard;
+        return baseline;
     }
 
     LinearFrame drawn(const ChosenFrame& frame) {
@@ -46,30 +46,30 @@ class ErrorStandardTest : public EnvironmentTest {
     MeshSource source_ = squares();
 };
 
-TEST_F(ErrorStandardTest, FewerDirections_AreComparedWithOthersThanTheirOwn) {
-    const auto standard = standardOf(256);
-    const std::optional<ConvergedRender> render = standard->converged();
+TEST_F(ErrorBaselineTest, FewerDirections_AreComparedWithOthersThanTheirOwn) {
+    const auto baseline = baselineOf(256);
+    const std::optional<ConvergedRender> render = baseline->converged();
     ASSERT_TRUE(render);
     EXPECT_EQ(render->directions, 256);
     EXPECT_GT(render->noise.p99, 0.0);
     EXPECT_GT(render->finest.p99, 0.2 * render->noise.p99); // which is no part of the render
     EXPECT_LT(render->finest.p99, 5.0 * render->noise.p99);
     const FrameError few =
-        standard->meterOf({{choice, "16"}}).errorOf(drawn(frameWith(16)));
+        baseline->meterOf({{choice, "16"}}).errorOf(drawn(frameWith(16)));
     EXPECT_GT(few.p99, 3.0 * render->noise.p99);
 }
 
-TEST_F(ErrorStandardTest, OtherChoices_AreComparedWithTheSameDirections) {
-    const auto standard = standardOf(32);
+TEST_F(ErrorBaselineTest, OtherChoices_AreComparedWithTheSameDirections) {
+    const auto baseline = baselineOf(32);
     ChosenFrame half = frameWith(32);
     half.view.numbers = HdrNumbers::Half;
-    const FrameError error = standard->meterOf({{"picture.numbers", "half"}}).errorOf(drawn(half));
+    const FrameError error = baseline->meterOf({{"picture.numbers", "half"}}).errorOf(drawn(half));
     EXPECT_GT(error.p99, 0.0);
     EXPECT_LT(error.p99, 2e-3); // half floats have eleven bits
-    EXPECT_GT(standard->converged()->noise.p99, 5e-3);
+    EXPECT_GT(baseline->converged()->noise.p99, 5e-3);
 }
 
-TEST_F(ErrorStandardTest, SeriesOfDirections_HaveTheSameMeanAndNothingElseInCommon) {
+TEST_F(ErrorBaselineTest, SeriesOfDirections_HaveTheSameMeanAndNothingElseInCommon) {
     ChosenFrame other = frameWith(64);
     other.view.environmentSeries = 1;
     const LinearFrame a = drawn(frameWith(64));
@@ -85,4 +85,4 @@ TEST_F(ErrorStandardTest, SeriesOfDirections_HaveTheSameMeanAndNothingElseInComm
 }
 
 } // namespace
-} // namespace patina::error_standard_test
+} // namespace patina::error_baseline_test

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+#include "physics_cases.h"
+
+namespace patina::physics::grating_test {
+namespace {
+
+constexpr double grooves = 1600.0;
+
+glm::dvec3 seenOf(double wavelength) {
+    const auto seen = call("channelsSee", {wavelength});
+    return {seen[0], seen[1], seen[2]};
+}
+
+/// Returns a grating without a mirror image whose grooves run along t.
+Subject rainbows(int orders) {
+    return Subject("models", "grating",
+                   {{"specular.color", glm::dvec3(1.0)},
+                    {"groove.distance", grooves},
+                    {"mirror", 0.0},
+                    {"orders", orders},
+                    {"roughness", 0.05}});
+}
+
+/// Returns the direction whose sines along and across the grooves are given.
+glm::dvec3 upwards(double along, double across) {
+    return {along, across, std::sqrt(std::max(1.0 - along * along - across * across, 0.0))};
+}
+
+TEST(SpectrumOfChannels, EachHasAnAreaOfOneAndNoneIsNegative) {
+    glm::dvec3 area(0.0);
+    for (double wavelength = 0.0; wavelength < 1200.0; wavelength += 0.25) {
+        const glm::dvec3 seen = seenOf(wavelength);
+        EXPECT_GE(std::min({seen.r, seen.g, seen.b}), 0.0);
+        area += 0.25 * seen;
+    }
+    EXPECT_NEAR(area.r, 1.0, 1e-6);
+    EXPECT_NEAR(area.g, 1.0, 1e-6);
+    EXPECT_NEAR(area.b, 1.0, 1e-6);
+}
+
+TEST(Grating, Order_SendsTheWavelengthOfTheGratingEquation) {
+    const Subject model = rainbows(1);
+    for (const double lightDegrees : {0.0, 20.0, 60.0}) {
+        const double sinA = std::sin(lightDegrees * std::numbers::pi / 180.0);
+        for (const double wavelength : {450.0, 541.0, 602.5}) {
+            // d (sin a + sin b) = lambda, on the other side of the mirror direction than -lambda.
+            const double sinB = wavelength / grooves - sinA;
+            const auto g = geometry(upwards(0.0, sinA), upwards(0.0, sinB));
+            const glm::dvec3 light = model.shade(g);
+            const glm::dvec3 seen = seenOf(wavelength);
+            const double largest = std::max({seen.r, seen.g, seen.b});
+            const double scale = std::max({light.r, light.g, light.b}) / largest;
+            EXPECT_NEAR(glm::distance(light / scale, seen), 0.0, 1e-12 * largest) << wavelength;
+        }
+    }
+}
+
+TEST(Grating, SecondOrder_SendsHalfTheWavelengthWhereTheFirstSendsTheWhole) {
+    // Where the first order is infrared, 1082 nm, the second is green.
+    const auto g = geometry(upwards(0.0, 0.0), upwards(0.0, 2.0 * 541.0 / grooves));
+    EXPECT_LT(rainbows(1).shade(g).g, 1e-12);
+    const glm::dvec3 second = rainbows(2).shade(g);
+    EXPECT_GT(second.g, 10.0 * second.r);
+    EXPECT_GT(second.g, 10.0 * second.b);
+}
+
+/// Returns the share of light from straight above that leaves, by a grid in the plane of the
+/// directions' sines, where a solid angle times its cosine is an area.
+glm::dvec3 reflectedBy(const Subject& model) {
+    constexpr int side = 800;
+    const glm::dvec3 l(0.0, 0.0, 1.0);
+    glm::dvec3 sum(0.0);
+    for (int i = 0; i < side; ++i) {
+        for (int j = 0; j < side; ++j) {
+            const double x = 2.0 * (i + 0.5) / side - 1.0;
+            const double y = 2.0 * (j + 0.5) / side - 1.0;
+            if (x * x + y * y < 1.0 && std::abs(x) < 0.6) {
+                sum += model.shade(geometry(l, upwards(x, y)));
+            }
+        }
+    }
+    return sum * (4.0 / (side * side)) / std::numbers::pi;
+}
+
+TEST(Grating, WithRoomForAllOrders_GivesBackAllLightAsWhite) {
+    const Subject model("models", "grating",
+                        {{"specular.color", glm::dvec3(1.0)},
+                         {"groove.distance", 4000.0},
+                         {"mirror", 0.3},
+                         {"orders", 3},
+                         {"roughness", 0.05}});
+    const glm::dvec3 all = reflectedBy(model);
+    EXPECT_NEAR(all.r, 1.0, 1e-3);
+    EXPECT_NEAR(all.g, 1.0, 1e-3);
+    EXPECT_NEAR(all.b, 1.0, 1e-3);
+}
+
+TEST(Grating, OrdersWithoutRoom_AreLost) {
+    const glm::dvec3 all = reflectedBy(rainbows(8));
+    EXPECT_LT(std::max({all.r, all.g, all.b}), 1.0);
+    EXPECT_GT(std::min({all.r, all.g, all.b}), 0.3);
+}
+
+} // namespace
+} // namespace patina::physics::grating_test
