@@ -12,6 +12,7 @@
 
 #include "catalog/suggestion.h"
 #include "cli/command.h"
+#include "cli/terminal_text.h"
 #include "gl/driver_cache.h"
 
 namespace patina {
@@ -87,6 +88,7 @@ bool isCommand(std::string_view firstArgument) {
 }
 
 int runCommand(int argc, char** argv) {
+    const TerminalGuard guard;
     CLI::App program("", "patina");
     int status = 0;
     addCommands(program, status);

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <future>
 #include <iostream>
 #include <optional>
-#include <thread>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -13,6 +11,7 @@
 #include "cli/eval_line.h"
 #include "core/number_text.h"
 #include "core/text.h"
+#include "measure/error/parallel.h"
 #include "measure/eval/eval_gpu.h"
 #include "measure/eval/eval_reference.h"
 #include "reference/reference.h"
@@ -82,25 +81,6 @@ Answer answerTo(std::string_view line, const Catalog& catalog) {
     return answered(*read.request, evaluatedInDouble(*read.request));
 }
 
-/// Runs `work(first, last)` over parts of 0 .. count on all cores; small counts get no threads of
-/// their own.
-template <class Work>
-void inParallel(std::size_t count, const Work& work) {
-    constexpr std::size_t worthAThread = 256;
-    const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
-    const std::size_t parts = std::clamp<std::size_t>(count / worthAThread, 1, cores);
-    std::vector<std::future<void>> others;
-    for (std::size_t i = 1; i < parts; ++i) {
-        others.push_back(std::async(std::launch::async, [&work, count, parts, i] {
-            work(count * i / parts, count * (i + 1) / parts);
-        }));
-    }
-    work(0, count / parts);
-    for (std::future<void>& other : others) {
-        other.get();
-    }
-}
-
 /// Answers lines in their order, many at a time. Cases for the GPU, and all answers after them,
 /// wait until there are many or no more lines.
 class Evaluation {
@@ -120,11 +100,12 @@ class Evaluation {
     void answer() {
         const std::size_t before = answers_.size();
         answers_.resize(before + lines_.size());
-        inParallel(lines_.size(), [this, before](std::size_t first, std::size_t last) {
+        const auto work = [this, before](std::size_t, std::size_t first, std::size_t last) {
             for (std::size_t i = first; i < last; ++i) {
                 answers_[before + i] = answerTo(lines_[i], catalog_);
             }
-        });
+        };
+        lines_.size() < worthThreads ? work(0, 0, lines_.size()) : inParallel(lines_.size(), work);
         const auto isWaiting = [](const Answer& answer) { return answer.waiting.has_value(); };
         waiting_ +=
             std::count_if(answers_.begin() + std::ptrdiff_t(before), answers_.end(), isWaiting);
@@ -145,6 +126,7 @@ class Evaluation {
 
   private:
     static constexpr std::ptrdiff_t enough = 1 << 17;  ///< GPU cases kept in memory at a time
+    static constexpr std::size_t worthThreads = 256;   ///< fewer lines are quicker on one
     static constexpr std::size_t maxLines = 1u << 14;  ///< lines answered at a time
     static constexpr std::size_t maxBytes = 16u << 20; ///< bytes of the lines answered at a time
 

@@ -5,7 +5,6 @@
 #include <charconv>
 #include <filesystem>
 #include <string_view>
-#include <utility>
 
 #include <fmt/format.h>
 

@@ -6,14 +6,15 @@
 
 #include <fmt/format.h>
 
+#include "core/text.h"
+
 namespace patina {
 namespace {
 
 /// Replaces control characters by question marks. Messages quote files that nobody vouches for: a
 /// line break would look like another message, and a terminal obeys other control characters.
 std::string printable(std::string text) {
-    std::replace_if(
-        text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
+    std::ranges::replace_if(text, isControl, '?');
     return text;
 }
 

@@ -13,6 +13,11 @@ bool isNameCharacter(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
+bool isControl(char c) {
+    const auto code = static_cast<unsigned char>(c);
+    return code < 0x20 || code == 0x7f;
+}
+
 std::string capitalised(std::string_view word) {
     std::string text(word);
     if (!text.empty()) {

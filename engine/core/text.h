@@ -12,6 +12,9 @@ bool isBlank(std::string_view line);
 /// Tells whether a character may stand in a name of GLSL or C++.
 bool isNameCharacter(char c);
 
+/// Tells whether a character is a control character of ASCII, line breaks and tabs included.
+bool isControl(char c);
+
 /// Makes the first letter upper case: "fresnel" -> "Fresnel".
 std::string capitalised(std::string_view word);
 

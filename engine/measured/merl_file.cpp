@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
-#include <optional>
 
 #include <fmt/format.h>
 #include <glm/common.hpp>

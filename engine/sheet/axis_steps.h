@@ -2,8 +2,6 @@
 // This file says what one step of an axis does to a scene, for each kind of axis.
 #pragma once
 
-#include <vector>
-
 #include "sheet/sheet_plan.h"
 
 namespace patina {

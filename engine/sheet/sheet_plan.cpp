@@ -2,7 +2,6 @@
 #include "sheet/sheet_plan.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include <fmt/format.h>

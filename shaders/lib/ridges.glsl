@@ -16,12 +16,16 @@ struct AcrossRidges {
     float across;  // the length of its unit vector in the plane
 };
 
-// From the components n > 0 and b of the direction.
+// From the components n > 0 and b of the direction, whose squares a float may not hold.
 AcrossRidges acrossRidges(float n, float b) {
     AcrossRidges a;
-    a.across = sqrt(n * n + b * b);
-    a.cosine = n / a.across;
-    a.sine = abs(b) / a.across;
+    float largest = max(n, abs(b));
+    float x = n / largest;
+    float y = abs(b) / largest;
+    float size = sqrt(x * x + y * y);
+    a.across = largest * size;
+    a.cosine = x / size;
+    a.sine = y / size;
     a.horizon = angleOf(a.cosine, a.sine);
     a.side = b < 0.0 ? -1.0 : 1.0;
     return a;

@@ -79,6 +79,11 @@ TEST(AddedEffect, ItsData_ArePackedByItsOwnFile) {
     EXPECT_EQ(packed[0].x, 0.5f);
 }
 
+TEST(AddedEffect, ThatSaysNothingOfDoublePrecision_HasNoFrameInIt) {
+    EXPECT_EQ(unknownToReference(effectSet(night.objects[0].material, night, catalog())), "night");
+    EXPECT_EQ(unknownToReference(effectSet(day.objects[0].material, day, catalog())), "");
+}
+
 TEST(AddedEffect, SwitchedOff_LeavesTheTextOfADay) {
     EXPECT_TRUE(rowOf(night).removable);
     const std::string effect = "night";

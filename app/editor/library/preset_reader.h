@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <map>
 
 #include "catalog/catalog.h"
 #include "library/preset_entry.h"

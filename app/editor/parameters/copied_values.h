@@ -3,7 +3,6 @@
 
 #include <span>
 #include <string>
-#include <vector>
 
 #include "document/json_clipboard.h"
 #include "parameters/parameter_source.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sheets/sheet_saving.h"
 
-#include <optional>
 #include <string>
 #include <utility>
 

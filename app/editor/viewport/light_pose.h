@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "catalog/block.h"
 #include "scene/scene.h"

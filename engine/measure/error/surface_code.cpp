@@ -6,6 +6,7 @@
 #include <cmath>
 #include <span>
 
+#include <fmt/format.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -98,6 +99,10 @@ class Collector {
         }
         if (isVisiblyTransparent(effects_)) {
             return failure("the object is transparent");
+        }
+        if (const std::string effect = unknownToReference(effects_); !effect.empty()) {
+            return failure(
+                fmt::format("the object has {}, which has no code in double precision", effect));
         }
         return {};
     }

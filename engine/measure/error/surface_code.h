@@ -51,8 +51,8 @@ struct SurfaceCode {
     std::size_t firstShare = 0;
     glm::dvec3 eye{0.0};
 
-    /// Collects the code of an object. An error says what of it cannot be computed: a block without
-    /// code in double precision, refraction or transparency.
+    /// Collects the code of an object. An error says what of it cannot be computed: a block or an
+    /// effect without code in double precision, refraction or transparency.
     static Result<SurfaceCode> of(const BufferedObject& object, const SurfaceBuffer& buffer);
 };
 

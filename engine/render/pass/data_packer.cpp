@@ -2,7 +2,6 @@
 #include "render/pass/data_packer.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>

@@ -7,6 +7,8 @@ namespace patina {
 
 /// Adds the scene's ambient colour: light from everywhere.
 struct AmbientEffect {
+    static constexpr bool isKnownToReference = true;
+
     bool ambient = false;
 
     void choose(const SceneSubject& subject, const EffectSet& set);

@@ -10,6 +10,8 @@ namespace patina {
 /// Holds the material's Fresnel term where its model calls none: the summed light is blended
 /// towards its tint.
 struct BlendEffect {
+    static constexpr bool isKnownToReference = true;
+
     std::optional<BlockUse> blend;
 
     void choose(const MaterialSubject& subject, const EffectSet& set);

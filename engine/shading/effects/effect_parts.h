@@ -25,6 +25,9 @@
 //       values a surface buffer has of it, and what stores them from that place on.
 //   static bool dependsOnPlaces(const Scene&, const Catalog&, std::string_view kind): whether the
 //       choice depends on where things are, which values of this kind of block or settings move.
+//   static constexpr bool isKnownToReference: the frame in double precision (SurfaceCode of
+//       measure/error) does the same to a surface, or refuses one that has it. A surface with
+//       an effect that writes and does not say so has no such frame.
 //   static void remove(Scene&, const EffectName&, const Catalog&): the scene without it, where the
 //       name is its own.
 #pragma once

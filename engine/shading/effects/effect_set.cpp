@@ -86,6 +86,27 @@ std::vector<EffectLine> effectLines(const EffectSet& set, const EffectSubject& s
     return listed(set, &subject);
 }
 
+std::string unknownToReference(const EffectSet& set) {
+    std::string unknown;
+    set.each([&]<class Effect>(const Effect& effect) {
+        constexpr bool writes = requires(SurfaceText & text) {
+            effect.write(text);
+        }
+        || requires(SurfaceText & text) {
+            effect.writeLight(text);
+        };
+        if constexpr (writes && !requires { Effect::isKnownToReference; }) {
+            EffectListing listing(nullptr);
+            effect.list(listing, set);
+            const std::vector<EffectLine> lines = listing.take();
+            if (unknown.empty() && !lines.empty()) {
+                unknown = lines.front().effect;
+            }
+        }
+    });
+    return unknown;
+}
+
 std::vector<EffectLine> leftOut(const EffectSet& set, const EffectSubject& subject) {
     LeftOutListing listing(subject);
     listMissing(set, listing);

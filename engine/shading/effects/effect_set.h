@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -69,6 +70,10 @@ bool dependsOnPlaces(const Scene& scene, const Catalog& catalog, std::string_vie
 /// which is what the set was chosen for.
 std::vector<EffectLine> effectLines(const EffectSet& set);
 std::vector<EffectLine> effectLines(const EffectSet& set, const EffectSubject& subject);
+
+/// Returns the name of an effect that changes what a surface looks like and that the frame in
+/// double precision does not know (isKnownToReference); empty where there is none.
+std::string unknownToReference(const EffectSet& set);
 
 /// Returns what the document has and the program has not, and why.
 std::vector<EffectLine> leftOut(const EffectSet& set, const EffectSubject& subject);

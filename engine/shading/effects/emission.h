@@ -13,6 +13,8 @@ bool isEmitted(const Parameter& parameter, const Values& values);
 /// Holds the light that the surface sends out by itself: the model's colours that are emitted and
 /// not black everywhere.
 struct EmissionEffect {
+    static constexpr bool isKnownToReference = true;
+
     boost::container::small_vector<const Parameter*, 2> emission;
 
     void choose(const MaterialSubject& subject, const EffectSet& set);

@@ -39,6 +39,8 @@ enum class EnvironmentMethod : std::uint8_t {
 /// Holds the scene's environment. It is left out where it is dark, unless an object refracts what
 /// is behind it, and where it lacks its picture.
 struct EnvironmentEffect {
+    static constexpr bool isKnownToReference = true;
+
     std::optional<BlockUse> environment;
     bool wantsFitted = false; ///< as the scene or the view says
     EnvironmentMethod method = EnvironmentMethod::Sampled;

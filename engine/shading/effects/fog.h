@@ -49,6 +49,8 @@ inline constexpr double halfStep = 0.5 / 255.0;
 /// Puts fog between the eye and what is drawn. It is left out where it hides nothing, or nobody
 /// could see that it does.
 struct FogEffect {
+    static constexpr bool isKnownToReference = true;
+
     std::optional<BlockUse> fog;
     bool fogsAtVertices = false; ///< but on the ground
 

@@ -10,6 +10,8 @@ namespace patina {
 
 /// Adds ambient light that differs above and below.
 struct HemisphereEffect {
+    static constexpr bool isKnownToReference = true;
+
     bool hemisphere = false;
 
     void choose(const SceneSubject& subject, const EffectSet& set);

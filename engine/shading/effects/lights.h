@@ -54,6 +54,8 @@ std::string compiledText(const std::vector<const BlockUse*>& uses);
 /// with all of its group, ends before what is drawn. A drawing takes the key light of them alone,
 /// unless the scene says otherwise.
 struct LightsEffect {
+    static constexpr bool isKnownToReference = true;
+
     std::vector<LightGroup> lights; ///< sorted by kind of light, then by compiled values
     std::uint64_t keyKind = 0;      ///< lightKey() of the key light; 0: no light shines
     bool drawingsTakeKey = true;    ///< as the scene says

@@ -9,6 +9,8 @@ namespace patina {
 
 /// Holds the material's lighting model. Without one a plain fallback is drawn.
 struct ModelEffect {
+    static constexpr bool isKnownToReference = true;
+
     std::optional<BlockUse> model;
 
     void choose(const MaterialSubject& subject, const EffectSet& set);

@@ -13,6 +13,8 @@ namespace patina {
 /// Says what an object hides of the environment and of the ambient light from itself, by the
 /// openness of its vertices. It is left out where the scene has no such light, and of drawings.
 struct OcclusionEffect {
+    static constexpr bool isKnownToReference = true;
+
     bool wantsOcclusion = false; ///< as the scene says
     bool isOccluded = false;
 

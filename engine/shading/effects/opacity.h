@@ -29,6 +29,8 @@ bool isTransparent(const Material& material, const Catalog& catalog);
 
 /// The material hides less than everything.
 struct OpacityEffect {
+    static constexpr bool isKnownToReference = true;
+
     bool opacity = false;
 
     void choose(const MaterialSubject& subject, const EffectSet& set);

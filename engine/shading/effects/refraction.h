@@ -36,6 +36,8 @@ bool showsSceneRefracted(const Scene& scene, const Catalog& catalog);
 
 /// Holds what refracts the light that the material transmits.
 struct RefractionEffect {
+    static constexpr bool isKnownToReference = true;
+
     std::optional<BlockUse> refraction;
 
     void choose(const MaterialSubject& subject, const EffectSet& set);

@@ -21,6 +21,8 @@ const Block* transparencyBlock(const Scene& scene, const Catalog& catalog);
 /// Says how what is transparent is put together, in the programs that draw it; without a block each
 /// object is blended over what is behind it.
 struct TransparencyEffect {
+    static constexpr bool isKnownToReference = true;
+
     std::optional<BlockUse> transparency;
 
     void choose(const SceneSubject& subject, const EffectSet& set);
