@@ -208,5 +208,10 @@ TEST(Arrows, CommandLineAndFilesProgram_HaveNoQt) {
     }
 }
 
+TEST(Arrows, TheirMap_IsReadInFiveMinutes) {
+    const std::string map = readText(projectRoot() / "ARCHITECTURE.md");
+    EXPECT_LE(std::ranges::count(map, '\n'), 150) << "what goes beyond the map is in docs/design";
+}
+
 } // namespace
 } // namespace patina::tests::arrows_test
