@@ -223,7 +223,6 @@ BLOCK is an id, or {"id": ID, "parameters": {...}, "accuracy": {...}}. Every cas
 an "id", which its answer repeats, and a "precision": "double" (the default) or "gpu".
 An answer is {"id": ..., "value": ...}, or has an "error" in place of the value.
   echo '{"function": "sqr", "arguments": [3]}' | patina eval
-Some blocks have more functions, which a case names by its key "call":
 )";
 
 /// Returns the arguments of a function as keys of a line.
@@ -239,9 +238,23 @@ std::string keysText(const BlockFunction& function) {
     return text;
 }
 
+/// Returns a case of each kind that the help above does not know.
+std::string otherKindsText() {
+    std::string text;
+    for (const BlockKind& kind : blockKinds()) {
+        const std::string start = fmt::format("  {{\"{}\":", kind.singular);
+        const auto functions = evaluatedFunctions(kind);
+        if (!functions.empty() &&
+            std::string_view(caseKeys).find(start) == std::string_view::npos) {
+            text += fmt::format("{} BLOCK{}}}\n", start, keysText(*functions.front()));
+        }
+    }
+    return text.empty() ? text : "A case may also be one of these:\n" + text;
+}
+
 /// Returns help on the functions of each kind after its first one.
 std::string callsText() {
-    std::string text;
+    std::string text = "Some blocks have more functions, which a case names by its key \"call\":\n";
     for (const BlockKind& kind : blockKinds()) {
         for (const BlockFunction* function : evaluatedFunctions(kind)) {
             if (!function->suffix.empty()) {
@@ -260,7 +273,7 @@ void addEval(CLI::App& program, int& status) {
         "eval", "Evaluate models and other blocks, and shader functions:\n"
                 "one JSON case per line on standard input, one result per line on standard output");
     auto functions = std::make_shared<bool>(false);
-    command->footer(caseKeys + callsText());
+    command->footer(caseKeys + otherKindsText() + callsText());
     command->add_flag("--functions", *functions, "List the shader library's functions instead");
     command->callback([functions, &status] {
         if (*functions) {

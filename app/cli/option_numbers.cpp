@@ -12,8 +12,8 @@ double optionNumber(const std::string& option, const std::string& text,
                     const OptionNumber& wanted) {
     const std::optional<double> number = wanted.read(text);
     if (!number || !wanted.holds(*number)) {
-        throw CLI::ValidationError(option, fmt::format("not {}: \"{}\"; expected {}", wanted.what,
-                                                       text, wanted.expected));
+        throw CLI::ValidationError(
+            option, fmt::format("not {}: \"{}\"; expected {}", wanted.what, text, wanted.expected));
     }
     return *number;
 }

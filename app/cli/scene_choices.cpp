@@ -112,13 +112,17 @@ Result<void> chooseLight(Scene& scene, const BlockKind& kind, const LightChoice&
     return {};
 }
 
-bool mayCast(const Light& light, const Catalog& catalog) {
+bool mayHave(const Light& light, const BlockKind& kind, const Catalog& catalog) {
+    if (kind.folder != kinds::shadows) {
+        return true;
+    }
     const Block* block = catalog.find(kinds::lights, light.block.id);
     return block != nullptr && block->shadowProjection != ShadowProjection::None;
 }
 
-Result<void> chooseShadow(Scene& scene, const BlockKind& kind, const LightChoice& choice,
-                          const Catalog& catalog) {
+/// Chooses a part of the named light, or of all; shadows are for those alone that may cast them.
+Result<void> chooseLightPart(Scene& scene, const BlockKind& kind, const LightChoice& choice,
+                             const Catalog& catalog) {
     const Light* named = lightNamed(scene, choice.name);
     if (named == nullptr && !choice.name.empty()) {
         return noSuchLight(scene, kind, choice);
@@ -127,15 +131,15 @@ Result<void> chooseShadow(Scene& scene, const BlockKind& kind, const LightChoice
         const bool isMeant = choice.name.empty() || &light == named;
         if (isMeant && choice.block == nullptr) {
             light.setPart(kind.folder, std::nullopt);
-        } else if (isMeant && mayCast(light, catalog)) {
+        } else if (isMeant && mayHave(light, kind, catalog)) {
             light.setPart(kind.folder, defaultBlockValues(*choice.block));
         }
     }
     return {};
 }
 
-/// Applies the choices for lights or for their shadows. Lights without a name replace those of the
-/// scene.
+/// Applies the choices for lights or for parts of theirs. Lights without a name replace those of
+/// the scene.
 Result<void> chooseInLights(Scene& scene, const BlockKind& kind,
                             const std::vector<std::string>& texts, const Catalog& catalog) {
     std::vector<LightChoice> choices;
@@ -155,7 +159,7 @@ Result<void> chooseInLights(Scene& scene, const BlockKind& kind,
     for (const LightChoice& choice : choices) {
         if (done) {
             done = isOfLights ? chooseLight(scene, kind, choice, catalog)
-                              : chooseShadow(scene, kind, choice, catalog);
+                              : chooseLightPart(scene, kind, choice, catalog);
         }
     }
     return done;

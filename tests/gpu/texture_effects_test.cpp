@@ -27,8 +27,7 @@ class TextureEffects : public ShadingTest {
 };
 
 TEST_F(TextureEffects, UnboundMaterial_HasNoSamplerAndNoCoordinates) {
-    const auto program =
-        surfaceProgram(effectSet(material("phong"), {}, catalog()), catalog());
+    const auto program = surfaceProgram(effectSet(material("phong"), {}, catalog()), catalog());
     ASSERT_TRUE(program);
     EXPECT_EQ(program->fragment.text.find("sampler"), std::string::npos);
     EXPECT_EQ(program->vertex.text.find("uv"), std::string::npos);
@@ -113,6 +112,17 @@ TEST_F(TextureEffects, MoreImagesThanUnits_AreLeftOutWithAReason) {
     }
     EXPECT_EQ(effectSet(ward, {}, catalog()).textures.size(), maxTextures);
     EXPECT_EQ(whyNot(ward), "A material shows 8 images at most.");
+}
+
+TEST_F(TextureEffects, OpacityAfterTooManyImages_StaysSinceShadowsGoByIt) {
+    Material lafortune = material("lafortune");
+    for (const char* key : {"diffuse.color", "emissive.color", "gloss", "height", "lobe1.color",
+                            "lobe2.color", "lobe3.color", "normal", "opacity"}) {
+        lafortune.textures[key] = textureUse(key, "/image.png");
+    }
+    const auto textures = effectSet(lafortune, {}, catalog()).textures;
+    ASSERT_EQ(textures.size(), maxTextures);
+    EXPECT_EQ(textures.back().role, TextureRole::Opacity);
 }
 
 TEST_F(TextureEffects, Key_StaysWhenOnlyDataChange) {

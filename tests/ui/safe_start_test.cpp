@@ -41,6 +41,12 @@ TEST(StartMark, OfAProgramThatRuns_IsNoCrash) {
     EXPECT_TRUE(StartMark(folder.path()).foundCrash());
 }
 
+TEST(StartMark, PipeAmongThem_IsNoneAndIsNotWaitedFor) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(::mkfifo((folder.path() / "running-pipe").c_str(), 0600), 0);
+    EXPECT_FALSE(StartMark(folder.path()).foundCrash());
+}
+
 TEST(StartMark, OfOneThatEndsInOrder_Goes) {
     const TemporaryFolder folder;
     {

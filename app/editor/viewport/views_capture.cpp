@@ -131,7 +131,7 @@ void ViewsCapture::start(bool display, PictureCapture::Taken taken) {
               });
 }
 
-void ViewsCapture::startEach(bool display, EachTaken taken) {
+void ViewsCapture::startEach(bool display, const EachTaken& taken) {
     std::vector<SideView*> shown;
     for (SideView* view : views_.views()) {
         if (!view->isHidden()) {

@@ -34,7 +34,7 @@ class ViewsCapture : public QObject {
     /// Takes one picture per view, without titles; `taken` gets an empty list where one of them
     /// cannot be drawn.
     using EachTaken = std::function<void(std::vector<SidePictureTaken>)>;
-    void startEach(bool display, EachTaken taken);
+    void startEach(bool display, const EachTaken& taken);
 
     /// Ends what was started without a picture.
     void cancel();

@@ -525,7 +525,7 @@ void Menus::exportPicture() {
     }
     const bool isComparing = parts_.document.isComparing();
     if (isComparing) {
-        source.captureEach = [views](std::function<void(std::vector<NamedPicture>)> taken) {
+        source.captureEach = [views](const std::function<void(std::vector<NamedPicture>)>& taken) {
             if (!views) {
                 taken({});
                 return;

@@ -8,6 +8,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <QCoreApplication>
@@ -26,13 +27,15 @@ QString safeStartText(const char* words) {
 }
 
 /// Returns whether the program that left a mark still runs: the system gives its lock up however
-/// it ended. Where files cannot be locked, it is taken for running.
+/// it ended. Where files cannot be locked, it is taken for running; what is no file is no mark.
 bool runs(const fs::path& mark) {
-    const int descriptor = ::open(mark.c_str(), O_RDONLY | O_CLOEXEC);
+    const int descriptor = ::open(mark.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW);
     if (descriptor < 0) {
         return true;
     }
-    const bool isLocked = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0;
+    struct stat status {};
+    const bool isFile = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+    const bool isLocked = !isFile || ::flock(descriptor, LOCK_EX | LOCK_NB) != 0;
     ::close(descriptor);
     return isLocked;
 }

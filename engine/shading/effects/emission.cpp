@@ -53,8 +53,8 @@ void EmissionEffect::listMissing(LeftOutListing& listing, const EffectSet& set) 
     }
 }
 
-/// Once per pixel, whatever the number of lights: no Fresnel term covers what a surface sends out
-/// by itself.
+/// Adds emission once per pixel, whatever the number of lights: no Fresnel term covers what a
+/// surface sends out by itself.
 void EmissionEffect::write(SurfaceText& text) const {
     for (const Parameter* color : emission) {
         const std::string value = "model." + fieldName(color->id);

@@ -45,8 +45,8 @@ void PictureEffect::choose(const SceneSubject& subject, const EffectSet&) {
     wantsWideHighlights = subject.scene.accuracy.widensHighlights();
 }
 
-/// Light that comes from the vertices needs no normals between them. A pixel's neighbours say how
-/// much the surface turns; vertices have none.
+/// Drops interpolated normals where light comes from the vertices, which need none between them. A
+/// pixel's neighbours say how much the surface turns; vertices have none.
 void PictureEffect::adjust(const EffectSet& set) {
     const bool hasModel = set.model.has_value();
     lightsAtVertices = hasModel && wantsVertexLight && whyPerPixel(set).empty();

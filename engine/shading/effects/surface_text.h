@@ -38,7 +38,7 @@ class SurfaceText {
     std::string store = "store({}, {})"; ///< the colour, the opacity
     std::vector<SlotFill> filled;        ///< the model's slots
 
-    /// What becomes of light from all around before it meets the surface.
+    /// Says what becomes of light from all around before it meets the surface.
     struct LightFromAround {
         std::string surface = "s";    ///< an expression for the surface that ambient light falls on
         std::string factor{};         ///< of ambient light, with its operator

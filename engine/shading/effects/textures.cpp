@@ -193,6 +193,13 @@ void packTextures(std::span<glm::vec4> out, const Material& material, const Effe
     }
 }
 
+/// Returns how many images may be bound before this one is left out: one fewer where the image of
+/// the opacity comes behind it, since shadows and the order of what is transparent go by that.
+std::size_t roomFor(std::string_view key, const Material& material) {
+    constexpr std::string_view shape = "opacity";
+    return maxTextures - (key < shape && isTextured(shape, material) ? 1 : 0);
+}
+
 } // namespace
 
 TextureTarget textureTarget(std::string_view key, const TextureUse& use, const Material& material,
@@ -283,7 +290,7 @@ void TexturesEffect::choose(const MaterialSubject& subject, const EffectSet& set
     }
     for (const auto& [key, use] : subject.material.textures) {
         const TextureTarget target = textureTarget(key, use, subject.material, subject.catalog);
-        if (target.whyNot == nullptr && textures.size() < maxTextures) {
+        if (target.whyNot == nullptr && textures.size() < roomFor(key, subject.material)) {
             textures.push_back(boundTexture(use, target));
         }
     }
@@ -321,7 +328,9 @@ void TexturesEffect::listMissing(LeftOutListing& listing, const EffectSet& set) 
             listing.add("texture/" + key, target.whyNot);
         } else if (!set.model) {
             listing.add("texture/" + key, "The model is not known.");
-        } else if (count++ >= maxTextures) {
+        } else if (count < roomFor(key, *material)) {
+            ++count;
+        } else {
             listing.add("texture/" + key,
                         fmt::format("A material shows {} images at most.", maxTextures));
         }
