@@ -9,8 +9,9 @@ namespace patina {
 namespace {
 
 std::string signatureOf(const Block& block, const ParameterField& field) {
-    return fmt::format("{} {}(float x, {} p) {{\n", functionOf(field)->result,
-                       functionOfField(block, field.name), structName(block));
+    return fmt::format("{} {}({} x, {} p) {{\n", functionOf(field)->result,
+                       functionOfField(block, field.name), functionOf(field)->argument,
+                       structName(block));
 }
 
 } // namespace

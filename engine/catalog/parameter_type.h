@@ -22,7 +22,7 @@ struct Parameter;
 /// the editor that `make<Name>Editor()` makes (app/editor/parameters/editor_factory.h).
 #define PATINA_PARAMETER_TYPES(type)                                                               \
     type(Float) type(Int) type(Bool) type(Color) type(Vec2) type(Vec3) type(Angle) type(Enum)      \
-        type(Texture) type(Curve) type(Ramp)
+        type(Texture) type(Measured) type(Curve) type(Ramp)
 
 #define PATINA_ENUMERATOR(name) name,
 enum class ParameterType { PATINA_PARAMETER_TYPES(PATINA_ENUMERATOR) };
@@ -32,7 +32,7 @@ enum class ParameterType { PATINA_PARAMETER_TYPES(PATINA_ENUMERATOR) };
 inline constexpr int maxComponents = 72;
 
 /// Describes the function that a block calls for a value that is a function: `<result>
-/// <block><Field>(float x, <Block> p)`.
+/// <block><Field>(<argument> x, <Block> p)`.
 struct ShaderFunction {
     std::string_view result; ///< GLSL type: "float", "vec3"
 
@@ -43,8 +43,12 @@ struct ShaderFunction {
     /// Is the word of state 0, in which the function is `plainBody` and reads nothing: the struct
     /// has a bool `<field><Word>` for it, which is true when the first number is 0. It is empty
     /// when there is no such state.
-    std::string_view plainWord;
-    std::string_view plainBody;
+    std::string_view plainWord{};
+    std::string_view plainBody{};
+
+    std::string_view argument{"float"}; ///< GLSL type of x
+    /// Is GLSL that stands before the function in a program: what it reads beside its numbers.
+    std::string_view before{};
 };
 
 /// Holds everything that is known of a type of parameter; code that depends on the type reads it
@@ -63,6 +67,7 @@ struct ParameterTypeInfo {
     bool isColor = false;            ///< a value is linear light
     bool isChoice = false;           ///< a value is the id of one of Parameter::values
     bool isFile = false;             ///< a value names a file, and is kept with the images
+    bool isTable = false;            ///< a value names a file whose table is a texture
     bool hasAxes = false;            ///< its numbers have names, which a descriptor may change
     bool takesImage = false;         ///< an image may drive it
     double step = 0.01;              ///< is used where the descriptor gives none

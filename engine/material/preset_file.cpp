@@ -11,11 +11,13 @@
 #include "material/block_values.h"
 #include "material/file_header.h"
 #include "material/material_settings.h"
+#include "material/measured_preset.h"
 #include "material/model_swap.h"
 #include "material/texture_file.h"
 #include "material/texture_key.h"
 #include "material/texture_path.h"
 #include "material/variant.h"
+#include "measured/measured_reflectance.h"
 
 namespace patina {
 namespace {
@@ -99,6 +101,32 @@ class PresetReader {
         if (reader_.has("model")) {
             material().model = blocks_.read(model, parameters, kinds::models, material().parked);
             material().model.unknown.update(model.unknown());
+            readModelFile();
+        }
+    }
+
+    /// Makes the path of the model's measured file full; one that may not be read is left out.
+    void readModelFile() {
+        const Block* block = blocks_.catalog.find(kinds::models, material().model.id);
+        const Parameter* parameter = block != nullptr ? tableParameter(*block) : nullptr;
+        if (parameter == nullptr) {
+            return;
+        }
+        Value& value = material().model.parameters[parameter->id];
+        auto* file = std::get_if<std::string>(&value);
+        if (file == nullptr || file->empty()) {
+            return;
+        }
+        if (references_.mayRead(*file, OutsideFile::Kind::Image)) {
+            *file = imageFromFile(*file, references_.base());
+        } else {
+            note(reader_.pointer("parameters") + '/' + escapedToken(parameter->id),
+                 fmt::format(
+                     "the measured file \"{}\" is not in the preset's folder and is not used",
+                     *file),
+                 "a relative path with forward slashes into that folder");
+            material().parked[parameter->id] = *file;
+            file->clear();
         }
     }
 
@@ -236,6 +264,17 @@ Json modelJson(const BlockValues& model) {
     return json;
 }
 
+/// Returns the model's values; the path of a measured file is relative to the folder.
+Json modelParametersJson(const BlockValues& model, const std::filesystem::path& folder) {
+    Json json = parametersJson(model);
+    for (const auto& [id, value] : model.parameters) {
+        if (const auto* text = std::get_if<std::string>(&value); text && isMeasuredFile(*text)) {
+            json[id] = imageForFile(*text, folder);
+        }
+    }
+    return json;
+}
+
 } // namespace
 
 Checked<PresetReading> materialFromJson(const LocatedJson& document, const std::string& pointer,
@@ -256,7 +295,7 @@ nlohmann::json toJson(const Material& material, const std::filesystem::path& fol
     json["license"] = material.license;
     json["tags"] = material.tags;
     json["model"] = modelJson(material.model);
-    json["parameters"] = parametersJson(material.model);
+    json["parameters"] = modelParametersJson(material.model, folder);
     json[std::string(kinds::fresnel)] = Json(); // a preset always says whether it has one
     for (const auto& [kind, values] : material.parts) {
         json[kind] = toJson(values);
@@ -275,6 +314,9 @@ nlohmann::json toJson(const Material& material, const std::filesystem::path& fol
 
 Checked<PresetReading> readPreset(const std::filesystem::path& path, const Catalog& catalog,
                                   const ReadingRights& rights) {
+    if (isMeasuredFile(path)) {
+        return readMeasuredPreset(path, catalog);
+    }
     const Result<LocatedJson> document = readJson(path);
     if (!document) {
         return tl::unexpected(Errors{document.error()});

@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 
 #include "core/error.h"
+#include "measured/half_difference_table.h"
 
 namespace patina {
 
@@ -32,6 +33,11 @@ class MeasuredReflectance {
     /// Returns at most `maxCount` pairs of directions at which evaluate() is what the file holds,
     /// evenly taken from all that have a value.
     virtual std::vector<DirectionPair> samples(std::size_t maxCount) const = 0;
+
+    /// Returns the reflectance in bins, for graphics cards: those that a MERL file has; of another
+    /// file 180 x 90 x 90, whose values are evaluate() in their middles. An anisotropic surface is
+    /// averaged over eight turns, so that it loses its direction.
+    virtual HalfDifferenceTable table() const = 0;
 
     /// Tells whether only the difference of both azimuths counts.
     virtual bool isIsotropic() const = 0;

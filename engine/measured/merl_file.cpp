@@ -80,6 +80,16 @@ class MerlReflectance : public MeasuredReflectance {
         return pairs;
     }
 
+    HalfDifferenceTable table() const override {
+        HalfDifferenceTable table;
+        table.bins = {int(bins_[2]), int(bins_[1]), int(bins_[0])};
+        table.texels.resize(count());
+        for (std::size_t bin = 0; bin < count(); ++bin) {
+            table.texels[bin] = {values_[bin], values_[bin + count()], values_[bin + 2 * count()]};
+        }
+        return table;
+    }
+
     bool isIsotropic() const override { return true; }
 
     std::string description() const override {

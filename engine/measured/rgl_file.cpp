@@ -12,6 +12,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "measured/sampled_table.h"
 #include "measured/spectrum_color.h"
 #include "measured/tensor_file.h"
 #include "measured/warp_table.h"
@@ -24,6 +25,8 @@ using std::numbers::pi;
 /// Bounds what a grazing light divides by: a file holds f times the cosine, which fades more slowly
 /// in the interpolation.
 constexpr double minCosine = 1e-4;
+
+constexpr int anisotropicTurns = 8; ///< counts the azimuths over which a table is averaged
 
 /// Maps a polar angle of 0 .. pi/2 to 0 .. 1, with more room near the normal.
 double unitOfPolar(double theta) {
@@ -102,6 +105,10 @@ class RglReflectance : public MeasuredReflectance {
             pairs.push_back(usable[k * usable.size() / taken]);
         }
         return pairs;
+    }
+
+    HalfDifferenceTable table() const override {
+        return sampledTable(*this, isIsotropic() ? 1 : anisotropicTurns);
     }
 
     bool isIsotropic() const override { return tables_.seenNormals.density().first().size() <= 2; }

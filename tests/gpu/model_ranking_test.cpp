@@ -42,6 +42,27 @@ TEST_F(ModelRankingTest, EveryModel_IsRankedByItsTime) {
     }
 }
 
+TEST_F(ModelRankingTest, GivenMaterials_AreRankedInsteadOfAllModels) {
+    const Scene scene = simpleScene();
+    CostSweep::Options options;
+    options.size = {16, 16};
+    options.pairs.max = 7;
+    std::vector<Material> materials;
+    for (const char* id : {"he-torrance", "lambert"}) {
+        materials.push_back(defaultMaterial(*catalog->find("models", id)));
+    }
+    auto ranking =
+        ModelRanking::create({scene, 0, scene.camera, meshSource(), catalog}, options, materials);
+    ASSERT_TRUE(ranking);
+    while (!(*ranking)->finished()) {
+        (*ranking)->step();
+    }
+    const std::vector<ModelCost> costs = (*ranking)->costs();
+    ASSERT_EQ(costs.size(), 2u);
+    EXPECT_EQ(costs.front().model, "lambert");
+    EXPECT_EQ(costs.back().model, "he-torrance");
+}
+
 TEST(RankingTable, Lines_HaveTheLossOfLight) {
     ModelCost matte{"matte", "Matte", {}, std::nullopt, 0.25};
     ModelCost own{"own", "Own", {}, std::nullopt, std::nullopt};

@@ -105,6 +105,8 @@ class RandomScenes {
         }
         case ParameterType::Texture:
             return std::string(chance(0.8) ? "/panorama.hdr" : "");
+        case ParameterType::Measured:
+            return std::string();
         case ParameterType::Curve:
         case ParameterType::Ramp:
             return infoOf(parameter.type).ordinary(parameter, [&] { return number(parameter); });

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Claims that a descriptor does not make because of cases that chance does not meet: one of each.
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include "measure/stability/hemisphere_rule.h"
 #include "physics_cases.h"
+#include "support/measured_files.h"
+#include "support/program.h"
 
 namespace patina::physics::exemptions_test {
 namespace {
@@ -46,6 +50,15 @@ TEST(RareExemptions, StraussUnderLightBelowThreeDegrees_GivesBackMoreThanArrives
         sum += to.weight * model.shade(geometry(l, to.v)).x;
     }
     EXPECT_GT(sum / l.z, 1.1);
+}
+
+TEST(RareExemptions, FileOfABrighterSurface_GivesBackMoreThanArrives) {
+    const tests::TemporaryFolder folder;
+    tests::writeFile(folder / "a.binary", tests::merlBytes({2, 2, 2}, [](const DirectionPair&) {
+                         return glm::dvec3(1.5 / std::numbers::pi);
+                     }));
+    const Subject model("models", "measured", {{"file", (folder / "a.binary").string()}});
+    EXPECT_NEAR(model.shade(geometry({0.0, 0.0, 1.0}, direction(60.0, 0.0))).x, 1.5, 1e-6);
 }
 
 } // namespace

@@ -57,7 +57,7 @@ void expectFound(const Material& found, const Values& values) {
 
 ModelMatches matched(const std::string& model, const MatchTarget& target) {
     return fittedMaterials({defaultMaterial(*catalog().find(kinds::models, model))}, target, {},
-                           catalog(), [](double) { return true; });
+                           catalog(), [](double, const ModelMatches&) { return true; });
 }
 
 struct Case {
@@ -140,8 +140,8 @@ TEST(Matched, Ended_ReturnsWhatWasFittedUntilThen) {
     const auto target = matchTarget(*sweepVariant(catalog(), hidden("lambert", {})), 4096);
     ASSERT_TRUE(target);
     const std::vector<Material> many(1000, hidden("he-torrance", {}));
-    const ModelMatches matches =
-        fittedMaterials(many, *target, {}, catalog(), [](double) { return false; });
+    const ModelMatches matches = fittedMaterials(many, *target, {}, catalog(),
+                                                 [](double, const ModelMatches&) { return false; });
     EXPECT_LT(matches.rows.size(), 10u);
     EXPECT_TRUE(matches.problems.empty());
 }
@@ -161,7 +161,8 @@ TEST(Matched, Drawings_AreNoReflectances) {
     EXPECT_FALSE(matchAim(drawing, catalog(), 64));
     const auto target = matchTarget(*sweepVariant(catalog(), hidden("lambert", {})), 64);
     ASSERT_TRUE(target);
-    EXPECT_EQ(fittedMaterials({drawing}, *target, {}, catalog(), [](double) { return true; })
+    EXPECT_EQ(fittedMaterials({drawing}, *target, {}, catalog(),
+                              [](double, const ModelMatches&) { return true; })
                   .problems.size(),
               1u);
     for (const Block* model : matchedModels(catalog())) {

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page that finds the models that look like another material or a measured surface.
+#include <algorithm>
+#include <set>
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QTreeWidget>
@@ -85,6 +88,36 @@ TEST_F(MatchPanel, MeasuredFile_IsMatched) {
     list().setFocus();
     QTest::keyClick(&list(), Qt::Key_Return);
     EXPECT_LT(glm::length(color() - glm::dvec3(0.5, 0.25, 0.125)), 1e-3);
+}
+
+TEST_F(MatchPanel, AllModels_AppearAsTheyAreDoneAndAreTimed) {
+    writeFile(home("paint.binary"), merlBytes({8, 8, 16}, [](const DirectionPair&) {
+                  return glm::dvec3(0.5, 0.25, 0.125) / 3.14159265358979;
+              }));
+    page().aimAt(home("paint.binary"));
+    page().findChild<QCheckBox*>("all models")->setChecked(true);
+    std::set<int> counts;
+    for (QToolButton* button : page().findChildren<QToolButton*>()) {
+        if (button->text() == "Measure") {
+            button->click();
+        }
+    }
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+            counts.insert(list().topLevelItemCount());
+            return std::ranges::any_of(page().matches().rows,
+                                       [](const ModelMatch& row) { return row.nanoseconds; });
+        },
+        8 * waitMs));
+    EXPECT_GT(counts.size(), 3u);
+    EXPECT_GT(page().matches().rows.size(), 10u);
+    for (QToolButton* button : page().findChildren<QToolButton*>()) {
+        if (button->text() == "Stop") {
+            button->click();
+        }
+    }
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !page().isMeasuring(); }, waitMs));
+    EXPECT_GT(page().matches().rows.size(), 10u);
 }
 
 TEST_F(MatchPanel, DamagedFile_IsToldAndNothingIsLost) {

@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "catalog/catalog.h"
+#include "support/measured_files.h"
 #include "ui/answer.h"
 #include "ui/window_fixture.h"
 
@@ -39,6 +40,28 @@ TEST_F(OpenFiles, TwoPresets_AreTheTwoSides) {
     window().files().open({presetFile(), presetFile()}, Side::A);
     EXPECT_TRUE(document().isComparing());
     EXPECT_EQ(messages(), "");
+}
+
+TEST_F(OpenFiles, MeasuredFile_IsAMaterialThatIsReadOnly) {
+    writeFile(home("paint.binary"), merlBytes({4, 4, 4}, [](const DirectionPair&) {
+                  return glm::dvec3(0.5, 0.25, 0.125) / 3.14159265358979;
+              }));
+    const QString file = QString::fromStdString(home("paint.binary").string());
+    window().files().open({file}, Side::A);
+    EXPECT_EQ(messages(), "");
+    EXPECT_TRUE(window().documentFiles().file().readOnly);
+    EXPECT_EQ(document().material(Side::A)->name, "paint");
+    const int before = document().undoStack().count();
+    window().files().drop({file}, Side::A);
+    EXPECT_LE(document().undoStack().count(), before + 1);
+    writeFile(home("paint.binary"), "no numbers at all, but text of some length");
+    window().files().drop({file}, Side::A);
+    EXPECT_NE(messages().find("paint.binary"), std::string::npos) << messages();
+    EXPECT_EQ(document().material(Side::A)->name, "paint");
+    const std::filesystem::path other = home("other.binary");
+    writeFile(other, "no numbers at all, but text of some length");
+    document().setValue(pathOf(kinds::models), "file", other.string());
+    EXPECT_NE(messages().find("other.binary"), std::string::npos) << messages();
 }
 
 TEST_F(OpenFiles, SceneBesideAPreset_IsNamedAsNotOpened) {

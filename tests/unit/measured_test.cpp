@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files of measured reflectances, written here by formula in both formats, are read back within
 // what the format keeps; damaged ones end in a message with the place.
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -10,6 +11,9 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "core/numbered_texts.h"
+#include "measured/half_difference.h"
+#include "measured/kept_tables.h"
 #include "measured/measured_reflectance.h"
 #include "measured/spectrum_color.h"
 #include "support/measured_files.h"
@@ -65,6 +69,52 @@ TEST_F(Measured, MerlFile_IsReadBackAsItWasWritten) {
     EXPECT_TRUE((*reading)->isIsotropic());
     EXPECT_EQ((*reading)->samples(500).size(), 500u);
     EXPECT_LT(largestError(**reading, smooth), 1e-6);
+}
+
+TEST_F(Measured, Table_HasTheFilesBinsAndWhatWasNotMeasured) {
+    const auto reading = read(merlBytes({6, 5, 8}, [](const DirectionPair& pair) {
+        return pair.l.z < 0.4 ? glm::dvec3(-1.0) : smooth(pair);
+    }));
+    ASSERT_TRUE(reading);
+    const HalfDifferenceTable table = (*reading)->table();
+    EXPECT_EQ(table.bins, glm::ivec3(8, 5, 6));
+    ASSERT_EQ(table.texels.size(), 240u);
+    for (const DirectionPair& pair : (*reading)->samples(500)) {
+        const HalfDifference angles = halfDifference(pair);
+        const double root = std::sqrt(angles.half / (0.5 * pi));
+        const glm::ivec3 bin(angles.azimuth / pi * 8.0, angles.difference / (0.5 * pi) * 5.0,
+                             root * 6.0);
+        const glm::vec3 texel = table.texels[std::size_t((bin.z * 5 + bin.y) * 8 + bin.x)];
+        EXPECT_LT(glm::length(glm::dvec3(texel) - (*reading)->evaluate(pair)), 1e-6);
+    }
+    const auto isMissing = [](const glm::vec3& texel) { return texel.x < 0.0f; };
+    EXPECT_GT(std::ranges::count_if(table.texels, isMissing), 10);
+}
+
+TEST_F(Measured, AnisotropicTable_IsTheMeanOverTurns) {
+    const auto reading = read(RglFile{.azimuths = 9}.bytes(
+        [](const DirectionPair& pair) { return glm::dvec3(0.2 + 0.1 * pair.v.x * pair.v.x); }));
+    ASSERT_TRUE(reading);
+    ASSERT_FALSE((*reading)->isIsotropic());
+    const HalfDifferenceTable table = (*reading)->table();
+    EXPECT_EQ(table.bins, glm::ivec3(180, 90, 90));
+    // h is near the normal and v is 45 degrees from it: the mean of cos^2 is 1/2.
+    const glm::vec3 texel = table.texels[std::size_t((2 * 90 + 45) * 180 + 90)];
+    EXPECT_NEAR(texel.x, 0.225, 0.01);
+}
+
+TEST_F(Measured, UnreadableFile_HasATableOfItsOwnColour) {
+    writeFile(folder_ / "text.binary", "this is no measured surface at all");
+    EXPECT_FALSE(readTable(folder_ / "text.binary"));
+    const SharedTable table = keptTable(numberOfText((folder_ / "text.binary").string()));
+    EXPECT_GT(table->texels.front().x, table->texels.front().y);
+}
+
+TEST_F(Measured, TableTooLongForAGraphicsCard_IsRefused) {
+    writeFile(folder_ / "long.binary", merlBytes({1, 1, 2049}, smooth));
+    const auto table = readTable(folder_ / "long.binary");
+    ASSERT_FALSE(table);
+    EXPECT_NE(table.error().text().find("1 x 1 x 2049"), std::string::npos);
 }
 
 TEST_F(Measured, MerlFile_IsNearBetweenTheBins) {

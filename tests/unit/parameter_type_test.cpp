@@ -30,6 +30,7 @@ Parameter parameterOf(ParameterType type) {
         {ParameterType::Vec3, glm::dvec3(0.5)},
         {ParameterType::Enum, std::string("one")},
         {ParameterType::Texture, std::string()},
+        {ParameterType::Measured, std::string()},
         {ParameterType::Curve, curveValue(curvePresets()[0].points)},
         {ParameterType::Ramp, rampValue({RampInterpolation::Smooth, {{0.0, glm::dvec3(0.5)}}})}};
     const auto found = defaults.find(type);

@@ -31,11 +31,11 @@ AccuracyDock::AccuracyDock(const DockContext& context) {
     };
     add(material, tr("This Material"), tr("Every way to compute the material: time against error"));
     add(picture, tr("This Picture"), tr("Every way to draw the picture: time against error"));
-    auto* models = new ModelsPage(context, turn);
-    add(models, tr("All Models"), tr("Every model on this scene: time, instructions, lost light"));
+    add(new ModelsPage(context, turn), tr("All Models"),
+        tr("Every model on this scene: time, instructions, lost light"));
     add(new ScalingPage(context, turn), tr("Scaling"),
         tr("Time against pixels, lights and objects"));
-    add(new MatchPage(context, turn, *models), tr("Match"),
+    add(new MatchPage(context, turn), tr("Match"),
         tr("Values with which a model looks like another material or a measured surface"));
 }
 

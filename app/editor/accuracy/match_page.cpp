@@ -2,6 +2,8 @@
 #include "accuracy/match_page.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -13,12 +15,13 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
-#include "accuracy/models_page.h"
 #include "accuracy/number_row.h"
 #include "catalog/json_text.h"
 #include "docks/panel.h"
 #include "document/document.h"
 #include "document/snapshot_edits.h"
+#include "measure/cost/model_ranking.h"
+#include "session/session.h"
 #include "text/as_text.h"
 #include "text/display_number.h"
 #include "viewport/side_view.h"
@@ -42,6 +45,8 @@ struct MatchTask {
     std::filesystem::path file;
     Material own;
     bool fitsAll = false;
+    CostSweep::Subject subject; ///< is what the fits are drawn on to be timed
+    CostSweep::Options options{};
 };
 
 using TakeMatches = std::function<void(const ModelMatches&)>;
@@ -52,6 +57,39 @@ Checked<MatchAim> aimOf(const MatchTask& task) {
     }
     auto aim = matchAim(*task.material, *task.catalog, samples);
     return aim ? Checked<MatchAim>(std::move(*aim)) : tl::unexpected(oneError(aim.error()));
+}
+
+/// Measures how long the fitted materials take per pixel of the object, and shows what is known
+/// after each model's turn.
+Errors timeMatches(const MatchTask& task, ModelMatches& matches, Worker::Control& control,
+                   const TakeMatches& take) {
+    std::vector<Material> materials;
+    for (const ModelMatch& row : matches.rows) {
+        materials.push_back(row.material);
+    }
+    const auto ranking = ModelRanking::create(task.subject, task.options, std::move(materials));
+    if (!ranking) {
+        return {ranking.error()};
+    }
+    const auto show = [&] {
+        std::map<std::string, double> nanoseconds;
+        for (const ModelCost& cost : (*ranking)->costs()) {
+            nanoseconds[cost.model] = cost.cost.nanosecondsPerPixel;
+        }
+        addTimes(matches, nanoseconds);
+        control.show([take, matches] { take(matches); });
+    };
+    std::size_t number = 0;
+    while (!(*ranking)->finished() && !control.isCancelled()) {
+        (*ranking)->step();
+        const ModelRanking::Turn turn = (*ranking)->turn();
+        control.tell((*ranking)->progress(), MatchPage::tr("Measuring times"));
+        if (std::exchange(number, turn.number) != turn.number) {
+            show();
+        }
+    }
+    show();
+    return (*ranking)->problems();
 }
 
 /// Runs in the worker's thread; `take` is called in the window's thread.
@@ -67,22 +105,30 @@ MeasureEnd fit(const MatchTask& task, Worker::Control& control, const TakeMatche
             starts.push_back(matchStart(task.own, *aim, *model, *task.catalog));
         }
     }
-    const ModelMatches matches =
-        fittedMaterials(starts, aim->target, {}, *task.catalog, [&control](double done) {
-            control.tell(done, MatchPage::tr("Fitting models"));
-            return !control.isCancelled();
-        });
+    std::size_t shown = 0;
+    ModelMatches matches = fittedMaterials(starts, aim->target, {}, *task.catalog,
+                                           [&](double done, const ModelMatches& soFar) {
+                                               control.tell(done, MatchPage::tr("Fitting models"));
+                                               if (soFar.rows.size() > shown) {
+                                                   shown = soFar.rows.size();
+                                                   control.show([take, soFar] { take(soFar); });
+                                               }
+                                               return !control.isCancelled();
+                                           });
     control.show([take, matches] { take(matches); });
-    return endOf(!control.isCancelled(), matches.problems);
+    Errors problems = matches.problems;
+    if (!matches.rows.empty() && !control.isCancelled()) {
+        addNew(problems, timeMatches(task, matches, control, take));
+    }
+    return endOf(!control.isCancelled(), problems);
 }
 
 } // namespace
 
-MatchPage::MatchPage(const DockContext& context, std::shared_ptr<MeasureTurn> turn,
-                     const ModelsPage& models)
+MatchPage::MatchPage(const DockContext& context, std::shared_ptr<MeasureTurn> turn)
     : MeasurePage(context, std::move(turn), tr("Find the values that look like what is chosen"),
                   {"csv", "json"}),
-      models_(models), aim_(new QComboBox(this)), all_(new QCheckBox(tr("All models"), this)),
+      aim_(new QComboBox(this)), all_(new QCheckBox(tr("All models"), this)),
       list_(new QTreeWidget(this)) {
     rows().addWidget(makeControls());
     list_->setAccessibleName(tr("Fitted models"));
@@ -93,7 +139,7 @@ MatchPage::MatchPage(const DockContext& context, std::shared_ptr<MeasureTurn> tu
         relativeColumn,
         tr("Root of the squared differences' sum, of that of the target's squares"));
     list_->headerItem()->setToolTip(
-        timeColumn, tr("Nanoseconds for each pixel, as All Models measured them last"));
+        timeColumn, tr("Nanoseconds for each pixel of the object with the fitted values"));
     list_->setRootIsDecorated(false);
     list_->setUniformRowHeights(true);
     list_->setFrameShape(QFrame::NoFrame);
@@ -199,9 +245,15 @@ void MatchPage::startMeasuring() {
     if (material == nullptr && aim.file.empty()) {
         return;
     }
+    CostSweep::Options options;
+    options.programCache = programFolder();
     const MatchTask task{document().sharedCatalog(),
-                         material != nullptr ? std::optional(*material) : std::nullopt, aim.file,
-                         *own, all_->isChecked()};
+                         material != nullptr ? std::optional(*material) : std::nullopt,
+                         aim.file,
+                         *own,
+                         all_->isChecked(),
+                         costSubject(),
+                         std::move(options)};
     const TakeMatches taken = [this, name = aim.name](const ModelMatches& matches) {
         take(matches, tr("Fitted to %1.").arg(name));
     };
@@ -220,13 +272,10 @@ MeasuredSubject MatchPage::subject() const {
 
 void MatchPage::showNumbers(bool stale) {
     const QSignalBlocker blocker(list_);
-    ModelMatches shown = matches();
-    std::map<std::string, double> nanoseconds;
-    for (const ModelCost& cost : models_.costs()) {
-        nanoseconds[cost.model] = cost.cost.nanosecondsPerPixel;
-    }
-    addTimes(shown, nanoseconds);
+    const ModelMatches& shown = matches();
     const ModelMatch* quickest = quickestWithin(shown, within);
+    const QTreeWidgetItem* held = list_->currentItem();
+    const QString current = held != nullptr ? held->text(modelColumn) : QString();
     list_->setSortingEnabled(false);
     list_->clear();
     for (std::size_t i = 0; i < shown.rows.size(); ++i) {
@@ -256,6 +305,9 @@ void MatchPage::showNumbers(bool stale) {
             row->setToolTip(timeColumn, tr("The quickest model within 2 %"));
         }
         list_->addTopLevelItem(row);
+        if (row->text(modelColumn) == current) {
+            list_->setCurrentItem(row);
+        }
     }
     list_->setSortingEnabled(true);
     widenColumns(*list_, errorColumn);

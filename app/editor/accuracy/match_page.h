@@ -15,18 +15,14 @@ class QTreeWidget;
 
 namespace patina {
 
-class ModelsPage;
-
 /// Fits the current object's model, or every model, to another material or to a measured surface,
-/// and shows how near each comes beside the time that All Models measured for it. Enter gives the
-/// object a fitted material.
+/// and shows how near each comes as soon as it is fitted, then the time that it takes per pixel of
+/// the object. Enter gives the object a fitted material.
 class MatchPage : public MeasurePage {
     Q_OBJECT
 
   public:
-    /// Takes times from `models`, which must outlive it.
-    MatchPage(const DockContext& context, std::shared_ptr<MeasureTurn> turn,
-              const ModelsPage& models);
+    MatchPage(const DockContext& context, std::shared_ptr<MeasureTurn> turn);
 
     /// Makes a preset or a measured file what is to be matched.
     void aimAt(const std::filesystem::path& file);
@@ -54,7 +50,6 @@ class MatchPage : public MeasurePage {
     void askForFile();
     void apply(int row);
 
-    const ModelsPage& models_;
     QComboBox* aim_;
     QCheckBox* all_;
     QTreeWidget* list_;

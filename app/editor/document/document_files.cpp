@@ -9,6 +9,7 @@
 #include "document/snapshot_edits.h"
 #include "material/parked.h"
 #include "material/variant.h"
+#include "measured/measured_reflectance.h"
 #include "scene/scene_file.h"
 
 namespace patina {
@@ -285,6 +286,9 @@ std::optional<Errors> DocumentFiles::takeScene(const std::filesystem::path& path
 
 OutsideFiles DocumentFiles::outsideOf(const std::filesystem::path& path, DocumentFile::Kind kind,
                                       const Catalog& catalog, const ReadingRights& rights) {
+    if (isMeasuredFile(path)) {
+        return {};
+    }
     if (kind == DocumentFile::Kind::Preset) {
         const auto reading = readPreset(path, catalog, rights);
         return reading ? reading->outside : parentsOutside(path, rights);

@@ -15,6 +15,8 @@
 #include "files/place_beside.h"
 #include "library/preset_library.h"
 #include "material/file_suffixes.h"
+#include "measured/kept_tables.h"
+#include "measured/measured_reflectance.h"
 #include "scene/scene_file.h"
 #include "sheet/sheet_file.h"
 #include "text/as_text.h"
@@ -77,8 +79,19 @@ FileActions::FileActions(Document& document, DocumentFiles& files, MeshLibrary& 
     connect(&meshes, &MeshLibrary::loaded, this, &FileActions::meshLoaded);
     connect(&meshes, &MeshLibrary::failed, this, &FileActions::meshFailed);
     connect(&meshes, &MeshLibrary::linksRefused, this, &FileActions::noteLinks);
+    connect(&document, &Document::fileNamed, this, &FileActions::readMeasuredFile);
     connect(&files, &DocumentFiles::fileChanged, this,
             [this] { written_ = timeOf(files_.file().path); });
+}
+
+/// Reads a file of measurements as soon as a value names it, so that it is told when that fails.
+void FileActions::readMeasuredFile(const std::filesystem::path& file) {
+    if (!isMeasuredFile(file)) {
+        return;
+    }
+    if (const auto table = readTable(file); !table) {
+        tell(table.error());
+    }
 }
 
 void FileActions::newDocument() {
@@ -147,7 +160,7 @@ void FileActions::askAndOpen() {
         window_, tr("Open"), session_.folder("open"),
         tr("Presets, scenes and meshes") +
             " (*.json *.obj *.gltf *.glb *.ply *.stl *.fbx *.dae *.3ds *.blend *.off"
-            " *.hdr *.exr);;" +
+            " *.hdr *.exr *.binary *.bsdf);;" +
             tr("All files") + " (*)");
     if (!files.isEmpty()) {
         session_.setFolderOf("open", files.front());
@@ -466,6 +479,9 @@ FileActions::Kind FileActions::kindOf(const QString& file) {
             return Kind::Panorama;
         }
     }
+    if (isMeasuredFile(file.toStdString())) {
+        return Kind::Preset;
+    }
     if (!file.endsWith(QStringLiteral(".json"), Qt::CaseInsensitive)) {
         return Kind::Mesh;
     }
@@ -535,6 +551,10 @@ QString FileActions::suggestedName() const {
     const std::filesystem::path& path = files_.file().path;
     if (!path.empty()) {
         const QString name = QString::fromStdString(path.filename().string());
+        if (isMeasuredFile(path)) {
+            return QString::fromStdString(path.stem().string()) +
+                   (files_.outgrewPreset() ? sceneEnding : presetEnding);
+        }
         return files_.outgrewPreset() && name.endsWith(presetEnding)
                    ? name.chopped(presetEnding.size()) + sceneEnding
                    : name;

@@ -99,6 +99,7 @@ class FileActions : public QObject {
     bool showsOnlyTheStart() const;
     bool writePreset(const QString& file);
     void replaceObject(Object object);
+    void readMeasuredFile(const std::filesystem::path& file);
     void meshFailed(const QString& mesh, const Error& why);
     void noteLinks(const QString& mesh, const std::vector<std::string>& places);
     void noteSaved(const QString& file);

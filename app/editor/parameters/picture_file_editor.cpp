@@ -8,12 +8,31 @@
 #include <QToolButton>
 
 #include "parameters/dropped_files.h"
+#include "parameters/editor_factory.h"
 #include "session/session.h"
 
 namespace patina {
 namespace {
 
-const QString purpose = QStringLiteral("picture");
+/// Says what is chosen: a picture, or measurements.
+struct FileWords {
+    QString purpose; ///< names the folder that is kept for the next time
+    QString title;
+    QString tip;
+    QString filter;
+};
+
+FileWords wordsOf(const Parameter& parameter) {
+    return infoOf(parameter.type).isTable
+               ? FileWords{QStringLiteral("measured"),
+                           PictureFileEditor::tr("Choose a Measured Surface"),
+                           PictureFileEditor::tr("Choose a file of the MERL or RGL collection, or "
+                                                 "drop one here"),
+                           PictureFileEditor::tr("Measured surfaces") + " (*.binary *.bsdf)"}
+               : FileWords{QStringLiteral("picture"), PictureFileEditor::tr("Choose a picture"),
+                           PictureFileEditor::tr("Choose a picture, or drop one here"),
+                           PictureFileEditor::tr("HDR pictures") + " (*.hdr *.exr)"};
+}
 
 /// Returns the first local file that is dragged; empty for anything else.
 QString fileIn(const QMimeData& data) {
@@ -39,7 +58,7 @@ void PictureFileEditor::present(const Value& value) {
     const auto* file = std::get_if<std::string>(&value);
     file_ = file ? QString::fromStdString(*file) : QString();
     button_->setText(file_.isEmpty() ? tr("Choose…") : QFileInfo(file_).fileName());
-    button_->setToolTip(file_.isEmpty() ? tr("Choose a picture, or drop one here") : file_);
+    button_->setToolTip(file_.isEmpty() ? wordsOf(parameter()).tip : file_);
     button_->setAccessibleName(tr("%1: %2").arg(name(), button_->text()));
 }
 
@@ -48,13 +67,13 @@ QWidget* PictureFileEditor::focusTarget() {
 }
 
 void PictureFileEditor::choose() {
+    const FileWords words = wordsOf(parameter());
     Session session;
-    const QString start = file_.isEmpty() ? session.folder(purpose) : file_;
-    const QString file = QFileDialog::getOpenFileName(this, tr("Choose a picture"), start,
-                                                      tr("HDR pictures") + " (*.hdr *.exr);;" +
-                                                          tr("All files") + " (*)");
+    const QString start = file_.isEmpty() ? session.folder(words.purpose) : file_;
+    const QString file = QFileDialog::getOpenFileName(
+        this, words.title, start, words.filter + ";;" + tr("All files") + " (*)");
     if (!file.isEmpty()) {
-        session.setFolderOf(purpose, file);
+        session.setFolderOf(words.purpose, file);
         take(file);
     }
 }
@@ -74,6 +93,11 @@ void PictureFileEditor::dropEvent(QDropEvent* event) {
         event->acceptProposedAction();
         take(file);
     }
+}
+
+/// Makes the chooser of a file with the measurements of a surface.
+ParameterEditor* makeMeasuredEditor(const Parameter& parameter, QWidget* parent) {
+    return new PictureFileEditor(parameter, parent);
 }
 
 } // namespace patina

@@ -7,8 +7,8 @@ class QToolButton;
 
 namespace patina {
 
-/// Shows the name of a picture's file on a button, which opens a dialog to choose another one. It
-/// takes files that are dropped on it.
+/// Shows the name of a picture's file, or of measurements', on a button, which opens a dialog to
+/// choose another one. It takes files that are dropped on it.
 class PictureFileEditor : public ParameterEditor {
     Q_OBJECT
 

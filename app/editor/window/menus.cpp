@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <QActionGroup>
+#include <QDesktopServices>
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QMainWindow>
@@ -11,6 +12,7 @@
 #include <QPointer>
 #include <QToolBar>
 #include <QToolButton>
+#include <QUrl>
 
 #include "docks/lamp_taking.h"
 #include "docks/light_actions.h"
@@ -483,6 +485,13 @@ void Menus::makeHelpMenu() {
     sheet->setShortcuts({QKeySequence(Qt::Key_F1), QKeySequence("?")});
     add(menu, tr("&Run a Command…"), QKeySequence("Ctrl+K"),
         [this] { (new CommandPalette(*keys_, &parts_.window))->open(); });
+    const auto link = [&](const QString& words, const char* page) {
+        add(menu, words, {}, [page] { QDesktopServices::openUrl(QUrl(page)); });
+    };
+    menu->addSeparator();
+    link(tr("Measured Surfaces of M&ERL…"), "https://www.merl.com/research/downloads/BRDF");
+    link(tr("Measured Surfaces of R&GL…"), "https://rgl.epfl.ch/materials");
+    menu->addSeparator();
     add(menu, tr("&About Patina"), {}, [this] { showAbout(&parts_.window); });
 }
 

@@ -44,6 +44,19 @@ std::optional<double> lossOf(const Catalog& catalog, const Block& model) {
     return albedo ? std::optional(1.0 - *albedo) : std::nullopt;
 }
 
+/// Returns the materials whose model is known; every model with its defaults where none is given.
+std::vector<Material> rankedMaterials(std::vector<Material> given, const Catalog& catalog) {
+    if (given.empty()) {
+        for (const Block* model : catalog.ofKind(kinds::models)) {
+            given.push_back(defaultMaterial(*model));
+        }
+    }
+    std::erase_if(given, [&catalog](const Material& each) {
+        return catalog.find(kinds::models, each.model.id) == nullptr;
+    });
+    return given;
+}
+
 } // namespace
 
 void countFromQuickest(std::vector<ModelCost>& costs) {
@@ -61,9 +74,12 @@ void countFromQuickest(std::vector<ModelCost>& costs) {
 class ModelRanking::Implementation {
   public:
     Implementation(CostSweep::Subject subject, const CostSweep::Options& options,
-                   std::unique_ptr<TimedFrames> drawn)
+                   std::unique_ptr<TimedFrames> drawn, std::vector<Material> materials)
         : subject_(std::move(subject)), options_(options), drawn_(std::move(drawn)),
-          models_(subject_.catalog->ofKind(kinds::models)) {
+          materials_(std::move(materials)) {
+        for (const Material& material : materials_) {
+            models_.push_back(subject_.catalog->find(kinds::models, material.model.id));
+        }
         subject_.scene.ground.mode = GroundMode::Off;
         view_.size = drawn_->size();
         view_.camera = subject_.camera;
@@ -133,7 +149,7 @@ class ModelRanking::Implementation {
     /// Times a few pairs of the model.
     Steps takeTurn() {
         Ranked& model = ranked_[model_];
-        const Scene scene = sceneOf(*models_[model_]);
+        const Scene scene = sceneOf(materials_[model_]);
         drawn_->timeOf(first_, view_); // these only warm up
         drawn_->timeOf(scene, view_);
         for (int i = 0; i < pairsPerTurn && !(i > 0 && isDone(model)); ++i) {
@@ -146,16 +162,16 @@ class ModelRanking::Implementation {
         ++model.turns;
     }
 
-    Scene sceneOf(const Block& model) const {
+    Scene sceneOf(const Material& material) const {
         Scene scene = subject_.scene;
-        scene.objects[subject_.object].material = defaultMaterial(model);
+        scene.objects[subject_.object].material = material;
         return scene;
     }
 
     /// Measures what is the same for all models: how many pixels are shaded, and the frame without
     /// them.
     void measureFrame() {
-        first_ = sceneOf(*models_.front());
+        first_ = sceneOf(materials_.front());
         const auto buffer = drawn_->renderer().surfaces().capture(first_, view_, drawn_->meshes());
         if (!buffer) {
             problems_.push_back(buffer.error());
@@ -202,7 +218,8 @@ class ModelRanking::Implementation {
     CostSweep::Subject subject_;
     CostSweep::Options options_;
     std::unique_ptr<TimedFrames> drawn_;
-    std::vector<const Block*> models_;
+    std::vector<Material> materials_;
+    std::vector<const Block*> models_; ///< are those of materials_
     View view_;
     Scene first_;
     MedianInterval empty_;
@@ -221,17 +238,22 @@ ModelRanking::ModelRanking(std::unique_ptr<Implementation> implementation)
 ModelRanking::~ModelRanking() = default;
 
 Result<std::unique_ptr<ModelRanking>> ModelRanking::create(CostSweep::Subject subject,
-                                                           const CostSweep::Options& options) {
+                                                           const CostSweep::Options& options,
+                                                           std::vector<Material> materials) {
     if (subject.object >= subject.scene.objects.size()) {
         return failure("there is no object to measure", "a scene with one");
+    }
+    materials = rankedMaterials(std::move(materials), *subject.catalog);
+    if (materials.empty()) {
+        return failure("there is no model to measure", "a material whose model is known");
     }
     auto drawn = TimedFrames::create({subject.catalog, subject.meshes, subject.textures},
                                      chosenSize(options.size), options.programCache);
     if (!drawn) {
         return tl::unexpected(drawn.error());
     }
-    return std::unique_ptr<ModelRanking>(new ModelRanking(
-        std::make_unique<Implementation>(std::move(subject), options, std::move(*drawn))));
+    return std::unique_ptr<ModelRanking>(new ModelRanking(std::make_unique<Implementation>(
+        std::move(subject), options, std::move(*drawn), std::move(materials))));
 }
 
 void ModelRanking::step() {

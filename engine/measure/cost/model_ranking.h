@@ -12,7 +12,7 @@
 
 namespace patina {
 
-/// Holds the cost of a model with its defaults.
+/// Holds the cost of a model with its defaults, or with values that were given.
 struct ModelCost {
     std::string model;
     std::string label;
@@ -34,12 +34,15 @@ struct ModelCost {
 void countFromQuickest(std::vector<ModelCost>& costs);
 
 /// Ranks all models of the catalogue on one scene: the subject's object gets each of them with its
-/// defaults, round after round. It works in steps, and must be made, used and destroyed with the
-/// same context current.
+/// defaults, or each of the materials that are given, round after round. It works in steps, and
+/// must be made, used and destroyed with the same context current.
 class ModelRanking {
   public:
+    /// `materials` replace the defaults of every model; a material whose model is not known is left
+    /// out.
     static Result<std::unique_ptr<ModelRanking>> create(CostSweep::Subject subject,
-                                                        const CostSweep::Options& options);
+                                                        const CostSweep::Options& options,
+                                                        std::vector<Material> materials = {});
     ~ModelRanking();
 
     /// Draws a pair of frames, one of them with the first model.

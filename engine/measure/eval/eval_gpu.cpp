@@ -44,6 +44,7 @@ class EvalGpu::Device {
             return tl::unexpected(program.error());
         }
         std::vector<std::vector<double>> answers;
+        EvalProgram::bindMeasured(measured_, *cases.front());
         while (!cases.empty()) {
             const auto part = cases.first(std::min(cases.size(), EvalProgram::largestDraw));
             if (const auto done = drawPart(part, **program, answers); !done) {
@@ -86,6 +87,7 @@ class EvalGpu::Device {
 
     std::unique_ptr<gl::HeadlessContext> context_;
     std::map<std::string, EvalProgram> programs_;
+    MeasuredStore measured_;
 };
 
 EvalGpu::EvalGpu() = default;

@@ -5,12 +5,15 @@
 
 #include "gl/framebuffer.h"
 #include "gl/texture.h"
+#include "material/measured_preset.h"
 #include "shading/glsl/compile_log.h"
 #include "shading/glsl/source_builder.h"
 #include "shading/program/block_gate.h"
 
 namespace patina {
 namespace {
+
+constexpr unsigned tableUnit = 1; ///< holds the table of a measured file; unit 0 has the cases
 
 int rowsFor(std::size_t texels) {
     return static_cast<int>((texels + evalWidth - 1) / evalWidth);
@@ -54,6 +57,7 @@ Result<gl::Program> linkedProgram(const EvalCase& request, const EvalShape& shap
     if (!program) {
         return failure(program.error());
     }
+    program->bindSampler("measuredTable", tableUnit);
     return std::move(*program);
 }
 
@@ -76,6 +80,13 @@ std::vector<float> wanted(const std::vector<float>& pixels, std::size_t count,
 
 EvalProgram::EvalProgram(gl::Program program, const EvalShape& shape)
     : program_(std::move(program)), shape_(shape), vertices_(gl::VertexArray::create()) {}
+
+void EvalProgram::bindMeasured(MeasuredStore& store, const EvalCase& request) {
+    const Block* block = request.block.block;
+    if (block != nullptr && tableParameter(*block) != nullptr) {
+        store.bind(measuredFileOf(*block, request.block.values), tableUnit);
+    }
+}
 
 Result<EvalProgram> EvalProgram::link(const EvalCase& request,
                                       const std::filesystem::path& shaders) {

@@ -6,6 +6,7 @@
 #include "gl/program.h"
 #include "gl/vertex_array.h"
 #include "measure/eval/eval_source.h"
+#include "render/gpu/measured_store.h"
 
 namespace patina {
 
@@ -21,6 +22,10 @@ class EvalProgram {
     static Result<EvalProgram> link(const EvalCase& request, const std::filesystem::path& shaders);
 
     const EvalShape& shape() const { return shape_; }
+
+    /// Binds the table of the measured file that a case names, where its block has one; the next
+    /// draw() reads it.
+    static void bindMeasured(MeasuredStore& store, const EvalCase& request);
 
     /// Returns the results of `count` <= largestDraw cases, shape().results each, as the shader
     /// gave them: a model's value may be negative. `texels` holds 4 * shape().caseTexels numbers of

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "catalog/table_source.h"
+#include "material/measured_preset.h"
 #include "measure/eval/eval_reference.h"
 #include "shading/glsl/source_builder.h"
 #include "shading/program/block_source.h"
@@ -41,7 +42,7 @@ std::string programKey(const EvalBlock& block) {
     for (const CompiledValue& value : compiledValues(block)) {
         key += fmt::format(" {}={}", value.id, value.value);
     }
-    return key;
+    return key + fmt::format(" {}", measuredFileOf(*block.block, block.values));
 }
 
 /// Returns how many texels of arguments precede the values: those of n, t, l and v, or of the one

@@ -48,15 +48,27 @@ constexpr int maxChoices = 3;
 /// Keeps a relative error finite where the target is black.
 constexpr double relativeFloor = 0.01;
 
-/// Returns the difference of one channel in the measure of a fit.
-double difference(MatchError error, double model, double target) {
+/// Returns the target's values as the measure of a fit compares them.
+std::vector<double> wantedOf(const MatchTarget& target, MatchError error) {
+    std::vector<double> wanted;
+    wanted.reserve(3 * target.values.size());
+    for (const glm::dvec3& value : target.values) {
+        for (int c = 0; c < 3; ++c) {
+            wanted.push_back(error == MatchError::Log ? std::log1p(value[c]) : value[c]);
+        }
+    }
+    return wanted;
+}
+
+/// Returns the difference of one channel in the measure of a fit; `wanted` is of wantedOf().
+double difference(MatchError error, double model, double wanted) {
     switch (error) {
     case MatchError::Relative:
-        return (model - target) / (target + relativeFloor);
+        return (model - wanted) / (wanted + relativeFloor);
     case MatchError::Linear:
-        return model - target;
+        return model - wanted;
     default:
-        return std::log1p(model) - std::log1p(target);
+        return std::log1p(model) - wanted;
     }
 }
 
@@ -73,7 +85,7 @@ class Fit {
   public:
     Fit(EvalCase model, const MatchTarget& target, MatchError error)
         : model_(std::move(model)), free_(model_), numbers_(free_.of(model_)), target_(target),
-          error_(error) {}
+          wanted_(wantedOf(target, error)), error_(error) {}
 
     /// Writes the differences of all directions and channels; they are those of these numbers.
     bool differences(const double* numbers, double* out) const {
@@ -81,10 +93,11 @@ class Fit {
         if (!values) {
             return false;
         }
+        const double* wanted = wanted_.data();
         for (std::size_t i = 0; i < target_.pairs.size(); ++i) {
             const glm::dvec3 value = values->at(target_.pairs[i]);
             for (int c = 0; c < 3; ++c) {
-                *out++ = difference(error_, value[c], target_.values[i][c]);
+                *out++ = difference(error_, value[c], *wanted++);
             }
         }
         return true;
@@ -120,6 +133,7 @@ class Fit {
     FreeNumbers free_;
     std::vector<double> numbers_;
     const MatchTarget& target_;
+    std::vector<double> wanted_;
     MatchError error_;
 };
 

@@ -4,16 +4,20 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <functional>
 #include <mutex>
 #include <thread>
 
 #include <fmt/format.h>
 
 #include "core/progress.h"
+#include "material/measured_preset.h"
 #include "material/model_swap.h"
 #include "material/preset_file.h"
 #include "measure/error/parallel.h"
+#include "measure/eval/model_values.h"
 #include "measure/lobe/lobe_model.h"
+#include "measure/match/free_numbers.h"
 #include "measure/stability/sweep_cases.h"
 
 namespace patina {
@@ -53,11 +57,48 @@ Result<ModelMatch> fittedMaterial(const Material& material, const MatchTarget& t
     return match;
 }
 
+/// Returns about how long a fit takes, in any unit: the time of some values, for each of the
+/// numbers that change.
+double effortOf(const Material& material, const MatchTarget& target, const Catalog& catalog) {
+    constexpr std::size_t timedValues = 64;
+    const Result<EvalCase> model = sweepVariant(catalog, material);
+    const Result<ModelValues> values =
+        model ? ModelValues::of(*model) : tl::unexpected(model.error());
+    if (!values) {
+        return 0.0;
+    }
+    const auto began = std::chrono::steady_clock::now();
+    volatile double sum = 0.0; // what is not used is not computed
+    for (std::size_t i = 0; i < std::min(timedValues, target.pairs.size()); ++i) {
+        sum = sum + values->at(target.pairs[i]).x;
+    }
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - began;
+    return spent.count() * double(FreeNumbers(*model).size() + 1);
+}
+
+/// Returns pointers to the materials, beginning with the slowest, so that no core waits long for
+/// the last one.
+std::vector<const Material*> slowestFirst(const std::vector<Material>& materials,
+                                          const MatchTarget& target, const Catalog& catalog) {
+    std::vector<std::pair<double, const Material*>> efforts;
+    for (const Material& material : materials) {
+        efforts.emplace_back(effortOf(material, target, catalog), &material);
+    }
+    std::ranges::stable_sort(efforts, std::greater(), &std::pair<double, const Material*>::first);
+    std::vector<const Material*> ordered;
+    for (const auto& [effort, material] : efforts) {
+        ordered.push_back(material);
+    }
+    return ordered;
+}
+
 } // namespace
 
 std::vector<const Block*> matchedModels(const Catalog& catalog) {
     std::vector<const Block*> models = catalog.ofKind(kinds::models);
-    std::erase_if(models, [](const Block* model) { return !whyNoReflectance(*model).empty(); });
+    std::erase_if(models, [](const Block* model) {
+        return !whyNoReflectance(*model).empty() || tableParameter(*model) != nullptr;
+    });
     return models;
 }
 
@@ -75,6 +116,7 @@ Material matchStart(const Material& own, const MatchAim& aim, const Block& model
 ModelMatches fittedMaterials(const std::vector<Material>& materials, const MatchTarget& target,
                              const FitOptions& options, const Catalog& catalog,
                              const GoesOn& goesOn) {
+    const std::vector<const Material*> ordered = slowestFirst(materials, target, catalog);
     ModelMatches matches;
     Progress progress;
     std::mutex guard;
@@ -84,7 +126,7 @@ ModelMatches fittedMaterials(const std::vector<Material>& materials, const Match
     const auto work = [&] {
         std::unique_lock lock(guard);
         while (next < materials.size() && !progress.cancelled) {
-            const Material& material = materials[next++];
+            const Material& material = *ordered[next++];
             lock.unlock();
             auto match = fittedMaterial(material, target, options, catalog, progress);
             lock.lock();
@@ -104,7 +146,7 @@ ModelMatches fittedMaterials(const std::vector<Material>& materials, const Match
         }
         std::unique_lock lock(guard);
         while (done < materials.size() && !progress.cancelled) {
-            progress.cancelled = !goesOn(double(done) / double(materials.size()));
+            progress.cancelled = !goesOn(double(done) / double(materials.size()), matches);
             changed.wait_for(lock, std::chrono::milliseconds(100));
         }
     }

@@ -21,7 +21,7 @@ struct ModelMatch {
     std::string label;     ///< names its model
     double error = 0.0;    ///< is the measure that was made small
     double relative = 0.0; ///< is the root of sum (m - t)^2 / sum t^2
-    /// Are nanoseconds per pixel of the model with its defaults; empty where nobody measured them.
+    /// Are nanoseconds per pixel of the model; empty where nobody measured them.
     std::optional<double> nanoseconds;
     /// Says that no other model is both nearer and quicker; all are where no times are known.
     bool isOnFront = true;
@@ -35,8 +35,9 @@ struct ModelMatches {
 /// Returns the models that are reflectances (whyNoReflectance()).
 std::vector<const Block*> matchedModels(const Catalog& catalog);
 
-/// Is called about ten times a second with how much is done, 0 .. 1; false ends the work.
-using GoesOn = std::function<bool(double done)>;
+/// Is called about ten times a second, and when a model is done, with how much is done, 0 .. 1, and
+/// with what was fitted so far; false ends the work.
+using GoesOn = std::function<bool(double done, const ModelMatches& soFar)>;
 
 /// Returns the material that a fit of a model begins with: `own` with that model, and with what the
 /// aim's material has that the model takes.

@@ -196,6 +196,7 @@ class StabilitySweep::Variant {
             return tl::unexpected(program.error());
         }
         program_.emplace(std::move(*program));
+        EvalProgram::bindMeasured(measured_, variant_);
         if (!code_) {
             claims_.emplace(variant_);
         }
@@ -352,6 +353,7 @@ class StabilitySweep::Variant {
     ValueChecks checks_;
     std::optional<ReferenceCode> code_;
     std::optional<EvalProgram> program_;
+    MeasuredStore measured_;
     std::optional<ClaimSweep> claims_; ///< exist where there is no double-precision code
     std::size_t done_ = 0;
 };

@@ -125,6 +125,9 @@ std::vector<EvalBlock> fillers(const Catalog& catalog, const Block& block) {
 /// Returns the edge-case values that need no other program, with the parameter's own value first.
 Candidates candidates(const Parameter& parameter, const Value& own) {
     Candidates values{own};
+    if (infoOf(parameter.type).isTable) {
+        return values; // a drawing has one table
+    }
     for (const Value& value : edgeCaseValues(parameter)) {
         const bool otherProgram = compiledState(parameter, value) != compiledState(parameter, own);
         if (!otherProgram && value != own) {

@@ -40,4 +40,8 @@ inline constexpr unsigned shadowMaps = 7;
 /// Is the first unit for a material's images, which have one unit each.
 inline constexpr unsigned firstTexture = 8;
 
+/// Holds the table of a measured file. It lies behind the 16 units that a fragment shader has at
+/// least, of 80 in all: a program reads at most 16, wherever they lie.
+inline constexpr unsigned measuredTable = 16;
+
 } // namespace patina::binding

@@ -102,6 +102,7 @@ void FrameData::fitLobes(const FramePlan& plan) {
         const Pipeline* pipeline = plan.materials[i].pipeline.get();
         if (pipeline != nullptr && pipeline->lobeFit) {
             const Material& values = plan.scene->objects[plan.materials[i].object].material;
+            bindMeasured(*pipeline, values);
             gpu_.report.filledTables +=
                 lobes_.fit(i, *pipeline, values, plan.cameraToWorld) ? 1 : 0;
         } else if (pipeline == nullptr || !pipeline->effects.environment) {
@@ -147,9 +148,16 @@ void FrameData::feedMaterial(const FramePlan& plan, const DrawMaterial& material
         packRefraction(data, pipeline, values, plan.scene->background);
     }
     gpu_.textures.bind(data, pipeline, values);
+    bindMeasured(pipeline, values);
     note(materials_.upload(material.data));
     materials_.bind(binding::object, material.data);
     pipeline.program->use();
+}
+
+void FrameData::bindMeasured(const Pipeline& pipeline, const Material& material) {
+    if (pipeline.effects.model) {
+        gpu_.shared.measured.bind(pipeline.effects.model->block(), material.model.parameters);
+    }
 }
 
 void FrameData::feedLines(const FramePlan& plan, const DrawBatch& batch) {

@@ -54,6 +54,7 @@ class FrameData : public Pass {
     void placeMaterials(FramePlan& plan);
     void fillTables(const FramePlan& plan);
     void fitLobes(const FramePlan& plan);
+    void bindMeasured(const Pipeline& pipeline, const Material& material);
     void feedMaterial(const FramePlan& plan, const DrawMaterial& material);
     void note(bool isWritten);
 

@@ -115,6 +115,7 @@ tl::expected<void, PipelineStore::Entry> PipelineStore::addLobes(Pipeline& pipel
         *made = found.program;
     }
     pipeline.lobeSamples->bindBlock("ObjectBlock", binding::object);
+    pipeline.lobeSamples->bindSampler("measuredTable", binding::measuredTable);
     pipeline.lobeFit->bindSampler("lobeSamples", 0);
     pipeline.lobeTable->bindSampler("fittedLobes", 0);
     return {};
@@ -143,6 +144,7 @@ PipelineStore::Entry PipelineStore::make(EffectSet effects, std::uint64_t sceneK
         environment::assignUnits(*found.program);
     }
     found.program->bindSampler("blockTables", binding::blockTables);
+    found.program->bindSampler("measuredTable", binding::measuredTable);
     pipeline->object = objectLayout(effects);
     if (!pipeline->object.tables.empty() && output_ == SurfaceOutput::Picture) {
         if (auto added = addTables(*pipeline, effects); !added) {

@@ -7,6 +7,7 @@
 #include "catalog/catalog.h"
 #include "render/gpu/gpu_mesh_store.h"
 #include "render/gpu/gpu_texture_store.h"
+#include "render/gpu/measured_store.h"
 #include "render/lights/environment_pictures.h"
 #include "render/pass/pipeline_store.h"
 #include "render/pass/shadow_maps.h"
@@ -29,6 +30,7 @@ struct RenderResources {
     PipelineStore pipelines;
     GpuMeshStore meshes;
     GpuTextureStore textures;
+    MeasuredStore measured;
     EnvironmentPictures environments;
     ShadowMaps shadows;
 };

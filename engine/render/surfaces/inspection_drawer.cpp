@@ -138,6 +138,7 @@ void InspectionDrawer::fillAlbedo(const Material& material, const Item& item) {
     AlbedoTable& albedo = albedos_[item.index];
     if (table.pipeline && (item.isNew || albedo.filledWith() != table.pipeline.get())) {
         item.data->bind(binding::object);
+        items_.bindMeasured(material, item);
         albedo.fill(*table.pipeline);
     }
 }

@@ -163,9 +163,21 @@ void SurfaceItems::feedMaterial(const Material& material, Item& item) {
     const auto size = static_cast<std::size_t>(item.pipeline->object.vec4s);
     item.data->reserve(size);
     packMaterial(item.data->staging(), *item.pipeline, material, cameraToWorld_);
-    textures_.bind(item.data->staging(), *item.pipeline, material);
+    bindImages(material, item);
     item.isNew = item.data->upload(size);
     report_.uploadedBuffers += item.isNew ? 1 : 0;
+}
+
+/// Binds the images of a material and the table of its measured file.
+void SurfaceItems::bindImages(const Material& material, const Item& item) {
+    textures_.bind(item.data->staging(), *item.pipeline, material);
+    bindMeasured(material, item);
+}
+
+void SurfaceItems::bindMeasured(const Material& material, const Item& item) {
+    if (item.pipeline->effects.model) {
+        shared_.measured.bind(item.pipeline->effects.model->block(), material.model.parameters);
+    }
 }
 
 void SurfaceItems::draw(const Scene& scene, const std::function<void(const Item&)>& begin) {
@@ -185,7 +197,7 @@ void SurfaceItems::draw(const Scene& scene, const std::function<void(const Item&
         item.data->bind(binding::object);
         item.pipeline->program->use();
         begin(item);
-        textures_.bind(item.data->staging(), *item.pipeline, scene.objects[item.index].material);
+        bindImages(scene.objects[item.index].material, item);
         item.mesh->draw(instances_, {0, item.mesh->triangles(), i, 1});
     }
 }

@@ -47,6 +47,9 @@ class SurfaceItems {
     /// program is in use.
     void draw(const Scene& scene, const std::function<void(const Item&)>& begin);
 
+    /// Binds the table of the measured file that the item's material names, where it has one.
+    void bindMeasured(const Material& material, const Item& item);
+
     /// Ends the frame that prepare() began.
     void end();
 
@@ -67,6 +70,7 @@ class SurfaceItems {
     void drawShadows(const Scene& scene);
     void feed(const Scene& scene, const View& view);
     void feedMaterial(const Material& material, Item& item);
+    void bindImages(const Material& material, const Item& item);
 
     std::shared_ptr<const Catalog> catalog_;
     PipelineStore pipelines_;

@@ -199,8 +199,9 @@ std::string structSource(const Block& block, std::span<const CompiledValue> comp
     out += "};\n";
     for (const ParameterField& field : layout.fields) {
         if (functionOf(field) != nullptr) {
-            out += isPlain(field, compiled) ? plainFunction(block, field)
-                                            : functionText(block, field, "int");
+            out += isPlain(field, compiled)
+                       ? plainFunction(block, field)
+                       : std::string(functionOf(field)->before) + functionText(block, field, "int");
         }
     }
     return out;

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "core/error.h"
+#include "measured/half_difference_table.h"
+
+namespace patina {
+
+using SharedTable = std::shared_ptr<const HalfDifferenceTable>;
+
+/// Reads a file of a measured surface into a table and keeps it for keptTable(), under its absolute
+/// and normal path. Errors are those
+/// of readMeasured(), and that a table is too large for a graphics card.
+Result<SharedTable> readTable(const std::filesystem::path& file);
+
+/// Returns the table of the file whose full path numberOfText() gave this number: the one that
+/// readTable() read last, or it is read now. Number 0, no file, has a grey that is matte; a file
+/// that cannot be read has magenta, until readTable() reads it. Tables that nobody holds are
+/// forgotten, the oldest first, when all are larger than 256 MiB. Any thread may call it.
+SharedTable keptTable(int number);
+
+/// Returns a number that grows whenever readTable() was called, so that tables may have changed.
+unsigned keptTablesVersion();
+
+} // namespace patina

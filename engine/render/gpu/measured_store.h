@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "catalog/block.h"
+#include "gl/volume_texture.h"
+#include "measured/kept_tables.h"
+
+namespace patina {
+
+/// Owns the tables of measured files in the GPU's memory: the four that were bound last, of which
+/// each takes 12 bytes for a bin.
+class MeasuredStore {
+  public:
+    /// Binds the table of a model that has one for the program's sampler and reads its file where
+    /// that was not read yet. Leaves texture unit 0 active.
+    void bind(const Block& model, const Values& values);
+
+    /// Binds the table of a file, by the number of its path, to a texture unit.
+    void bind(int file, unsigned unit);
+
+  private:
+    static constexpr std::size_t maxTables = 4;
+
+    struct Entry {
+        int file = 0;
+        SharedTable table; ///< is what the texture holds
+        gl::VolumeTexture texture;
+    };
+    std::vector<Entry> entries_; ///< end with the one that was bound last
+};
+
+} // namespace patina

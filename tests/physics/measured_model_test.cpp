@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The model that shows a measured file returns what the file holds, in double precision and on the
+// device.
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "material/preset_file.h"
+#include "measure/eval/eval_gpu.h"
+#include "measure/eval/model_values.h"
+#include "measure/lobe/lobe_model.h"
+#include "measure/stability/sweep_cases.h"
+#include "measured/measured_reflectance.h"
+#include "support/measured_files.h"
+#include "support/program.h"
+
+namespace patina::measured_model_test {
+namespace {
+
+using std::numbers::pi;
+using tests::merlBytes;
+using tests::RglFile;
+using tests::TemporaryFolder;
+using tests::writeFile;
+
+const Catalog& catalog() {
+    static const Catalog shipped = loadCatalog(standardBlockRoots());
+    return shipped;
+}
+
+/// A matte part, a lobe and a part that the azimuth changes; nothing was measured at grazing
+/// angles.
+glm::dvec3 measuredSurface(const DirectionPair& pair) {
+    if (std::min(pair.l.z, pair.v.z) < 0.05) {
+        return glm::dvec3(-1.0);
+    }
+    const glm::dvec3 h = glm::normalize(pair.l + pair.v);
+    const double along = pair.l.x * pair.v.x + pair.l.y * pair.v.y;
+    return glm::dvec3(0.3, 0.2, 0.1) / pi + (0.5 + 0.2 * along) * std::exp(-9.0 * (1.0 - h.z));
+}
+
+/// Directions above the surface; every third is within a degree of the horizon.
+std::vector<DirectionPair> manyPairs() {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    const auto direction = [&](bool isGrazing) {
+        const double z = isGrazing ? 1e-4 + 0.02 * share(random) : 0.02 + 0.98 * share(random);
+        const double azimuth = 2.0 * pi * share(random);
+        const double s = std::sqrt(1.0 - z * z);
+        return glm::dvec3(s * std::cos(azimuth), s * std::sin(azimuth), z);
+    };
+    std::vector<DirectionPair> pairs;
+    for (int i = 0; i < 3000; ++i) {
+        pairs.push_back({direction(i % 3 == 0), direction(i % 3 == 1)});
+    }
+    return pairs;
+}
+
+class MeasuredModel : public testing::Test {
+  protected:
+    void write(const std::string& name, const std::string& bytes) {
+        writeFile(folder_ / name, bytes);
+        const auto reading = readPreset(folder_ / name, catalog());
+        ASSERT_TRUE(reading) << reading.error().front().text();
+        EXPECT_TRUE(reading->readOnly);
+        material_ = reading->material;
+        measured_ = *readMeasured(folder_ / name);
+    }
+
+    TemporaryFolder folder_;
+    Material material_;
+    std::shared_ptr<const MeasuredReflectance> measured_;
+};
+
+TEST_F(MeasuredModel, MerlFile_GivesTheFilesValues) {
+    write("a.binary", merlBytes({30, 20, 36}, measuredSurface));
+    const LobeModel model = *LobeModel::create(catalog(), material_);
+    double brightest = 0.0;
+    for (const DirectionPair& pair : manyPairs()) {
+        const glm::dvec3 wanted = pi * pair.l.z * measured_->evaluate(pair);
+        const glm::dvec3 found = model.value(pair.l, pair.v);
+        brightest = std::max(brightest, wanted.x);
+        EXPECT_LT(glm::length(found - wanted), 1e-9) << pair.l.z << ' ' << pair.v.z;
+    }
+    EXPECT_GT(brightest, 1.0);
+    const DirectionPair facing{};
+    EXPECT_LT(glm::length(model.value(facing.l, facing.v) - pi * measured_->evaluate(facing)),
+              1e-9);
+    EXPECT_TRUE(model.isIsotropic());
+}
+
+TEST_F(MeasuredModel, RglFile_IsNearTheFilesValues) {
+    const auto smooth = [](const DirectionPair& pair) {
+        return glm::dvec3(0.3, 0.2, 0.1) / pi +
+               glm::dvec3(0.1 * std::exp(-2.0 * (1.0 - glm::normalize(pair.l + pair.v).z)));
+    };
+    write("a.bsdf", RglFile{}.bytes(smooth));
+    const LobeModel model = *LobeModel::create(catalog(), material_);
+    double sum = 0.0;
+    double error = 0.0;
+    for (const DirectionPair& pair : manyPairs()) {
+        if (std::min(pair.l.z, pair.v.z) > 0.2) {
+            const glm::dvec3 wanted = pi * pair.l.z * measured_->evaluate(pair);
+            const glm::dvec3 difference = model.value(pair.l, pair.v) - wanted;
+            sum += glm::dot(wanted, wanted);
+            error += glm::dot(difference, difference);
+        }
+    }
+    EXPECT_LT(std::sqrt(error / sum), 0.02);
+}
+
+TEST_F(MeasuredModel, Device_GivesTheSameValues) {
+    write("a.binary", merlBytes({30, 20, 36}, measuredSurface));
+    const EvalCase request = *sweepVariant(catalog(), material_);
+    const ModelValues values = *ModelValues::of(request);
+    std::vector<EvalCase> cases;
+    for (const DirectionPair& pair : manyPairs()) {
+        cases.push_back(request);
+        cases.back().l = glm::dvec3(glm::vec3(pair.l));
+        cases.back().v = glm::dvec3(glm::vec3(pair.v));
+    }
+    EvalGpu gpu;
+    const auto answers = gpu.evaluate(cases, catalog());
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        ASSERT_TRUE(answers[i]) << answers[i].error().text();
+        const glm::dvec3 wanted = values.at({cases[i].l, cases[i].v});
+        for (int c = 0; c < 3; ++c) {
+            const double found = (*answers[i])[std::size_t(c)];
+            EXPECT_TRUE(std::isfinite(found) && found >= 0.0);
+            EXPECT_NEAR(found, wanted[c], 2e-4 * std::max(wanted[c], 0.1)) << i;
+        }
+    }
+}
+
+TEST_F(MeasuredModel, FileThatChanged_IsReadAgain) {
+    const auto matte = [](double albedo) {
+        return merlBytes({4, 4, 4},
+                         [albedo](const DirectionPair&) { return glm::dvec3(albedo / pi); });
+    };
+    for (const double albedo : {0.25, 0.75}) {
+        write("a.binary", matte(albedo));
+        const LobeModel model = *LobeModel::create(catalog(), material_);
+        EXPECT_NEAR(model.value({0, 0, 1}, {0, 0, 1}).x, albedo, 1e-6);
+    }
+}
+
+TEST_F(MeasuredModel, WithoutAFile_IsMatteGrey) {
+    const Material none = defaultMaterial(*catalog().find(kinds::models, "measured"));
+    const LobeModel model = *LobeModel::create(catalog(), none);
+    EXPECT_NEAR(model.value({0, 0, 1}, {0.6, 0, 0.8}).y, 0.5, 1e-6);
+}
+
+} // namespace
+} // namespace patina::measured_model_test
