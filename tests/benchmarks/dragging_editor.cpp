@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <QApplication>
+#include <QDockWidget>
 #include <QElapsedTimer>
 #include <QMouseEvent>
 
