@@ -7,6 +7,7 @@ namespace patina::benchmarks {
 bool startup();
 bool idle();
 bool sliderTick();
+bool dragging();
 bool modelSwap();
 bool largeMesh();
 bool meshLoading();

@@ -23,6 +23,7 @@ int main(int count, char** arguments) {
     const std::vector<Entry> entries = {{"startup", patina::benchmarks::startup},
                                         {"idle", patina::benchmarks::idle},
                                         {"slider-tick", patina::benchmarks::sliderTick},
+                                        {"dragging", patina::benchmarks::dragging},
                                         {"model-swap", patina::benchmarks::modelSwap},
                                         {"large-mesh", patina::benchmarks::largeMesh},
                                         {"mesh-loading", patina::benchmarks::meshLoading},

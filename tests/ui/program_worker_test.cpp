@@ -72,6 +72,25 @@ TEST_F(ProgramsMadeElsewhere, AnotherModelMeanwhile_IsTheOneThatIsShown) {
     EXPECT_TRUE(std::ranges::count(view().frames().report().effects, "models/" + first) == 1);
 }
 
+TEST_F(ProgramsMadeElsewhere, Cancelled_KeepTheLastPictureUntilTheNextChange) {
+    const int frames = view().frames().frameCount();
+    const int before = view().frames().waitCount();
+    changeModel();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view().frames().waitCount() > before; }, compilingMs));
+    const auto rows = LongTasks::all().running();
+    const auto row = std::ranges::find(rows, "Preparing shaders", &LongTasks::Row::name);
+    ASSERT_NE(row, rows.end());
+    EXPECT_TRUE(row->canCancel);
+    LongTasks::all().cancel(row->number);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !view().frames().isDrawing(); }, compilingMs));
+    QTest::qWait(100);
+    EXPECT_EQ(view().frames().frameCount(), frames);
+    EXPECT_EQ(view().frames().waitCount(), before + 1);
+    view().frames().refresh();
+    EXPECT_EQ(newFrames(), 1);
+    EXPECT_EQ(view().frames().report().compiled, 0);
+}
+
 TEST_F(ProgramsMadeElsewhere, WindowClosedMeanwhile_LeavesNothingBehind) {
     const int before = view().frames().waitCount();
     changeModel();
@@ -101,8 +120,7 @@ TEST_F(ProgramsMadeElsewhere, WhatTheDriverMade_IsOnTheDiskWhenTheyAreFinished) 
     QTest::qWait(writingMs);
     EXPECT_EQ(filesIn(driver.path()), written);
     EXPECT_TRUE(!isSoftware || !written.empty());
-    before.isNull() ? qunsetenv("MESA_SHADER_CACHE_DIR")
-                    : qputenv("MESA_SHADER_CACHE_DIR", before);
+    before.isNull() ? qunsetenv("MESA_SHADER_CACHE_DIR") : qputenv("MESA_SHADER_CACHE_DIR", before);
 }
 
 } // namespace

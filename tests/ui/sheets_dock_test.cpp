@@ -8,6 +8,7 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "docks/long_line.h"
 #include "docks/notice_bar.h"
 #include "scene/scene_file.h"
 #include "sheet/sheet_file.h"
@@ -62,6 +63,23 @@ class SheetsPanel : public WindowFixture {
   private:
     SheetsDock* panel_ = nullptr;
 };
+
+TEST_F(SheetsPanel, TitleOfTheColumns_StandsAboveTheCells) {
+    LongLine* title = nullptr;
+    for (LongLine* each : panel().findChildren<LongLine*>()) {
+        title = each->text() == "Metalness" ? each : title;
+    }
+    ASSERT_NE(title, nullptr);
+    for (const int width : {500, 900}) {
+        window().dock("sheets")->resize(width, 600);
+        QTest::qWait(50);
+        const QRect cells = grid().cells();
+        const double middle = grid().mapTo(&panel(), cells.center()).x();
+        EXPECT_NEAR(title->mapTo(&panel(), title->contentsRect().center()).x(), middle, 1.0)
+            << width;
+        EXPECT_GT(cells.width(), 100);
+    }
+}
 
 TEST_F(SheetsPanel, Sheet_HasEveryCellThatCanBeAndSaysWhyNotOfOthers) {
     ASSERT_EQ(table().columnCount(), 3);

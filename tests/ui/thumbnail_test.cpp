@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QSignalSpy>
 #include <QTest>
 
 #include "library/thumbnail_maker.h"
@@ -51,6 +52,32 @@ TEST_F(Thumbnails, TextsOfTheMaterial_KeepTheKey) {
     material_.name = "Another name";
     material_.tags = {"tag"};
     EXPECT_EQ(key(), before);
+}
+
+TEST_F(Thumbnails, Cancelled_ComeAgainWhenTheyAreAskedToGoOn) {
+    constexpr int drawingMs = 20000;
+    material_.textures.clear();
+    ThumbnailMaker maker(catalog_, {folder_ / "cache", folder_ / "programs", scene()});
+    QSignalSpy ready(&maker, &ThumbnailMaker::ready);
+    const auto isEmpty = [&](int count) {
+        return QTest::qWaitFor([&] { return ready.count() == count; }, drawingMs) &&
+               ready.last().at(1).value<QImage>().isNull();
+    };
+    maker.ask("first", material_);
+    const auto rows = LongTasks::all().running();
+    const auto row = std::ranges::find(rows, "Drawing small pictures", &LongTasks::Row::name);
+    ASSERT_NE(row, rows.end());
+    ASSERT_TRUE(row->canCancel);
+    LongTasks::all().cancel(row->number);
+    maker.start();
+    EXPECT_TRUE(isEmpty(1));
+    EXPECT_TRUE(maker.isStopped());
+    maker.ask("second", material_);
+    EXPECT_TRUE(isEmpty(2));
+    maker.goOn();
+    maker.ask("third", material_);
+    EXPECT_FALSE(isEmpty(3));
+    EXPECT_EQ(ready.count(), 3);
 }
 
 TEST_F(Thumbnails, WhateverIsSeen_IsInTheKey) {

@@ -150,6 +150,31 @@ TEST_F(WatchedFolders, ShaderThatTakesAllMemory_IsToldAndTheEditorGoesOn) {
         << messages();
 }
 
+TEST_F(WatchedFolders, CheckOfAnEndlessShader_IsCancelledUntilItIsMended) {
+    writeModel("First");
+    ASSERT_TRUE(isShown("First"));
+    writeFile(shaders() / "models/homemade.glsl",
+              "// SPDX-License-Identifier: MIT-0\n#include \"lib/directions.glsl\"\n"
+              "vec3 homemade(Directions d, Homemade p) {\n    float sum = d.nl;\n"
+              "    while (sum > -1.0) {\n        sum = abs(sin(sum)) + d.nl * d.nl;\n    }\n"
+              "    return p.tint * sum;\n}\n");
+    const auto row = [] {
+        const auto rows = LongTasks::all().shown();
+        const auto found = std::ranges::find(rows, "Checking your blocks", &LongTasks::Row::name);
+        return found == rows.end() ? std::nullopt : std::optional(*found);
+    };
+    ASSERT_TRUE(QTest::qWaitFor([&] { return row().has_value(); }, waitMs));
+    ASSERT_TRUE(row()->canCancel);
+    LongTasks::all().cancel(row()->number);
+    EXPECT_TRUE(isTold("checking your blocks was stopped")) << messages();
+    EXPECT_FALSE(row());
+    writeModel("Second");
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] { return messages().find("was stopped") == std::string::npos; }, waitMs))
+        << messages();
+    EXPECT_TRUE(isShown("Second"));
+}
+
 TEST_F(WatchedFolders, ShaderThatDidNotCompileAtTheStart_IsToldUntilItIsMended) {
     writeModel("First");
     breakModel();

@@ -150,6 +150,9 @@ void Worker::cancel() {
     for (const auto& task : open_) {
         task->progress.cancelled = true;
     }
+    if (options_.atCancel) {
+        options_.atCancel();
+    }
 }
 
 void Worker::forget() {

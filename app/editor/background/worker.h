@@ -47,6 +47,10 @@ class Worker : public QObject {
         QString name{};
         bool canCancel = false; ///< lets it be cancelled there
 
+        /// Is called, in the thread that asked, when all requests are told to stop: for work that
+        /// cannot look at its Progress.
+        std::function<void()> atCancel{};
+
         QThread::Priority priority = QThread::InheritPriority;
 
         /// Is how long the thread waits for a further request before it ends and closes its

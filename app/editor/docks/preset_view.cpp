@@ -235,6 +235,15 @@ void PresetView::wishAnew() {
     viewport()->update();
 }
 
+/// Draws the small pictures that were given up when the user stopped that.
+void PresetView::showEvent(QShowEvent* event) {
+    if (thumbnails_.isStopped()) {
+        thumbnails_.goOn();
+        wishAnew();
+    }
+    QListView::showEvent(event);
+}
+
 /// Makes the first row current so that the keys have a place to start; does not select it.
 void PresetView::focusInEvent(QFocusEvent* event) {
     if (!currentIndex().isValid() && list_.rowCount() > 0) {

@@ -163,6 +163,7 @@ ThumbnailMaker::ThumbnailMaker(std::shared_ptr<const Catalog> catalog, Folders f
                                QObject* parent)
     : QObject(parent), folders_(std::move(folders)), catalog_(std::move(catalog)),
       keys_(folders_.scene), studio_(nullptr), worker_({.name = tr("Drawing small pictures"),
+                                                        .canCancel = true,
                                                         .priority = QThread::IdlePriority,
                                                         .atRest = [this] { studio_ = nullptr; },
                                                         .isPaused = true}) {}
@@ -171,6 +172,7 @@ ThumbnailMaker::~ThumbnailMaker() = default;
 
 void ThumbnailMaker::setCatalog(std::shared_ptr<const Catalog> catalog) {
     catalog_ = std::move(catalog);
+    goOn();
 }
 
 void ThumbnailMaker::ask(const QString& name, const Material& material) {
@@ -218,6 +220,10 @@ Result<QImage> ThumbnailMaker::picture(const QByteArray& key,
             .arg(QString::fromStdString(folders_.cache.string()), QString::fromLatin1(key));
     if (QImage kept(file); !kept.isNull()) {
         return kept;
+    }
+    isStopped_ = isStopped_ || control.isCancelled();
+    if (isStopped_) {
+        return failure("drawing small pictures was stopped");
     }
     if (studio_ && !*studio_) {
         studio_ = control.openContext().and_then([&] { return Studio::open(folders_, *catalog); });

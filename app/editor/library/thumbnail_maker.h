@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -34,6 +35,11 @@ class ThumbnailMaker : public QObject {
     /// Begins to draw; nothing is drawn before, so that the window's first frame does not have to
     /// wait.
     void start() { worker_.resume(); }
+
+    /// Tells whether the user has stopped the drawing. Only pictures that are kept on disk come
+    /// then, until goOn() or other blocks.
+    bool isStopped() const { return isStopped_; }
+    void goOn() { isStopped_ = false; }
     void setCatalog(std::shared_ptr<const Catalog> catalog);
 
     /// Asks for the image of a material; replaces a waiting request of that name. ready() follows
@@ -50,7 +56,8 @@ class ThumbnailMaker : public QObject {
     static constexpr QSize environmentPixels{128, 64};
 
   Q_SIGNALS:
-    /// Is emitted with a null picture if a shader does not compile, or if nothing can be drawn.
+    /// Is emitted with a null picture if a shader does not compile, if nothing can be drawn, or if
+    /// the user has stopped it.
     void ready(QString name, QImage picture);
 
   private:
@@ -67,6 +74,7 @@ class ThumbnailMaker : public QObject {
     ThumbnailKeys keys_; ///< belong to the worker's thread
     /// Belongs to the worker's thread; null while it is not needed.
     Result<std::unique_ptr<Studio>> studio_;
+    std::atomic<bool> isStopped_ = false; ///< is set in the worker's thread
     Worker worker_;
 };
 

@@ -42,7 +42,12 @@ class UserBlockTrials::Wanted {
 };
 
 UserBlockTrials::UserBlockTrials(QObject* parent)
-    : QObject(parent), worker_({.name = tr("Checking your blocks")}) {
+    : QObject(parent),
+      worker_({.name = tr("Checking your blocks"), .canCancel = true, .atCancel = [] {
+                   if (blockGate()) {
+                       blockGate()->stop();
+                   }
+               }}) {
     if (blockGate()) {
         blockGate()->resume();
     }
@@ -50,13 +55,13 @@ UserBlockTrials::UserBlockTrials(QObject* parent)
 
 UserBlockTrials::~UserBlockTrials() {
     worker_.cancel();
-    if (blockGate()) {
-        blockGate()->stop();
-    }
 }
 
 void UserBlockTrials::run(std::shared_ptr<const Catalog> catalog) {
     worker_.forget();
+    if (blockGate()) {
+        blockGate()->resume();
+    }
     const bool hasUsers = std::any_of(catalog->blocks.begin(), catalog->blocks.end(),
                                       [](const Block& block) { return !block.shipped; });
     if (!hasUsers) {
@@ -84,7 +89,16 @@ Errors UserBlockTrials::mistakesIn(const Catalog& catalog, const Worker::Control
     if (!control.openContext()) {
         return wanted.mistakes; // the view says why nothing is drawn on this machine
     }
-    addNew(wanted.mistakes, blockGate()->ask(wanted.blocks, true).mistakes);
+    const BlockGate::Answer answer = blockGate()->ask(wanted.blocks, true);
+    addNew(wanted.mistakes, answer.mistakes);
+    if (control.isCancelled() && !answer.isFinal) {
+        wanted.mistakes.push_back({{},
+                                   0,
+                                   0,
+                                   "checking your blocks was stopped: those that were not checked "
+                                   "are left out",
+                                   "a change of one of their files, which checks them again"});
+    }
     return wanted.mistakes;
 }
 

@@ -24,6 +24,7 @@ class UserBlockTrials : public QObject {
     ~UserBlockTrials() override;
 
     /// Tries all of the user's blocks; finished() follows, unless run() is called again before.
+    /// Where the trials are cancelled, what was not tried stays out of all programs until then.
     void run(std::shared_ptr<const Catalog> catalog);
 
   Q_SIGNALS:

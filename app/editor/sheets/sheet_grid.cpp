@@ -145,6 +145,7 @@ SheetGrid::SheetGrid(QWidget* parent) : QTableView(parent), table_(new CellTable
         header->setMinimumSectionSize(1);
         header->setTextElideMode(Qt::ElideRight);
     }
+    connect(verticalHeader(), &QHeaderView::geometriesChanged, this, &SheetGrid::fitted);
     verticalHeader()->setMaximumWidth(widestLabel);
     verticalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
     connect(this, &QTableView::clicked, this, &SheetGrid::chosen);
@@ -190,6 +191,12 @@ void SheetGrid::fit() {
         const bool isApart = table_->isControl(row);
         setRowHeight(row, side + captionHeight(font(), lines) + (isApart ? apart : 0));
     }
+    Q_EMIT fitted();
+}
+
+QRect SheetGrid::cells() const {
+    const QSize all(horizontalHeader()->length(), verticalHeader()->length());
+    return {viewport()->pos(), all.boundedTo(viewport()->size())};
 }
 
 void SheetGrid::resizeEvent(QResizeEvent* event) {

@@ -22,7 +22,11 @@ class SheetGrid : public QTableView {
 
     QSize sizeHint() const override;
 
+    /// Returns where the cells that are in sight stand in the grid, in pixels.
+    QRect cells() const;
+
   Q_SIGNALS:
+    void fitted(); ///< cells() may be elsewhere
     void chosen(const QModelIndex& cell);
 
   protected:

@@ -103,6 +103,7 @@ void SheetsDock::connectParts() {
         drawing_.cancelWriting();
     });
     connect(grid_, &SheetGrid::chosen, this, &SheetsDock::choose);
+    connect(grid_, &SheetGrid::fitted, this, &SheetsDock::placeTitles);
     connect(&drawing_, &SheetDrawing::planned, this, &SheetsDock::showPlan);
     connect(&drawing_, &SheetDrawing::refused, this, &SheetsDock::showRefusal);
     connect(&drawing_, &SheetDrawing::drawn, this,
@@ -121,6 +122,15 @@ void SheetsDock::connectParts() {
     connect(&context_.meshes, &MeshLibrary::opennessFound, this, renew);
     connect(&context_.textures, &TextureLibrary::arrived, this, renew);
     connect(&context_.environments, &EnvironmentLibrary::loaded, this, renew);
+}
+
+/// Puts the titles of the axes in the middle of the cells: there is room beside them in a wide
+/// panel.
+void SheetsDock::placeTitles() {
+    const QRect cells = grid_->cells();
+    xTitle_->setContentsMargins(grid_->x() + cells.left() - xTitle_->x(), 0,
+                                grid_->width() - cells.left() - cells.width(), 0);
+    yTitle_->setContentsMargins(0, cells.top(), 0, grid_->height() - cells.top() - cells.height());
 }
 
 void SheetsDock::setSheet(const Sheet& sheet) {

@@ -59,6 +59,7 @@ class SheetsDock : public QWidget {
     QString suggestedName() const;
 
     void followLater();
+    void placeTitles();
     void follow();
     bool isUpToDate();
     void chooseAxes(const std::vector<AxisOffer>& offers);

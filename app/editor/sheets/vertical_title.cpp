@@ -24,9 +24,10 @@ QSize VerticalTitle::sizeHint() const {
 
 void VerticalTitle::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    painter.translate(0, height());
+    const QRect within = contentsRect();
+    painter.translate(0, within.bottom() + 1);
     painter.rotate(-90.0);
-    const QRect room(0, 0, height(), width());
+    const QRect room(0, 0, within.height(), within.width());
     painter.drawText(room, Qt::AlignCenter,
                      fontMetrics().elidedText(text_, Qt::ElideRight, room.width()));
 }

@@ -32,6 +32,7 @@ FrameLoop::FrameLoop(QOpenGLWidget& widget, const ViewedScene& viewed)
     connect(&turn_, &QTimer::timeout, this, &FrameLoop::proceed);
     connect(&refinement_, &SampleRefinement::due, this, &FrameLoop::addSamples);
     connect(&programs_, &OrderedPrograms::came, this, &FrameLoop::takePrograms);
+    connect(&programs_, &OrderedPrograms::givenUp, this, &FrameLoop::giveUpPrograms);
 }
 
 void FrameLoop::open() {
@@ -253,6 +254,15 @@ void FrameLoop::takePrograms() {
         turn_.stop();
         progress_ = Progress::Idle;
         (refinement_.isAtRest() ? moreSamples_ : stale_) = true;
+        widget_.update();
+    }
+}
+
+/// Leaves the last picture on the screen until something changes again.
+void FrameLoop::giveUpPrograms() {
+    if (progress_ == Progress::Waiting) {
+        turn_.stop();
+        progress_ = Progress::Idle;
         widget_.update();
     }
 }

@@ -149,6 +149,7 @@ class FrameLoop : public QObject {
     FrameJob& beginJob(FramePurpose purpose);
     bool waitsForPrograms(FrameJob& job);
     void takePrograms();
+    void giveUpPrograms();
     void makeTargets();
     std::optional<Painted> drawSketch(FrameJob& job, unsigned framebuffer);
     Painted drawFrame(FrameJob& job, unsigned framebuffer);

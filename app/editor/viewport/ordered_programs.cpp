@@ -12,6 +12,7 @@ namespace patina {
 OrderedPrograms::OrderedPrograms(const ViewedScene& viewed) : viewed_(viewed) {
     if (canOrder()) {
         connect(viewed.sources().programs, &ProgramWorker::finished, this, &OrderedPrograms::take);
+        connect(viewed.sources().programs, &ProgramWorker::givenUp, this, &OrderedPrograms::giveUp);
     }
 }
 
@@ -54,6 +55,14 @@ void OrderedPrograms::take(quint64 number) {
     if (number == number_) {
         number_ = 0;
         Q_EMIT came();
+    }
+}
+
+void OrderedPrograms::giveUp(quint64 number) {
+    if (number == number_) {
+        number_ = 0;
+        missing_ = 0; // the next frame orders them again
+        Q_EMIT givenUp();
     }
 }
 

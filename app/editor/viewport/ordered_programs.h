@@ -23,8 +23,8 @@ class OrderedPrograms : public QObject {
     /// Tells whether the view has a ProgramWorker; without one nothing can be ordered.
     bool canOrder() const;
 
-    /// Has the programs of a frame of a scene made; came() follows unless others are ordered
-    /// meanwhile.
+    /// Has the programs of a frame of a scene made; came() or givenUp() follows unless others are
+    /// ordered meanwhile.
     void order(const Scene& scene, const View& view);
     void forget() { number_ = 0; }
 
@@ -35,10 +35,12 @@ class OrderedPrograms : public QObject {
     bool mustWait(FrameJob& job, const Scene& scene, const View& view);
 
   Q_SIGNALS:
-    void came(); ///< is sent when all programs that could be made are there
+    void came();    ///< is sent when all programs that could be made are there
+    void givenUp(); ///< is sent in its place when the user cancelled that
 
   private:
     void take(quint64 number);
+    void giveUp(quint64 number);
 
     const ViewedScene& viewed_;
     quint64 number_ = 0; ///< is what ProgramWorker::ask() returned; 0 while nothing is awaited

@@ -13,6 +13,7 @@ Prewarmer::Prewarmer(FrameLoop& frames, const ViewedScene& viewed)
     connect(&turn_, &QTimer::timeout, this, &Prewarmer::makeNext);
     connect(&frames, &FrameLoop::frameDrawn, this, &Prewarmer::goOn);
     connect(&programs_, &OrderedPrograms::came, this, &Prewarmer::prepare);
+    connect(&programs_, &OrderedPrograms::givenUp, this, [this] { ahead_.clear(); });
 }
 
 /// Adds the frame of a change last, as frames are taken from the end of the list and a change is

@@ -49,8 +49,10 @@ TextureLookup placeholder(const TextureUse&, TextureDecoding) {
     return {nullptr, true};
 }
 
-/// Draws the frame into a small target that is never shown. The context has to be current.
-void makePrograms(const ProgramWorker::Frame& frame, Renderer& renderer) {
+/// Draws the frame into a small target that is never shown, one program after the other until it
+/// is cancelled. The context has to be current.
+void makePrograms(const ProgramWorker::Frame& frame, Renderer& renderer,
+                  const Worker::Control& control) {
     renderer.setTextures(placeholder);
     renderer.setCatalog(frame.catalog);
     View view = frame.view;
@@ -65,25 +67,35 @@ void makePrograms(const ProgramWorker::Frame& frame, Renderer& renderer) {
     const MeshSource source = [&](const Object& object) {
         return meshes[static_cast<std::size_t>(&object - first)].view();
     };
-    renderer.begin(frame.scene, view, source, FramePurpose::Prewarm).step(FrameJob::never);
+    FrameJob& job = renderer.begin(frame.scene, view, source, FramePurpose::Prewarm);
+    while (!control.isCancelled() &&
+           job.step(std::chrono::milliseconds(0)) == FrameJob::Progress::More) {
+    }
 }
 
 } // namespace
 
 ProgramWorker::ProgramWorker(std::filesystem::path programCache, QObject* parent)
     : QObject(parent), programCache_(std::move(programCache)),
-      worker_({.name = tr("Preparing shaders")}) {}
+      worker_({.name = tr("Preparing shaders"), .canCancel = true}) {}
 
 quint64 ProgramWorker::ask(Frame frame) {
     const auto make = [this, frame = std::move(frame)](const Worker::Control& control) {
-        if (control.openContext()) {
+        if (!control.isCancelled() && control.openContext()) {
             if (const auto renderer = Renderer::create({programCache_})) {
-                makePrograms(frame, **renderer);
+                makePrograms(frame, **renderer, control);
             }
         }
         control.closeContext(); // the driver has written its cache when the context is gone
+        return control.isCancelled();
     };
-    worker_.ask(make, [this, number = ++asked_](const Result<void>&) { Q_EMIT finished(number); });
+    worker_.ask(make, [this, number = ++asked_](const Result<bool>& isCancelled) {
+        if (isCancelled && *isCancelled) {
+            Q_EMIT givenUp(number);
+        } else {
+            Q_EMIT finished(number);
+        }
+    });
     return asked_;
 }
 

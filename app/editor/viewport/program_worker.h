@@ -37,11 +37,12 @@ class ProgramWorker : public QObject {
     explicit ProgramWorker(std::filesystem::path programCache, QObject* parent = nullptr);
 
     /// Asks for the programs of a frame and returns a number; finished() follows with it, also
-    /// where nothing could be made.
+    /// where nothing could be made, or givenUp().
     quint64 ask(Frame frame);
 
   Q_SIGNALS:
     void finished(quint64 number);
+    void givenUp(quint64 number); ///< the user cancelled it: some programs are missing
 
   private:
     std::filesystem::path programCache_;
