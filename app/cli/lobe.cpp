@@ -102,12 +102,7 @@ Checked<void> plotSlice(const std::vector<Named>& materials, const LobeOptions& 
             oneError(failure("the slice is of one material", "a single preset").value()));
     }
     const Named& shown = materials.front();
-    const Block* block = catalog.find(kinds::models, shown.material.model.id);
-    if (block != nullptr && !whyNoReflectance(*block).empty()) {
-        return tl::unexpected(
-            oneError(failure(whyNoReflectance(*block), "a model of a reflectance").value()));
-    }
-    const auto model = LobeModel::create(catalog, shown.material, termOf(options.term));
+    const auto model = reflectanceModel(catalog, shown.material, termOf(options.term));
     if (!model) {
         return tl::unexpected(oneError(model.error()));
     }

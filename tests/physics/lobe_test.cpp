@@ -6,6 +6,7 @@
 #include "measure/lobe/half_difference_slice.h"
 #include "measure/lobe/lobe_lines.h"
 #include "measure/lobe/lobe_scale.h"
+#include "measure/lobe/lobe_solid.h"
 #include "measure/stability/sweep_cases.h"
 #include "physics_cases.h"
 
@@ -128,6 +129,34 @@ TEST(AlbedoCurve, IsFiniteForEveryEdgeCase) {
                 << block->id << ' ' << angle;
         }
     }
+}
+
+TEST(LobeSolid, OfLambert_IsEvenOverTheWholeHemisphere) {
+    const LobeModel model = modelOf(materialOf("lambert", {{"diffuse.color", glm::dvec3(0.5)}}));
+    for (const double degrees : {0.0, 50.0, 90.0}) {
+        const LobeSolid solid = lobeSolid(model, {degrees * degree, 0.3});
+        ASSERT_EQ(solid.f.size(), solid.directions.size());
+        for (std::size_t i = 0; i < solid.f.size(); ++i) {
+            EXPECT_NEAR(glm::length(solid.directions[i]), 1.0, 1e-12);
+            EXPECT_GE(solid.directions[i].z, 0.0);
+            if (solid.directions[i].z > 1e-6) { // at the horizon nothing is seen
+                EXPECT_NEAR(solid.f[i].x, 0.5 / pi, 1e-9) << degrees;
+            }
+        }
+        EXPECT_NEAR(solid.directions.back().z, 0.0, 1e-12);
+    }
+}
+
+TEST(LobeSolid, OfANarrowLobe_HasItsPeakInTheFirstRing) {
+    const LobeModel model =
+        modelOf(materialOf("phong", {{"diffuse.color", glm::dvec3(0.0)}, {"shininess", 5000.0}}));
+    const Incoming incoming{0.7, 0.2};
+    const LobeSolid solid = lobeSolid(model, incoming);
+    const glm::dvec3 peak = model.reflectance(incoming.direction(), incoming.across(0.7));
+    ASSERT_GT(peak.x, 0.0);
+    EXPECT_NEAR(solid.f[solid.place(0, 5)].x / peak.x, 1.0, 1e-9);
+    EXPECT_GT(solid.f[solid.place(1, 0)].x, 0.5 * peak.x); // the mesh follows the lobe
+    EXPECT_LT(solid.f[solid.place(20, 0)].x, 0.01 * peak.x);
 }
 
 TEST(EnergyRange, OfAnEvenCurve_IsItsValue) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The reflectance of what is on screen, as plots.
+#include <numbers>
+
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
@@ -18,6 +20,8 @@
 #include "lobe/lobe_dock.h"
 #include "lobe/polar_plot.h"
 #include "lobe/share_plot.h"
+#include "lobe/slice_plot.h"
+#include "lobe/solid_plot.h"
 #include "ui/fixtures.h"
 #include "ui/window_fixture.h"
 #include "viewport/frame_loop.h"
@@ -26,6 +30,9 @@ namespace patina::tests::lobe_test {
 namespace {
 
 constexpr int waitMs = 20000;
+
+/// Names the tabs of the dock.
+enum Tab { Polar, Solid, Albedo, Fresnel, Slice, Float32 };
 
 class LobePanel : public WindowFixture {
   protected:
@@ -39,10 +46,12 @@ class LobePanel : public WindowFixture {
     LobeDock& dock() { return *window().dock("lobe")->findChild<LobeDock*>(); }
     PolarPlot& polar() { return *dock().findChild<PolarPlot*>(); }
     SharePlot& albedo() { return *dock().findChild<SharePlot*>("albedoPlot"); }
+    SolidPlot& solid() { return *dock().findChild<SolidPlot*>(); }
+    SlicePlot& slice() { return *dock().findChild<SlicePlot*>(); }
     SharePlot& fresnel() { return *dock().findChild<SharePlot*>("fresnelPlot"); }
     EnergyBar& energy() { return *dock().findChild<EnergyBar*>(); }
     QString note() { return dock().findChild<QLabel*>("note")->text(); }
-    void openTab(int index) { dock().findChild<QTabWidget*>()->setCurrentIndex(index); }
+    void openTab(Tab index) { dock().findChild<QTabWidget*>()->setCurrentIndex(index); }
     bool wait() {
         return QTest::qWaitFor([this] { return dock().isUpToDate(); }, waitMs);
     }
@@ -89,7 +98,7 @@ TEST_F(LobePanel, Hidden_ComputesNothing) {
 TEST_F(LobePanel, HiddenWhileItComputes_GivesUp) {
     ASSERT_TRUE(wait());
     document().setModel(Side::A, "poulin-fournier");
-    openTab(1); // takes seconds
+    openTab(Albedo); // takes seconds
     EXPECT_TRUE(dock().isComputing());
     window().dock("lobe")->hide();
     EXPECT_FALSE(dock().isComputing());
@@ -154,7 +163,7 @@ TEST_F(LobePanel, Pointer_ReadsValuesWithTheirUnit) {
 TEST_F(LobePanel, Albedo_HasAnEnergyBarThatKnowsTooMuchLight) {
     set("diffuse.color", glm::dvec3(0.5));
     set("specular.color", glm::dvec3(0.0));
-    openTab(1);
+    openTab(Albedo);
     ASSERT_TRUE(wait());
     EXPECT_FALSE(energy().isAboveOne());
     EXPECT_TRUE(energy().text().contains("50 %")) << energy().text().toStdString();
@@ -168,18 +177,76 @@ TEST_F(LobePanel, Albedo_HasAnEnergyBarThatKnowsTooMuchLight) {
 TEST_F(LobePanel, Fresnel_OfAMetalIsPlotted) {
     document().setModel(Side::A, "cook-torrance");
     document().setBlock(document().selection().currentPath(kinds::fresnel), "dielectric");
-    openTab(2);
+    openTab(Fresnel);
     ASSERT_TRUE(wait());
     ASSERT_EQ(fresnel().subjects().size(), 1u);
     EXPECT_EQ(fresnel().subjects().front().lines.marks.size(), 3u);
 }
 
 TEST_F(LobePanel, Float32_ComparesTheDeviceWithDouble) {
-    openTab(3);
+    openTab(Float32);
     ASSERT_TRUE(wait());
     auto& plot = *dock().findChild<SharePlot*>("float32Plot");
     ASSERT_EQ(plot.subjects().size(), 1u);
     EXPECT_TRUE(note().contains("units in the last place")) << note().toStdString();
+}
+
+TEST_F(LobePanel, Slice_ReadsTheReflectanceOverBothAngles) {
+    document().setModel(Side::A, "lambert");
+    set("diffuse.color", glm::dvec3(0.5));
+    openTab(Slice);
+    ASSERT_TRUE(wait());
+    ASSERT_EQ(slice().slices().size(), 1u);
+    const QRectF square = slice().squareOf(0);
+    const QPointF near = square.bottomLeft() + QPointF(0.1, -0.1) * square.width();
+    const QString reading = slice().readingAt(near);
+    EXPECT_TRUE(reading.contains("half vector 9")) << reading.toStdString();
+    EXPECT_TRUE(reading.contains("A: 0.159 1/sr")) << reading.toStdString(); // 0.5/pi
+    EXPECT_EQ(slice().readingAt({-5.0, -5.0}), "");
+    dock().exportTo(QString::fromStdString(home("slice.csv").string()));
+    EXPECT_TRUE(readFile(home("slice.csv")).starts_with("material,half_degrees,"));
+}
+
+TEST_F(LobePanel, Solid_IsTurnedByADragAndReadsTheViewersDirection) {
+    openTab(Solid);
+    ASSERT_TRUE(wait());
+    ASSERT_EQ(solid().solids().size(), 1u);
+    // The peak of the lobe is as long as the room allows.
+    const double light = polar().light() * std::numbers::pi / 180.0;
+    const QPointF middle = solid().placeOf({-0.7 * std::sin(light), 0.0, 0.7 * std::cos(light)});
+    const QString reading = solid().readingAt(middle);
+    EXPECT_TRUE(reading.contains("from the tangent")) << reading.toStdString();
+    EXPECT_TRUE(reading.endsWith("1/sr")) << reading.toStdString();
+    EXPECT_EQ(solid().readingAt({1.0, 1.0}), "");
+    const double turn = solid().turn();
+    const double tilt = solid().tilt();
+    const QPoint from = solid().rect().center();
+    QTest::mousePress(&solid(), Qt::LeftButton, {}, from);
+    QMouseEvent drag(QEvent::MouseMove, from + QPoint(20, 10),
+                     solid().mapToGlobal(from + QPoint(20, 10)), Qt::NoButton, Qt::LeftButton,
+                     Qt::NoModifier);
+    QApplication::sendEvent(&solid(), &drag);
+    EXPECT_NEAR(solid().turn(), turn - 10.0, 1e-9);
+    EXPECT_NEAR(solid().tilt(), tilt + 5.0, 1e-9);
+    QTest::keyClick(&solid(), Qt::Key_Down);
+    EXPECT_NEAR(solid().tilt(), tilt, 1e-9);
+    for (const char* name : {"solid.svg", "solid.png", "solid.csv"}) {
+        dock().exportTo(QString::fromStdString(home(name).string()));
+    }
+    EXPECT_NE(readFile(home("solid.svg")).find("<svg"), std::string::npos);
+    EXPECT_TRUE(readFile(home("solid.png")).starts_with("\x89PNG"));
+    EXPECT_TRUE(readFile(home("solid.csv")).starts_with("material,viewer_degrees,"));
+}
+
+TEST_F(LobePanel, DrawingModel_HasNoPlotOverViewersOrHalfAngles) {
+    document().setModel(Side::A, "toon");
+    for (const Tab tab : {Solid, Slice}) {
+        openTab(tab);
+        ASSERT_TRUE(wait());
+        EXPECT_TRUE(note().contains("no share of the light")) << note().toStdString();
+    }
+    EXPECT_TRUE(solid().solids().empty());
+    EXPECT_TRUE(slice().slices().empty());
 }
 
 TEST_F(LobePanel, DrawingModel_SaysThatThePlotMeansNothing) {

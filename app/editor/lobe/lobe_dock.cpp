@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lobe/lobe_dock.h"
 
+#include <iterator>
 #include <numbers>
 
 #include <QAction>
@@ -19,10 +20,11 @@
 #include "lobe/energy_bar.h"
 #include "lobe/polar_plot.h"
 #include "lobe/share_plot.h"
+#include "lobe/slice_plot.h"
+#include "lobe/solid_plot.h"
 #include "material/preset_file.h"
 #include "measure/error/parallel.h"
 #include "measure/eval/eval_gpu.h"
-#include "measure/lobe/lobe_table.h"
 #include "parameters/dropped_files.h"
 #include "session/message_log.h"
 #include "text/as_text.h"
@@ -31,14 +33,17 @@ namespace patina {
 namespace {
 
 constexpr int restMs = 200; ///< is how long values rest before the sketch becomes the plot
+constexpr int sliceCells = 90;
+constexpr int sketchCells = 30;
+constexpr SolidFineness sketchFineness{20, 32};
 
 } // namespace
 
 LobeDock::LobeDock(const DockContext& context)
     : document_(context.document), tried_(context.tried), messages_(context.messages),
-      pages_(new QTabWidget(this)), polar_(new PolarPlot(this)),
+      pages_(new QTabWidget(this)), polar_(new PolarPlot(this)), solid_(new SolidPlot(this)),
       albedo_(new SharePlot(LobePlot::Albedo, this)),
-      fresnel_(new SharePlot(LobePlot::Fresnel, this)),
+      fresnel_(new SharePlot(LobePlot::Fresnel, this)), slice_(new SlicePlot(this)),
       float32_(new SharePlot(LobePlot::Float32, this)), energy_(new EnergyBar(this)),
       scale_(new QComboBox(this)), term_(new QComboBox(this)), snapshots_(new QAction(this)),
       forget_(textButton(tr("Without Presets"), tr("Take the presets that were dropped here away"),
@@ -71,8 +76,10 @@ void LobeDock::addPages() {
         pages_->setTabToolTip(pages_->addTab(page, title), what);
     };
     add(polar_, tr("Lobe"), tr("Reflectance in the plane of incidence; drag to turn the light"));
+    add(solid_, tr("3D"), tr("Reflectance over all viewers; drag to turn it"));
     add(energy, tr("Albedo"), tr("What is reflected in all, over the angle of the light"));
     add(fresnel_, tr("Fresnel"), tr("What the surface mirrors, by polarisation and side"));
+    add(slice_, tr("Half angle"), tr("A slice over half and difference angle"));
     add(float32_, tr("Float32"), tr("How far the device is from double precision"));
 }
 
@@ -135,8 +142,12 @@ void LobeDock::connectParts(const DockContext& context) {
     });
     connect(pages_, &QTabWidget::currentChanged, this, again);
     connect(term_, &QComboBox::currentIndexChanged, this, again);
-    connect(scale_, &QComboBox::currentIndexChanged, this,
-            [this] { polar_->setScale(static_cast<LobeScale>(scale_->currentData().toInt())); });
+    connect(scale_, &QComboBox::currentIndexChanged, this, [this] {
+        const auto scale = static_cast<LobeScale>(scale_->currentData().toInt());
+        polar_->setScale(scale);
+        solid_->setScale(scale);
+        slice_->setScale(scale);
+    });
     connect(polar_, &PolarPlot::lightTurned, this, again);
     connect(&settle_, &QTimer::timeout, this, [this] { ask(false); });
 }
@@ -198,36 +209,46 @@ void LobeDock::follow() {
     settle_.start();
 }
 
-LobePlot LobeDock::shownPlot() const {
-    constexpr LobePlot plots[] = {LobePlot::Polar, LobePlot::Albedo, LobePlot::Fresnel,
-                                  LobePlot::Float32};
-    return plots[std::max(pages_->currentIndex(), 0)];
+LobeDock::Page LobeDock::shownPage() const {
+    return static_cast<Page>(std::max(pages_->currentIndex(), 0));
 }
 
-LobePlotWidget& LobeDock::page() const {
-    switch (shownPlot()) {
-    case LobePlot::Albedo:
-        return *albedo_;
-    case LobePlot::Fresnel:
-        return *fresnel_;
-    case LobePlot::Float32:
-        return *float32_;
+LobePlotWidget* LobeDock::linePlot() const {
+    switch (shownPage()) {
+    case Page::Polar:
+        return polar_;
+    case Page::Albedo:
+        return albedo_;
+    case Page::Fresnel:
+        return fresnel_;
+    case Page::Float32:
+        return float32_;
     default:
-        return *polar_;
+        return nullptr;
     }
 }
 
+PaintedPlot* LobeDock::paintedPlot() const {
+    return shownPage() == Page::Solid   ? static_cast<PaintedPlot*>(solid_)
+           : shownPage() == Page::Slice ? static_cast<PaintedPlot*>(slice_)
+                                        : nullptr;
+}
+
 void LobeDock::ask(bool isSketch) {
-    LobeRequest request;
-    request.plot = shownPlot();
-    request.incoming.angle = polar_->light() * std::numbers::pi / 180.0;
-    request.term = static_cast<LobeTerm>(term_->currentData().toInt());
-    request.isSketch = isSketch;
-    scale_->setEnabled(request.plot == LobePlot::Polar);
-    term_->setEnabled(request.plot == LobePlot::Polar || request.plot == LobePlot::Albedo);
+    const Page page = shownPage();
+    Question question{page, {}};
+    question.lines.plot = page == Page::Albedo    ? LobePlot::Albedo
+                          : page == Page::Fresnel ? LobePlot::Fresnel
+                          : page == Page::Float32 ? LobePlot::Float32
+                                                  : LobePlot::Polar;
+    question.lines.incoming.angle = polar_->light() * std::numbers::pi / 180.0;
+    question.lines.term = static_cast<LobeTerm>(term_->currentData().toInt());
+    question.lines.isSketch = isSketch;
+    scale_->setEnabled(page == Page::Polar || page == Page::Solid || page == Page::Slice);
+    term_->setEnabled(page != Page::Fresnel && page != Page::Float32);
     worker_.ask(
-        [request, materials = materials_, catalog = document_.sharedCatalog()](
-            Worker::Control& control) { return answerTo(request, materials, *catalog, control); },
+        [question, materials = materials_, catalog = document_.sharedCatalog()](
+            Worker::Control& control) { return answerTo(question, materials, *catalog, control); },
         [this](const Result<Answer>& answer) {
             if (answer) {
                 show(*answer);
@@ -236,22 +257,54 @@ void LobeDock::ask(bool isSketch) {
         QStringLiteral("lines"));
 }
 
+Result<void> LobeDock::answerFor(const LobeMaterial& material, const Catalog& catalog,
+                                 const std::function<bool()>& isWanted, EvalGpu* device,
+                                 Answer& answer) {
+    const auto& [page, request] = answer.question;
+    if (page == Page::Solid || page == Page::Slice) {
+        const auto model = reflectanceModel(catalog, material.material, request.term);
+        if (!model) {
+            return tl::unexpected(model.error());
+        }
+        if (page == Page::Solid) {
+            answer.solids.push_back(
+                {material.name, lobeSolid(*model, request.incoming,
+                                          request.isSketch ? sketchFineness : SolidFineness())});
+        } else {
+            answer.slices.push_back(
+                {material.name,
+                 halfDifferenceSlice(*model, request.isSketch ? sketchCells : sliceCells)});
+        }
+        return {};
+    }
+    auto lines = lobeLines(catalog, material.material, request, isWanted, device);
+    if (!lines) {
+        return tl::unexpected(lines.error());
+    }
+    answer.subjects.push_back({material.name, std::move(*lines)});
+    return {};
+}
+
 /// Runs in the worker's thread. The device is asked when values rest, as its context takes a while.
-LobeDock::Answer LobeDock::answerTo(const LobeRequest& request,
+LobeDock::Answer LobeDock::answerTo(const Question& question,
                                     const std::vector<LobeMaterial>& materials,
                                     const Catalog& catalog, Worker::Control& control) {
+    const bool isSketch = question.lines.isSketch;
     // Every sketch is shown, so that ticks that come faster still move the plot.
-    const auto isWanted = [&control, &request] {
-        return !control.isCancelled() && (request.isSketch || !control.isSuperseded());
+    const auto isWanted = [&control, isSketch] {
+        return !control.isCancelled() && (isSketch || !control.isSuperseded());
     };
-    Answer answer{request.plot, {}, {}, request.isSketch};
-    std::vector<Result<LobeLines>> found(materials.size());
+    std::vector<Answer> found(materials.size(), Answer{.question = question});
     const auto plot = [&](std::size_t begin, std::size_t end, EvalGpu* device) {
         for (std::size_t i = begin; i < end; ++i) {
-            found[i] = lobeLines(catalog, materials[i].material, request, isWanted, device);
+            const auto done = answerFor(materials[i], catalog, isWanted, device, found[i]);
+            if (!done) {
+                found[i].problems << tr("%1: %2.").arg(asText(materials[i].name),
+                                                       asText(done.error().problem));
+            }
         }
     };
-    if (request.isSketch) {
+    if (isSketch) {
         inParallel(materials.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
             plot(begin, end, nullptr);
         });
@@ -259,21 +312,20 @@ LobeDock::Answer LobeDock::answerTo(const LobeRequest& request,
         EvalGpu device;
         plot(0, materials.size(), &device);
     }
-    for (std::size_t i = 0; i < materials.size(); ++i) {
-        if (found[i]) {
-            answer.subjects.push_back({materials[i].name, std::move(*found[i])});
-        } else {
-            answer.problems << tr("%1: %2.").arg(asText(materials[i].name),
-                                                 asText(found[i].error().problem));
-        }
+    Answer answer{.question = question};
+    for (Answer& one : found) {
+        std::ranges::move(one.subjects, std::back_inserter(answer.subjects));
+        std::ranges::move(one.solids, std::back_inserter(answer.solids));
+        std::ranges::move(one.slices, std::back_inserter(answer.slices));
+        answer.problems += one.problems;
     }
-    return isWanted() ? answer : Answer{request.plot, {}, {}, request.isSketch};
+    return isWanted() ? answer : Answer{.question = question};
 }
 
 void LobeDock::show(const Answer& answer) {
-    const bool isIncomplete = answer.isSketch && !answer.problems.isEmpty();
-    if (answer.plot != shownPlot() || isIncomplete ||
-        (answer.subjects.empty() && answer.problems.isEmpty())) {
+    const bool isIncomplete = answer.question.lines.isSketch && !answer.problems.isEmpty();
+    if (answer.question.page != shownPage() || isIncomplete ||
+        (answer.isEmpty() && answer.problems.isEmpty())) {
         return; // another one is on its way
     }
     QStringList notes = answer.problems;
@@ -284,21 +336,38 @@ void LobeDock::show(const Answer& answer) {
         }
     }
     note_->tell(notes.join(' '));
-    if (answer.plot == LobePlot::Albedo) {
+    if (shownPage() == Page::Albedo) {
         const bool isThere = !answer.subjects.empty() &&
                              answer.subjects.front().lines.lines.front().values.size() > 1;
         energy_->setRange(
             isThere ? std::optional(energyRange(answer.subjects.front().lines.lines.front()))
                     : std::nullopt);
     }
-    page().setSubjects(answer.subjects);
+    if (LobePlotWidget* plot = linePlot()) {
+        plot->setSubjects(answer.subjects);
+    } else if (shownPage() == Page::Solid) {
+        solid_->setSolids(answer.solids, answer.question.lines.incoming);
+    } else {
+        slice_->setSlices(answer.slices);
+    }
+}
+
+std::string LobeDock::csv() const {
+    const LobePlotWidget* plot = linePlot();
+    return plot != nullptr              ? linesCsv(plot->subjects())
+           : shownPage() == Page::Solid ? solidsCsv(solid_->solids())
+                                        : slicesCsv(slice_->slices());
 }
 
 void LobeDock::exportTo(const QString& file) {
     const QString ending = QFileInfo(file).suffix().toLower();
-    const std::string bytes = ending == "csv"   ? linesCsv(page().subjects())
-                              : ending == "svg" ? page().svg().toStdString()
-                                                : page().png().toStdString();
+    const auto bytesOf = [&ending](const auto& plot) {
+        return (ending == "svg" ? plot.svg() : plot.png()).toStdString();
+    };
+    const LobePlotWidget* plot = linePlot();
+    const std::string bytes = ending == "csv"   ? csv()
+                              : plot != nullptr ? bytesOf(*plot)
+                                                : bytesOf(*paintedPlot());
     if (const auto written = writeFileAtomically(file.toStdString(), bytes); !written) {
         messages_.add(written.error());
     }

@@ -9,7 +9,7 @@
 #include "background/worker.h"
 #include "docks/dock_context.h"
 #include "lobe/lobe_subjects.h"
-#include "measure/lobe/lobe_lines.h"
+#include "measure/lobe/lobe_table.h"
 
 class QAction;
 class QComboBox;
@@ -19,9 +19,13 @@ class QToolButton;
 namespace patina {
 
 class EnergyBar;
+class EvalGpu;
 class LobePlotWidget;
 class LongLine;
+class PaintedPlot;
 class PolarPlot;
+class SlicePlot;
+class SolidPlot;
 
 /// Plots the reflectance of the materials on screen, in double precision. Only the plot that is
 /// seen is computed: a sketch of it while values move, and all of it when they rest.
@@ -45,13 +49,25 @@ class LobeDock : public QWidget {
     void dropEvent(QDropEvent* event) override;
 
   private:
-    /// Is what the worker found: the lines of each material that has some, and why the others have
+    /// Names the tabs, in their order.
+    enum class Page { Polar, Solid, Albedo, Fresnel, Slice, Float32 };
+
+    /// Says what the worker is to find for a tab; the request counts where the tab has lines.
+    struct Question {
+        Page page = Page::Polar;
+        LobeRequest lines;
+    };
+
+    /// Is what the worker found: the plot of each material that has one, and why the others have
     /// none.
     struct Answer {
-        LobePlot plot = LobePlot::Polar;
-        std::vector<LobeSubject> subjects;
-        QStringList problems;
-        bool isSketch = false;
+        Question question;
+        std::vector<LobeSubject> subjects = {};
+        std::vector<NamedSolid> solids = {};
+        std::vector<NamedSlice> slices = {};
+        QStringList problems = {};
+
+        bool isEmpty() const { return subjects.empty() && solids.empty() && slices.empty(); }
     };
 
     void addPages();
@@ -60,19 +76,27 @@ class LobeDock : public QWidget {
     void connectParts(const DockContext& context);
     void follow();
     void ask(bool isSketch);
-    static Answer answerTo(const LobeRequest& request, const std::vector<LobeMaterial>& materials,
+    static Answer answerTo(const Question& question, const std::vector<LobeMaterial>& materials,
                            const Catalog& catalog, Worker::Control& control);
+    static Result<void> answerFor(const LobeMaterial& material, const Catalog& catalog,
+                                  const std::function<bool()>& isWanted, EvalGpu* device,
+                                  Answer& answer);
     void show(const Answer& answer);
-    LobePlot shownPlot() const;
-    LobePlotWidget& page() const;
+    Page shownPage() const;
+    /// Return the widget of the tab that is seen: one of lines or a painted one.
+    LobePlotWidget* linePlot() const;
+    PaintedPlot* paintedPlot() const;
+    std::string csv() const;
 
     Document& document_;
     TriedMaterial& tried_;
     MessageLog& messages_;
     QTabWidget* pages_;
     PolarPlot* polar_;
+    SolidPlot* solid_;
     LobePlotWidget* albedo_;
     LobePlotWidget* fresnel_;
+    SlicePlot* slice_;
     LobePlotWidget* float32_;
     EnergyBar* energy_;
     QComboBox* scale_;

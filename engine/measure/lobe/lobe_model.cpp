@@ -68,6 +68,15 @@ std::string whyNoReflectance(const Block& model) {
                : std::string();
 }
 
+Result<LobeModel> reflectanceModel(const Catalog& catalog, const Material& material,
+                                   LobeTerm term) {
+    const Block* block = catalog.find(kinds::models, material.model.id);
+    if (block != nullptr && !whyNoReflectance(*block).empty()) {
+        return failure(whyNoReflectance(*block), "a model of a reflectance");
+    }
+    return LobeModel::create(catalog, material, term);
+}
+
 bool hasTerms(const Block& model) {
     return model.withRole(roles::diffuse) != nullptr;
 }

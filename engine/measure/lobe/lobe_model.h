@@ -44,6 +44,11 @@ class LobeModel {
 /// Says why a model is no reflectance, so that its albedo means nothing; empty where it is one.
 std::string whyNoReflectance(const Block& model);
 
+/// Returns a material's model to be plotted. It is an error, which says why, where its values are
+/// no reflectance, and where LobeModel::create() is one.
+Result<LobeModel> reflectanceModel(const Catalog& catalog, const Material& material,
+                                   LobeTerm term = LobeTerm::Whole);
+
 /// Tells whether the model's light is the sum of a diffuse term and a highlight, so that these can
 /// be looked at alone.
 bool hasTerms(const Block& model);
