@@ -94,6 +94,9 @@ QWidget* LobeDock::makeControls() {
     term_->addItem(tr("Whole"), static_cast<int>(LobeTerm::Whole));
     term_->addItem(tr("Diffuse"), static_cast<int>(LobeTerm::Diffuse));
     term_->addItem(tr("Highlight"), static_cast<int>(LobeTerm::Highlight));
+    term_->addItem(tr("Distribution"), static_cast<int>(LobeTerm::Distribution));
+    term_->addItem(tr("Masking"), static_cast<int>(LobeTerm::Masking));
+    term_->addItem(tr("Fresnel"), static_cast<int>(LobeTerm::Fresnel));
     snapshots_->setText(tr("&Snapshots"));
     snapshots_->setToolTip(tr("Show the snapshots beside what is on screen, four in all"));
     snapshots_->setCheckable(true);

@@ -94,7 +94,7 @@ QString LobePlotWidget::readingAt(const QPointF& place) const {
             if (!line.values.empty()) {
                 lines << tr("%1, %2: %3 %4")
                              .arg(asText(subject.name), asText(line.name),
-                                  numberText(line, degrees), unit())
+                                  numberText(line, degrees), line.isShare ? QString() : unit())
                              .trimmed();
             }
         }
