@@ -254,6 +254,7 @@ TEST_F(LobePanel, DrawingModel_SaysThatThePlotMeansNothing) {
     ASSERT_TRUE(wait());
     EXPECT_TRUE(polar().subjects().empty());
     EXPECT_TRUE(note().contains("no share of the light")) << note().toStdString();
+    EXPECT_TRUE(note().contains("its albedo")) << note().toStdString();
 }
 
 TEST_F(LobePanel, Export_WritesEachForm) {

@@ -168,8 +168,8 @@ Result<LobeLines> modelLines(const Catalog& catalog, const Material& material,
                              const LobeRequest& request, const std::function<bool()>& isWanted,
                              EvalGpu* device) {
     const Block* block = catalog.find(kinds::models, material.model.id);
-    if (block != nullptr && !whyNoReflectance(*block).empty()) {
-        return failure(whyNoReflectance(*block), "a model of a reflectance");
+    if (block != nullptr && !whyNoPlots(*block).empty()) {
+        return failure(whyNoPlots(*block), "a model of a reflectance");
     }
     const Result<EvalCase> variant = sweepVariant(catalog, material);
     if (!variant) {

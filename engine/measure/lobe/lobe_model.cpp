@@ -81,10 +81,18 @@ std::string whyNoReflectance(const Block& model) {
 Result<LobeModel> reflectanceModel(const Catalog& catalog, const Material& material,
                                    LobeTerm term) {
     const Block* block = catalog.find(kinds::models, material.model.id);
-    if (block != nullptr && !whyNoReflectance(*block).empty()) {
-        return failure(whyNoReflectance(*block), "a model of a reflectance");
+    if (block != nullptr && !whyNoPlots(*block).empty()) {
+        return failure(whyNoPlots(*block), "a model of a reflectance");
     }
     return LobeModel::create(catalog, material, term);
+}
+
+std::string whyNoPlots(const Block& model) {
+    const std::string why = whyNoReflectance(model);
+    return why.empty() ? why
+                       : why + ": its lobe, in the plane of incidence or in 3D, its albedo, the "
+                               "slice over half angles and the error of single precision mean "
+                               "nothing";
 }
 
 bool hasTerms(const Block& model) {

@@ -60,6 +60,10 @@ std::string whyNoReflectance(const Block& model);
 Result<LobeModel> reflectanceModel(const Catalog& catalog, const Material& material,
                                    LobeTerm term = LobeTerm::Whole);
 
+/// Says which plots mean nothing for a model that is no reflectance, and why; empty for one that
+/// is.
+std::string whyNoPlots(const Block& model);
+
 /// Tells whether the model's light is the sum of a diffuse term and a highlight, so that these can
 /// be looked at alone.
 bool hasTerms(const Block& model);
