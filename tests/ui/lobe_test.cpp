@@ -18,13 +18,16 @@
 #include "document/snapshot_edits.h"
 #include "lobe/energy_bar.h"
 #include "lobe/lobe_dock.h"
+#include "lobe/picked_incidence.h"
 #include "lobe/polar_plot.h"
 #include "lobe/share_plot.h"
 #include "lobe/slice_plot.h"
 #include "lobe/solid_plot.h"
+#include "shading/effects/key_light.h"
 #include "ui/fixtures.h"
 #include "ui/window_fixture.h"
 #include "viewport/frame_loop.h"
+#include "viewport/light_pose.h"
 
 namespace patina::tests::lobe_test {
 namespace {
@@ -189,6 +192,42 @@ TEST_F(LobePanel, Float32_ComparesTheDeviceWithDouble) {
     auto& plot = *dock().findChild<SharePlot*>("float32Plot");
     ASSERT_EQ(plot.subjects().size(), 1u);
     EXPECT_TRUE(note().contains("units in the last place")) << note().toStdString();
+}
+
+TEST_F(LobePanel, PickedPlace_GivesItsLightAndItsViewer) {
+    ASSERT_TRUE(wait());
+    dock().findChild<QToolButton*>("pick incidence")->click();
+    QTest::mouseClick(&view(), Qt::LeftButton, {}, view().rect().center());
+    ASSERT_TRUE(wait());
+    EXPECT_TRUE(note().contains("Picked: light")) << note().toStdString();
+    QTest::keyClick(&polar(), Qt::Key_Left); // the light is turned by hand
+    ASSERT_TRUE(wait());
+    EXPECT_FALSE(note().contains("Picked")) << note().toStdString();
+    EXPECT_EQ(document().undoStack().index(), 1); // the model alone
+}
+
+TEST_F(LobePanel, Incidence_IsInTheFrameOfTheSurface) {
+    const Scene& scene = document().scene();
+    const auto light = keyLight(scene, document().catalog());
+    ASSERT_TRUE(light);
+    const Block& block = *document().catalog().find(kinds::lights, scene.lights[*light].block.id);
+    const auto pose = lightPose(scene.lights[*light].block.parameters, block, scene.camera);
+    ASSERT_TRUE(pose);
+    Hit hit;
+    hit.point = scene.camera.pivot;
+    const glm::dvec3 l =
+        pose->hasPoint() ? glm::normalize(pose->point - hit.point) : -*pose->direction;
+    const glm::dvec3 v = glm::normalize(eye(scene.camera) - hit.point);
+    // The mirror of the light to the eye has both in one plane at the same angle.
+    hit.normal = glm::normalize(l + v);
+    const auto mirror = incidenceAt(hit, scene, document().catalog(), scene.camera, *light);
+    ASSERT_TRUE(mirror);
+    const double half = 0.5 * std::acos(glm::dot(l, v));
+    EXPECT_NEAR(mirror->incoming().angle, half, 1e-9);
+    EXPECT_NEAR(mirror->viewerDegrees(), half * 180.0 / std::numbers::pi, 1e-6);
+    EXPECT_NEAR(mirror->outOfPlane(), 0.0, 1e-6);
+    hit.normal = -l;
+    EXPECT_FALSE(incidenceAt(hit, scene, document().catalog(), scene.camera, *light));
 }
 
 TEST_F(LobePanel, Slice_ReadsTheReflectanceOverBothAngles) {

@@ -27,7 +27,10 @@
 #include "measure/eval/eval_gpu.h"
 #include "parameters/dropped_files.h"
 #include "session/message_log.h"
+#include "shading/effects/key_light.h"
 #include "text/as_text.h"
+#include "text/display_number.h"
+#include "viewport/compare_area.h"
 
 namespace patina {
 namespace {
@@ -41,8 +44,8 @@ constexpr SolidFineness sketchFineness{20, 32};
 
 LobeDock::LobeDock(const DockContext& context)
     : document_(context.document), tried_(context.tried), messages_(context.messages),
-      pages_(new QTabWidget(this)), polar_(new PolarPlot(this)), solid_(new SolidPlot(this)),
-      albedo_(new SharePlot(LobePlot::Albedo, this)),
+      views_(context.views), pages_(new QTabWidget(this)), polar_(new PolarPlot(this)),
+      solid_(new SolidPlot(this)), albedo_(new SharePlot(LobePlot::Albedo, this)),
       fresnel_(new SharePlot(LobePlot::Fresnel, this)), slice_(new SlicePlot(this)),
       float32_(new SharePlot(LobePlot::Float32, this)), energy_(new EnergyBar(this)),
       scale_(new QComboBox(this)), term_(new QComboBox(this)), snapshots_(new QAction(this)),
@@ -119,12 +122,55 @@ QWidget* LobeDock::makeControls() {
     auto* row = new QWidget(this);
     auto* widgets = new QHBoxLayout(row);
     widgets->setContentsMargins(0, 0, 0, 0);
-    for (QWidget* widget : std::initializer_list<QWidget*>{scale_, term_, overlay, forget_}) {
+    for (QWidget* widget :
+         std::initializer_list<QWidget*>{scale_, term_, makePick(), overlay, forget_}) {
         widgets->addWidget(widget);
     }
     widgets->addStretch(1);
     widgets->addWidget(write);
     return row;
+}
+
+QToolButton* LobeDock::makePick() {
+    auto* pick = textButton(tr("Pick"),
+                            tr("Click a place on an object: take its light and its viewer"), this);
+    pick->setObjectName("pick incidence");
+    connect(pick, &QToolButton::clicked, this, [this] { views_.active().awaitSurfacePick(); });
+    for (SideView* view : views_.views()) {
+        watchPicks(*view);
+    }
+    connect(&views_, &CompareArea::viewAdded, this, [this](SideView* view) { watchPicks(*view); });
+    return pick;
+}
+
+void LobeDock::watchPicks(SideView& view) {
+    connect(&view, &SideView::surfacePicked, this,
+            [this, &view](const Hit& hit) { takePick(view, hit); });
+}
+
+void LobeDock::takePick(SideView& view, const Hit& hit) {
+    const Scene& scene = document_.scene(view.side());
+    const int chosen = document_.selection().light();
+    const auto light = chosen >= 0 ? std::optional(static_cast<std::size_t>(chosen))
+                                   : keyLight(scene, document_.catalog());
+    picked_ = light ? incidenceAt(hit, scene, document_.catalog(), view.viewport().camera(), *light)
+                    : std::nullopt;
+    if (!picked_) {
+        forgetPick();
+        note_->tell(tr("No light reaches that place."));
+        return;
+    }
+    polar_->setLight(picked_->incoming().angle * 180.0 / std::numbers::pi);
+    polar_->setViewer(picked_->viewerDegrees());
+    solid_->setViewer(picked_->viewer);
+    isStale_ = true;
+    follow();
+}
+
+void LobeDock::forgetPick() {
+    picked_.reset();
+    polar_->setViewer(std::nullopt);
+    solid_->setViewer(std::nullopt);
 }
 
 void LobeDock::connectParts(const DockContext& context) {
@@ -151,7 +197,10 @@ void LobeDock::connectParts(const DockContext& context) {
         solid_->setScale(scale);
         slice_->setScale(scale);
     });
-    connect(polar_, &PolarPlot::lightTurned, this, again);
+    connect(polar_, &PolarPlot::lightTurned, this, [this, again] {
+        forgetPick();
+        again();
+    });
     connect(&settle_, &QTimer::timeout, this, [this] { ask(false); });
 }
 
@@ -244,7 +293,8 @@ void LobeDock::ask(bool isSketch) {
                           : page == Page::Fresnel ? LobePlot::Fresnel
                           : page == Page::Float32 ? LobePlot::Float32
                                                   : LobePlot::Polar;
-    question.lines.incoming.angle = polar_->light() * std::numbers::pi / 180.0;
+    question.lines.incoming =
+        picked_ ? picked_->incoming() : Incoming{polar_->light() * std::numbers::pi / 180.0, 0.0};
     question.lines.term = static_cast<LobeTerm>(term_->currentData().toInt());
     question.lines.isSketch = isSketch;
     scale_->setEnabled(page == Page::Polar || page == Page::Solid || page == Page::Slice);
@@ -332,6 +382,12 @@ void LobeDock::show(const Answer& answer) {
         return; // another one is on its way
     }
     QStringList notes = answer.problems;
+    if (picked_ && (shownPage() == Page::Polar || shownPage() == Page::Solid)) {
+        notes << tr("Picked: light %1° and viewer %2° from the normal, the viewer %3° out of the "
+                    "plane of incidence.")
+                     .arg(roundText(polar_->light()), roundText(std::abs(picked_->viewerDegrees())),
+                          roundText(picked_->outOfPlane()));
+    }
     for (const LobeSubject& subject : answer.subjects) {
         if (!subject.lines.note.empty()) {
             notes << QStringLiteral("%1: %2.").arg(asText(subject.name),

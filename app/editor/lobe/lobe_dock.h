@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include <QTimer>
 #include <QWidget>
@@ -9,6 +10,7 @@
 #include "background/worker.h"
 #include "docks/dock_context.h"
 #include "lobe/lobe_subjects.h"
+#include "lobe/picked_incidence.h"
 #include "measure/lobe/lobe_table.h"
 
 class QAction;
@@ -24,6 +26,7 @@ class LobePlotWidget;
 class LongLine;
 class PaintedPlot;
 class PolarPlot;
+class SideView;
 class SlicePlot;
 class SolidPlot;
 
@@ -73,6 +76,11 @@ class LobeDock : public QWidget {
     void addPages();
     void addPreset(const std::filesystem::path& file);
     QWidget* makeControls();
+    QToolButton* makePick();
+    void watchPicks(SideView& view);
+    /// Takes the light and the viewer of a place on an object.
+    void takePick(SideView& view, const Hit& hit);
+    void forgetPick();
     void connectParts(const DockContext& context);
     void follow();
     void ask(bool isSketch);
@@ -91,6 +99,7 @@ class LobeDock : public QWidget {
     Document& document_;
     TriedMaterial& tried_;
     MessageLog& messages_;
+    CompareArea& views_;
     QTabWidget* pages_;
     PolarPlot* polar_;
     SolidPlot* solid_;
@@ -105,7 +114,8 @@ class LobeDock : public QWidget {
     QToolButton* forget_;               ///< takes the dropped presets away
     std::vector<LobeMaterial> dropped_; ///< are presets that were dropped on the dock
     LongLine* note_;
-    std::vector<LobeMaterial> materials_; ///< are those that were asked for last
+    std::optional<PickedIncidence> picked_; ///< is empty where the light was turned by hand
+    std::vector<LobeMaterial> materials_;   ///< are those that were asked for last
     bool isStale_ = true;
     QTimer settle_;
     Worker worker_;

@@ -12,25 +12,25 @@
 namespace patina {
 namespace {
 
-constexpr QSize plotFileSize{960, 600};
-constexpr int plotFileScale = 2;
-constexpr QSize minPlotSize{180, 120};
-constexpr QSize usualPlotSize{480, 260};
+constexpr QSize paintedFileSize{960, 600};
+constexpr int paintedFileScale = 2;
+constexpr QSize minPaintedSize{180, 120};
+constexpr QSize usualPaintedSize{480, 260};
 
 } // namespace
 
 PaintedPlot::PaintedPlot(QWidget* parent) : PlotWidget(parent) {
     setMouseTracking(true);
-    setMinimumSize(minPlotSize);
+    setMinimumSize(minPaintedSize);
 }
 
 QByteArray PaintedPlot::png() const {
-    QImage image(plotFileSize * plotFileScale, QImage::Format_ARGB32_Premultiplied);
-    image.setDevicePixelRatio(plotFileScale);
+    QImage image(paintedFileSize * paintedFileScale, QImage::Format_ARGB32_Premultiplied);
+    image.setDevicePixelRatio(paintedFileScale);
     image.fill(palette().color(QPalette::Base));
     QPainter painter(&image);
     painter.setFont(font());
-    paint(painter, plotFileSize);
+    paint(painter, paintedFileSize);
     painter.end();
     return asPng(image);
 }
@@ -40,19 +40,19 @@ QByteArray PaintedPlot::svg() const {
     QBuffer buffer(&bytes);
     QSvgGenerator generator;
     generator.setOutputDevice(&buffer);
-    generator.setSize(plotFileSize);
-    generator.setViewBox(QRect(QPoint(), plotFileSize));
+    generator.setSize(paintedFileSize);
+    generator.setViewBox(QRect(QPoint(), paintedFileSize));
     generator.setTitle(accessibleName());
     QPainter painter(&generator);
     painter.setFont(font());
-    painter.fillRect(QRect(QPoint(), plotFileSize), palette().color(QPalette::Base));
-    paint(painter, plotFileSize);
+    painter.fillRect(QRect(QPoint(), paintedFileSize), palette().color(QPalette::Base));
+    paint(painter, paintedFileSize);
     painter.end();
     return bytes;
 }
 
 QSize PaintedPlot::sizeHint() const {
-    return usualPlotSize;
+    return usualPaintedSize;
 }
 
 void PaintedPlot::draw() {

@@ -16,7 +16,7 @@
 namespace patina {
 namespace {
 
-constexpr double inDegrees = 180.0 / std::numbers::pi;
+constexpr double degreesOfRadian = 180.0 / std::numbers::pi;
 constexpr double gap = 14.0; ///< pixels between squares
 
 /// The few cells next to the horizon may be a thousand times the others, and count for no scale.
@@ -128,9 +128,10 @@ QString SlicePlot::readingAt(const QPointF& place) const {
         };
         const int half = cell((place.x() - square.left()) / square.width());
         const int difference = cell((square.bottom() - place.y()) / square.height());
-        QStringList lines{tr("half vector %1° from the normal, light %2° from the half vector")
-                              .arg(roundText(slices_[i].slice.angleOf(half) * inDegrees),
-                                   roundText(slices_[i].slice.angleOf(difference) * inDegrees))};
+        QStringList lines{
+            tr("half vector %1° from the normal, light %2° from the half vector")
+                .arg(roundText(slices_[i].slice.angleOf(half) * degreesOfRadian),
+                     roundText(slices_[i].slice.angleOf(difference) * degreesOfRadian))};
         for (const NamedSlice& each : slices_) {
             lines << tr("%1: %2 1/sr")
                          .arg(asText(each.name), valueText(each.slice.at(half, difference)));

@@ -22,7 +22,7 @@ namespace patina {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
-constexpr double reach = 1.14; ///< is the room about the lobes, over their length
+constexpr double lobeRoom = 1.14; ///< is the room about the lobes, over their length
 constexpr double degreesPerPixel = 0.5;
 constexpr double degreesPerKey = 5.0;
 constexpr double overlaidOpacity = 0.7;
@@ -65,7 +65,7 @@ class SolidPlot::Projection {
     Projection(double turn, double tilt, const QSizeF& size)
         : eye_(std::cos(tilt) * std::cos(turn), std::cos(tilt) * std::sin(turn), std::sin(tilt)),
           right_(-std::sin(turn), std::cos(turn), 0.0), up_(glm::cross(eye_, right_)),
-          pixels_(std::min(0.5 * size.width() / reach, size.height() / (reach + below()))),
+          pixels_(std::min(0.5 * size.width() / lobeRoom, size.height() / (lobeRoom + below()))),
           middle_(0.5 * size.width(), size.height() - below() * pixels_) {}
 
     QPointF at(const glm::dvec3& point) const {
@@ -101,6 +101,11 @@ void SolidPlot::setScale(LobeScale scale) {
 void SolidPlot::setSolids(std::vector<NamedSolid> solids, const Incoming& light) {
     solids_ = std::move(solids);
     light_ = light;
+    draw();
+}
+
+void SolidPlot::setViewer(const std::optional<glm::dvec3>& viewer) {
+    viewer_ = viewer;
     draw();
 }
 
@@ -180,6 +185,11 @@ void SolidPlot::paint(QPainter& painter, const QSizeF& size) const {
     const QString light = tr("light %1°").arg(roundText(light_.angle / degree));
     const QFontMetricsF metrics(font());
     painter.drawText(from - QPointF(0.5 * metrics.horizontalAdvance(light), 4.0), light);
+    if (viewer_) {
+        painter.drawText(projection.at(*viewer_) + QPointF(4.0, -4.0), tr("viewer"));
+        painter.setPen(QPen(mixed(base, text, 0.7), 1.2, Qt::DotLine));
+        painter.drawLine(projection.at({0.0, 0.0, 0.0}), projection.at(*viewer_));
+    }
     double top = metrics.ascent() + 4.0;
     for (std::size_t i = 0; i < solids_.size() && solids_.size() > 1; ++i) {
         painter.setPen(lobeColor(i, palette()));

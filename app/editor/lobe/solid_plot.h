@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include <QPolygonF>
 
 #include "lobe/painted_plot.h"
@@ -22,6 +24,9 @@ class SolidPlot final : public PaintedPlot {
     /// Takes lobes that have the same directions.
     void setSolids(std::vector<NamedSolid> solids, const Incoming& light);
     const std::vector<NamedSolid>& solids() const { return solids_; }
+
+    /// Marks the direction of a viewer, unit; none without one.
+    void setViewer(const std::optional<glm::dvec3>& viewer);
 
     QString readingAt(const QPointF& place) const override;
 
@@ -58,6 +63,7 @@ class SolidPlot final : public PaintedPlot {
 
     std::vector<NamedSolid> solids_;
     Incoming light_;
+    std::optional<glm::dvec3> viewer_;
     LobeScale scale_ = LobeScale::Linear;
     double turn_ = 65.0;
     double tilt_ = 22.0;
