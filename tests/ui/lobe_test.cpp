@@ -230,6 +230,24 @@ TEST_F(LobePanel, Incidence_IsInTheFrameOfTheSurface) {
     EXPECT_FALSE(incidenceAt(hit, scene, document().catalog(), scene.camera, *light));
 }
 
+TEST_F(LobePanel, Time_SaysNanosecondsAndWhatIsNotInTheProgram) {
+    ASSERT_TRUE(wait());
+    set("emissive.color", glm::dvec3(0.0));
+    ASSERT_TRUE(wait());
+    auto* time = dock().findChild<QToolButton*>("time");
+    time->click();
+    EXPECT_FALSE(time->isEnabled());
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !dock().isTiming(); }, 6 * waitMs));
+    EXPECT_TRUE(time->isEnabled());
+    EXPECT_TRUE(note().contains("ns/pixel") || note().contains("too quick"))
+        << note().toStdString();
+    EXPECT_TRUE(note().contains("program")) << note().toStdString();
+    time->click();
+    window().dock("lobe")->hide();
+    EXPECT_FALSE(dock().isTiming());
+    EXPECT_TRUE(time->isEnabled());
+}
+
 TEST_F(LobePanel, Slice_ReadsTheReflectanceOverBothAngles) {
     document().setModel(Side::A, "lambert");
     set("diffuse.color", glm::dvec3(0.5));

@@ -14,7 +14,9 @@
 #include <QVBoxLayout>
 
 #include "accuracy/chart_export.h"
+#include "accuracy/cost_subject.h"
 #include "core/atomic_file.h"
+#include "docks/effect_label.h"
 #include "docks/long_line.h"
 #include "docks/panel.h"
 #include "lobe/energy_bar.h"
@@ -27,6 +29,8 @@
 #include "measure/eval/eval_gpu.h"
 #include "parameters/dropped_files.h"
 #include "session/message_log.h"
+#include "session/session.h"
+#include "shading/effects/effect_set.h"
 #include "shading/effects/key_light.h"
 #include "text/as_text.h"
 #include "text/display_number.h"
@@ -44,14 +48,17 @@ constexpr SolidFineness sketchFineness{20, 32};
 
 LobeDock::LobeDock(const DockContext& context)
     : document_(context.document), tried_(context.tried), messages_(context.messages),
-      views_(context.views), pages_(new QTabWidget(this)), polar_(new PolarPlot(this)),
-      solid_(new SolidPlot(this)), albedo_(new SharePlot(LobePlot::Albedo, this)),
+      views_(context.views), meshes_(context.meshes), textures_(context.textures),
+      environments_(context.environments), pages_(new QTabWidget(this)),
+      polar_(new PolarPlot(this)), solid_(new SolidPlot(this)),
+      albedo_(new SharePlot(LobePlot::Albedo, this)),
       fresnel_(new SharePlot(LobePlot::Fresnel, this)), slice_(new SlicePlot(this)),
       float32_(new SharePlot(LobePlot::Float32, this)), energy_(new EnergyBar(this)),
       scale_(new QComboBox(this)), term_(new QComboBox(this)), snapshots_(new QAction(this)),
       forget_(textButton(tr("Without Presets"), tr("Take the presets that were dropped here away"),
                          this)),
-      note_(new LongLine(this)), worker_({.name = tr("Plotting the reflectance")}) {
+      note_(new LongLine(this)), worker_({.name = tr("Plotting the reflectance")}),
+      timer_({.name = tr("Timing materials"), .canCancel = true}) {
     setAcceptDrops(true);
     forget_->setObjectName("forget presets");
     forget_->hide();
@@ -123,7 +130,7 @@ QWidget* LobeDock::makeControls() {
     auto* widgets = new QHBoxLayout(row);
     widgets->setContentsMargins(0, 0, 0, 0);
     for (QWidget* widget :
-         std::initializer_list<QWidget*>{scale_, term_, makePick(), overlay, forget_}) {
+         std::initializer_list<QWidget*>{scale_, term_, makePick(), makeTime(), overlay, forget_}) {
         widgets->addWidget(widget);
     }
     widgets->addStretch(1);
@@ -171,6 +178,85 @@ void LobeDock::forgetPick() {
     picked_.reset();
     polar_->setViewer(std::nullopt);
     solid_->setViewer(std::nullopt);
+}
+
+QToolButton* LobeDock::makeTime() {
+    time_ = textButton(tr("Time"),
+                       tr("Measure what a pixel of each takes, and say what is not in its program"),
+                       this);
+    time_->setObjectName("time");
+    connect(time_, &QToolButton::clicked, this, &LobeDock::measureTimes);
+    return time_;
+}
+
+void LobeDock::measureTimes() {
+    if (isTiming() || materials_.empty() || document_.selection().object() < 0) {
+        return;
+    }
+    time_->setEnabled(false);
+    CostSweep::Options options;
+    options.programCache = programFolder();
+    timer_.ask(
+        [subject = costSubject(document_, meshes_, textures_, environments_), options,
+         materials = materials_](Worker::Control& control) -> Result<std::vector<MaterialTime>> {
+            if (const auto opened = control.openContext(); !opened) {
+                return tl::unexpected(opened.error());
+            }
+            std::vector<Material> timed;
+            for (const LobeMaterial& each : materials) {
+                timed.push_back(each.material);
+            }
+            return materialTimes(subject, timed, options,
+                                 [&control] { return !control.isCancelled(); });
+        },
+        [this, materials = materials_](const Result<std::vector<MaterialTime>>& times) {
+            takeTimes(materials, times);
+        });
+}
+
+void LobeDock::takeTimes(const std::vector<LobeMaterial>& materials,
+                         const Result<std::vector<MaterialTime>>& times) {
+    time_->setEnabled(true);
+    if (!times) {
+        messages_.add(times.error());
+        return;
+    }
+    if (materials != materials_) {
+        return; // they have changed meanwhile
+    }
+    for (const MaterialTime& each : *times) {
+        times_ << (each.isBelowNoise ? tr("too quick to measure")
+                                     : tr("%1 ns/pixel").arg(roundText(each.nanoseconds)));
+    }
+    for (LobePlotWidget* plot : {static_cast<LobePlotWidget*>(polar_), albedo_}) {
+        plot->setDetails(times_);
+    }
+    QStringList notes;
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+        notes << tr("%1: %2; %3.")
+                     .arg(asText(materials[i].name), times_[static_cast<qsizetype>(i)],
+                          leftOutText(materials[i]));
+    }
+    note_->tell(notes.join(' '));
+}
+
+QString LobeDock::leftOutText(const LobeMaterial& material) const {
+    const Scene& scene = document_.scene();
+    const EffectView view;
+    const EffectSet set = effectSet(material.material, scene, document_.catalog(), view);
+    QStringList names;
+    for (const EffectLine& line :
+         leftOut(set, {&material.material, scene, document_.catalog(), view})) {
+        names << effectLabel(line.effect, &material.material, scene, document_.catalog());
+    }
+    return names.isEmpty() ? tr("all it has is in its program")
+                           : tr("not in its program: %1").arg(names.join(QStringLiteral(", ")));
+}
+
+void LobeDock::forgetTimes() {
+    times_.clear();
+    polar_->setDetails({});
+    albedo_->setDetails({});
 }
 
 void LobeDock::connectParts(const DockContext& context) {
@@ -238,6 +324,8 @@ void LobeDock::hideEvent(QHideEvent* event) {
     QWidget::hideEvent(event);
     settle_.stop();
     worker_.forget();
+    timer_.forget();
+    time_->setEnabled(true);
     isStale_ = true;
 }
 
@@ -254,6 +342,9 @@ void LobeDock::follow() {
     }
     if (!isStale_ && now == materials_) {
         return;
+    }
+    if (now != materials_ && !times_.isEmpty()) {
+        forgetTimes();
     }
     materials_ = std::move(now);
     isStale_ = false;

@@ -11,6 +11,7 @@
 #include "docks/dock_context.h"
 #include "lobe/lobe_subjects.h"
 #include "lobe/picked_incidence.h"
+#include "measure/cost/material_times.h"
 #include "measure/lobe/lobe_table.h"
 
 class QAction;
@@ -40,6 +41,7 @@ class LobeDock : public QWidget {
 
     /// Says that what is shown is what is on screen, and no sketch.
     bool isUpToDate() const { return !isComputing() && !isStale_; }
+    bool isTiming() const { return !timer_.isIdle(); }
     bool isComputing() const { return !worker_.isIdle() || settle_.isActive(); }
 
     /// Writes the plot that is seen into a file: .svg, .png or .csv.
@@ -81,6 +83,14 @@ class LobeDock : public QWidget {
     /// Takes the light and the viewer of a place on an object.
     void takePick(SideView& view, const Hit& hit);
     void forgetPick();
+    QToolButton* makeTime();
+    /// Measures the time of each material on the current object.
+    void measureTimes();
+    void takeTimes(const std::vector<LobeMaterial>& materials,
+                   const Result<std::vector<MaterialTime>>& times);
+    void forgetTimes();
+    /// Says what of the document a material's program does not have.
+    QString leftOutText(const LobeMaterial& material) const;
     void connectParts(const DockContext& context);
     void follow();
     void ask(bool isSketch);
@@ -100,6 +110,9 @@ class LobeDock : public QWidget {
     TriedMaterial& tried_;
     MessageLog& messages_;
     CompareArea& views_;
+    MeshLibrary& meshes_;
+    TextureLibrary& textures_;
+    EnvironmentLibrary& environments_;
     QTabWidget* pages_;
     PolarPlot* polar_;
     SolidPlot* solid_;
@@ -114,11 +127,14 @@ class LobeDock : public QWidget {
     QToolButton* forget_;               ///< takes the dropped presets away
     std::vector<LobeMaterial> dropped_; ///< are presets that were dropped on the dock
     LongLine* note_;
+    QToolButton* time_ = nullptr;
+    QStringList times_; ///< say the time of each material; empty where nobody measured them
     std::optional<PickedIncidence> picked_; ///< is empty where the light was turned by hand
     std::vector<LobeMaterial> materials_;   ///< are those that were asked for last
     bool isStale_ = true;
     QTimer settle_;
     Worker worker_;
+    Worker timer_;
 };
 
 } // namespace patina
