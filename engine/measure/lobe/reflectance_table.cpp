@@ -115,12 +115,15 @@ void fill(ReflectanceTable& table, const LobeModel& model) {
     }
 }
 
-/// Compares the table with the model at places of which few are the middle of a texel.
+/// Compares the table with the model at places of which few are the middle of a texel, and as near
+/// to the ends of the axes, where most is lost, as `nearestEnd` of their length.
 void measure(ReflectanceTable& table, const LobeModel& model) {
-    const int places = 2 * table.size + 1;
+    constexpr double nearestEnd = 1e-3;
+    const int places = 4 * table.size + 1;
     const glm::dvec3 t = turnedTangent(table.tangentDegrees);
     const auto direction = [&](int place) {
-        return directionOf(numberAt((place + 0.5) / places, table.axes), table.axes, t);
+        const double share = nearestEnd + (1.0 - 2.0 * nearestEnd) * place / (places - 1);
+        return directionOf(numberAt(share, table.axes), table.axes, t);
     };
     double sum = 0.0;
     for (int row = 0; row < places; ++row) {

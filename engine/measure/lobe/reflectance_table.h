@@ -23,7 +23,8 @@ struct ReflectanceTable {
     int size = 0;
     std::vector<glm::dvec3> values; ///< are rows of one light, the least number first
 
-    // What is lost by linear interpolation, of pi f n.l, for which white facing the light is 1.
+    // What is lost by linear interpolation, of pi f n.l, for which white facing the light is 1. It
+    // is most where both directions graze the surface, and measured down to 0.001 of the axes.
     double maxError = 0.0;
     double meanError = 0.0;
 
