@@ -11,7 +11,7 @@
 #include "cli/cost_request.h"
 #include "cli/scene_setup.h"
 #include "core/atomic_file.h"
-#include "measure/lobe/reflectance_table.h"
+#include "measure/lobe/table_files.h"
 
 namespace patina {
 namespace {

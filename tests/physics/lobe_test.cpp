@@ -8,7 +8,7 @@
 #include "measure/lobe/lobe_lines.h"
 #include "measure/lobe/lobe_scale.h"
 #include "measure/lobe/lobe_solid.h"
-#include "measure/lobe/reflectance_table.h"
+#include "measure/lobe/table_files.h"
 #include "measure/stability/sweep_cases.h"
 #include "physics_cases.h"
 

@@ -39,13 +39,6 @@ struct ReflectanceTable {
 Result<ReflectanceTable> reflectanceTable(const Catalog& catalog, const Material& material,
                                           LobeTerm term, int size);
 
-/// Returns the table as the bytes of an OpenEXR file of 32-bit floats without compression, the
-/// first row first. Attributes that begin with "patina." say what its axes and values are.
-std::string tableExr(const ReflectanceTable& table, const std::string& name);
-
-/// Returns a GLSL function that reads the table.
-std::string tableCode(const ReflectanceTable& table, const std::string& name);
-
 /// Says in a line what the table is over and how far it is off.
 std::string tableText(const ReflectanceTable& table);
 
