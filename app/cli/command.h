@@ -26,6 +26,7 @@ void addMatch(CLI::App& program, int& status);
 void addModels(CLI::App& program, int& status);
 void addRender(CLI::App& program, int& status);
 void addSheet(CLI::App& program, int& status);
+void addTable(CLI::App& program, int& status);
 void addValidate(CLI::App& program, int& status);
 
 /// Writes messages to standard error, one per line.

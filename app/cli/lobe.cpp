@@ -42,12 +42,6 @@ struct Named {
     Material material;
 };
 
-LobeTerm termOf(const std::string& word) {
-    return word == "diffuse"     ? LobeTerm::Diffuse
-           : word == "highlight" ? LobeTerm::Highlight
-                                 : LobeTerm::Whole;
-}
-
 Checked<Named> namedMaterial(const std::string& preset, const LobeOptions& options,
                              const Catalog& catalog) {
     const auto setup = sceneFor(preset, options.picture, catalog);
@@ -102,12 +96,7 @@ Checked<void> plotSlice(const std::vector<Named>& materials, const LobeOptions& 
             oneError(failure("the slice is of one material", "a single preset").value()));
     }
     const Named& shown = materials.front();
-    const Block* block = catalog.find(kinds::models, shown.material.model.id);
-    if (block != nullptr && !whyNoReflectance(*block).empty()) {
-        return tl::unexpected(
-            oneError(failure(whyNoReflectance(*block), "a model of a reflectance").value()));
-    }
-    const auto model = LobeModel::create(catalog, shown.material, termOf(options.term));
+    const auto model = reflectanceModel(catalog, shown.material, *lobeTermOf(options.term));
     if (!model) {
         return tl::unexpected(oneError(model.error()));
     }
@@ -123,7 +112,7 @@ Checked<void> plotLines(const std::vector<Named>& materials, const LobeOptions& 
     LobeRequest request;
     request.plot = *lobePlotOf(options.plot);
     request.incoming = {options.degrees * degree, options.azimuthDegrees * degree};
-    request.term = termOf(options.term);
+    request.term = *lobeTermOf(options.term);
     std::vector<LobeSubject> subjects;
     EvalGpu device; // opens a context only for what needs one
     for (const Named& named : materials) {
@@ -197,8 +186,12 @@ void addLobe(CLI::App& program, int& status) {
                      "half: a slice over half and difference angle; float32: how far single "
                      "precision on the device is from double")
         ->check(CLI::IsMember({"polar", "albedo", "fresnel", "half", "float32"}));
-    command->add_option("--term", options->term, "The whole model, or a term alone")
-        ->check(CLI::IsMember({"whole", "diffuse", "highlight"}));
+    command
+        ->add_option(
+            "--term", options->term,
+            "The whole model, a term alone, or, in a polar plot, a factor of the highlight")
+        ->check(
+            CLI::IsMember({"whole", "diffuse", "highlight", "distribution", "masking", "fresnel"}));
     command->add_option("--scale", options->scale, "How f becomes a length, or a brightness")
         ->check(CLI::IsMember({"linear", "cube-root", "log"}));
     addAngle(*command, "--angle", options->degrees, 90.0,

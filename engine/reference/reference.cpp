@@ -55,6 +55,12 @@ const BlockCall& Block::findCall(std::string_view suffix) const {
                          [suffix](const BlockCall& call) { return call.suffix == suffix; });
 }
 
+const ModelFactor* Block::findFactor(std::string_view suffix) const {
+    const auto found = std::find_if(factors.begin(), factors.end(),
+                                    [suffix](const ModelFactor& f) { return f.suffix == suffix; });
+    return found == factors.end() ? nullptr : &*found;
+}
+
 glm::dvec3 Block::fresnel(double c, double versine, Parameters parameters) const {
     return triple(call<3>("", std::array{c, versine}, parameters));
 }

@@ -91,6 +91,18 @@ struct BlockCall {
     void (*call)(const double* arguments, double* results, Parameters) = nullptr;
 };
 
+/// Calls a function by which a model tells a factor of its highlight: one of Directions whose name
+/// is the model's with a suffix of factorSuffixes.
+struct ModelFactor {
+    std::string_view suffix;
+    /// Returns the factor, in all three channels where it is one number.
+    glm::dvec3 (*call)(const Geometry&, Parameters, Fillers) = nullptr;
+};
+
+/// Lists how functions that tell a factor end: the distribution of facets in 1/sr, and the share of
+/// them that is neither shadowed nor masked.
+inline constexpr std::string_view factorSuffixes[] = {"Distribution", "Masking"};
+
 /// Holds a compiled block.
 struct Block {
     std::string_view kind;
@@ -104,6 +116,8 @@ struct Block {
     glm::dvec3 (*model)(const Geometry&, Parameters, Fillers) = nullptr;
     /// Holds the other functions of the kind, in the kind's order.
     std::span<const BlockCall> calls;
+    /// Holds the factors that a model tells; often none.
+    std::span<const ModelFactor> factors;
 
     // These are the functions of each kind with their types. Only those of the block's own kind may
     // be called.
@@ -137,6 +151,8 @@ struct Block {
         return results;
     }
     const BlockCall& findCall(std::string_view suffix) const;
+    /// Returns the factor with a suffix, or null.
+    const ModelFactor* findFactor(std::string_view suffix) const;
 };
 
 /// Returns every block, sorted by kind and id.

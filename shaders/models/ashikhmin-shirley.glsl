@@ -31,6 +31,11 @@ float ashikhminShirleyLobe(Directions d, AshikhminShirley p) {
         * sqrt((p.shininessX + 1.0) * (p.shininessY + 1.0));
 }
 
+// The density of half vectors, in 1/sr, whose integral is 1; for plots.
+float ashikhminShirleyDistribution(Directions d, AshikhminShirley p) {
+    return ashikhminShirleyLobe(d, p) / (2.0 * PI);
+}
+
 // Ashikhmin and Shirley 2000, equations 4 and 5, with F the slot's reflectance at h.l and Rs that
 // facing the surface; pi f cos theta_l. 28/23 is the exact normaliser of the diffuse part.
 vec3 ashikhminShirley(Directions d, AshikhminShirley p) {

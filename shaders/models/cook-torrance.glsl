@@ -58,7 +58,8 @@ float cookTorranceReducedD(Directions d, CookTorrance p) {
     return gaussianLobeBy(ANGLE_SMALL, halfVersine(d), d.nh, width) / gaussianNormaliser(width);
 }
 
-float cookTorranceFacets(Directions d, CookTorrance p) {
+// D as it is computed, in 1/sr.
+float cookTorranceDistribution(Directions d, CookTorrance p) {
     if (p.facets == COOK_TORRANCE_FACETS_REDUCED && !cookTorranceIsGgx(p)) {
         return cookTorranceReducedD(d, p);
     }
@@ -120,6 +121,11 @@ float cookTorranceVisibility(Directions d, CookTorrance p) {
     return separableVisibility(d.nl, Sl, Sv);
 }
 
+// G, for plots of the masking alone.
+float cookTorranceMasking(Directions d, CookTorrance p) {
+    return 4.0 * d.nv * cookTorranceVisibility(d, p);
+}
+
 Incidence cookTorranceIncidence(Directions d, CookTorrance p) {
     if (p.fresnelCosine == COOK_TORRANCE_FRESNEL_COSINE_LIGHT) {
         return incidenceAt(d.nl, d.sin2l);
@@ -144,7 +150,7 @@ vec3 cookTorrance(Directions d, CookTorrance p) {
         scale = 4.0 * cookTorrancePrinted(p);
     }
     vec3 F = slotFresnel(cookTorranceIncidence(d, p), p.fresnel);
-    float lobe = scale * cookTorranceFacets(d, p) * cookTorranceVisibility(d, p);
+    float lobe = scale * cookTorranceDistribution(d, p) * cookTorranceVisibility(d, p);
     return p.diffuseColor * (diffuseShare * d.nl)
         + glossedLobe(p.specularColor * F, specularShare * lobe, p.gloss,
             p.glossMode == COOK_TORRANCE_GLOSS_MODE_LIMIT, d.nl);

@@ -21,6 +21,14 @@ float wardExponent(Directions d, Ward p, OUT(float) area) {
     return (sqr(g.tH / ax) + sqr(g.bH / ay)) / nH2;
 }
 
+// Beckmann's distribution with two widths, in 1/sr, of which the model is made; for plots.
+float wardDistribution(Directions d, Ward p) {
+    float area;
+    float exponent = wardExponent(d, p, area);
+    float HH = 1.0 + d.sin2h / max(d.cos2h, 1e-28); // over (n.H)^2
+    return exp2(-1.4426950408889634 * exponent) * sqr(HH) / (PI * area);
+}
+
 // Ward 1992, equation 5a, and the two later normalisations of the same exponential; pi f cos
 // theta_l:
 //   1992                    sqrt(n.l / n.v) e^-x / (4 ax ay)

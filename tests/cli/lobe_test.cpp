@@ -77,6 +77,17 @@ TEST(LobeCommand, Terms_AddUpToTheWhole) {
     EXPECT_NEAR(at("diffuse") + at("highlight"), at("whole"), 1e-9);
 }
 
+TEST(LobeCommand, Masking_IsAShareAndASingleLine) {
+    for (const Row& row : plotted({"--model", "cook-torrance", "--term", "masking"})) {
+        EXPECT_EQ(row.line, "masking");
+        EXPECT_GE(row.red, 0.0);
+        EXPECT_LE(row.red, 1.0 + 1e-9);
+    }
+    const Outcome none = patina({"lobe", "--model", "phong", "--term", "masking"});
+    EXPECT_EQ(none.exitCode, 1);
+    EXPECT_NE(none.err.find("Phong does not tell a masking apart"), std::string::npos) << none.err;
+}
+
 TEST(LobeCommand, Albedo_OfLambertIsNeverAboveOne) {
     for (const Row& row : plotted({"--model", "lambert", "--plot", "albedo"})) {
         EXPECT_LE(row.red, 1.0 + 1e-4);

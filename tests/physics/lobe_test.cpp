@@ -4,8 +4,11 @@
 #include "measure/lobe/albedo_curve.h"
 #include "measure/lobe/fresnel_curve.h"
 #include "measure/lobe/half_difference_slice.h"
+#include "measure/lobe/lobe_factor.h"
 #include "measure/lobe/lobe_lines.h"
 #include "measure/lobe/lobe_scale.h"
+#include "measure/lobe/lobe_solid.h"
+#include "measure/lobe/table_files.h"
 #include "measure/stability/sweep_cases.h"
 #include "physics_cases.h"
 
@@ -129,6 +132,121 @@ TEST(AlbedoCurve, IsFiniteForEveryEdgeCase) {
                 << block->id << ' ' << angle;
         }
     }
+}
+
+/// Returns a factor of a material's highlight, which must have it.
+LobeFactor factorOf(const Material& material, LobeTerm term) {
+    auto factor = LobeFactor::create(catalog(), material, term);
+    if (!factor) {
+        throw std::runtime_error(factor.error().text());
+    }
+    return std::move(*factor);
+}
+
+/// Returns the integral of a distribution over half vectors, times their cosine or not.
+double integralOver(const LobeFactor& distribution, bool isProjected) {
+    constexpr int elevations = 2000;
+    constexpr int azimuths = 72;
+    double sum = 0.0;
+    for (int i = 0; i < elevations; ++i) {
+        const double theta = 0.5 * pi * (i + 0.5) / elevations;
+        for (int j = 0; j < azimuths; ++j) {
+            const double phi = 2.0 * pi * (j + 0.5) / azimuths;
+            const glm::dvec3 h(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
+                               std::cos(theta));
+            sum += distribution.at(h, h).x * std::sin(theta) * (isProjected ? h.z : 1.0);
+        }
+    }
+    return sum * (0.5 * pi / elevations) * (2.0 * pi / azimuths);
+}
+
+TEST(LobeFactor, Distribution_HasRoomForTheWholeSurface) {
+    const Block& block = *catalog().find(kinds::models, "cook-torrance");
+    const Parameter& shape = *block.parameter("distribution");
+    for (std::size_t i = 0; i < shape.values.size(); ++i) {
+        const Material material =
+            materialOf("cook-torrance", {{"distribution", shape.values[i].id}, {"roughness", 0.3}});
+        EXPECT_NEAR(integralOver(factorOf(material, LobeTerm::Distribution), true), 1.0, 2e-3)
+            << shape.values[i].id;
+    }
+    EXPECT_NEAR(integralOver(factorOf(materialOf("ward"), LobeTerm::Distribution), true), 1.0,
+                2e-3);
+    EXPECT_NEAR(
+        integralOver(factorOf(materialOf("ashikhmin-shirley"), LobeTerm::Distribution), false), 1.0,
+        2e-3);
+}
+
+TEST(LobeFactor, ProductOfAll_IsTheHighlight) {
+    for (const char* masking : {"v-cavity", "smith", "smith-correlated", "schlick-smith"}) {
+        for (const char* cosine : {"half", "light", "view"}) {
+            const Material material =
+                materialOf("cook-torrance", {{"masking", std::string(masking)},
+                                             {"fresnel.cosine", std::string(cosine)},
+                                             {"roughness", 0.4}});
+            const LobeModel highlight = modelOf(material, LobeTerm::Highlight);
+            const LobeFactor D = factorOf(material, LobeTerm::Distribution);
+            const LobeFactor G = factorOf(material, LobeTerm::Masking);
+            const LobeFactor F = factorOf(material, LobeTerm::Fresnel);
+            const Incoming incoming{0.9, 0.2};
+            const glm::dvec3 l = incoming.direction();
+            for (const double angle : {-0.5, 0.3, 0.9, 1.4}) {
+                const glm::dvec3 v = incoming.across(angle);
+                const glm::dvec3 f = D.at(l, v) * G.at(l, v) * F.at(l, v) / (4.0 * l.z * v.z);
+                EXPECT_LT(worst(highlight.reflectance(l, v), f), 1e-9 * f.x + 1e-12)
+                    << masking << ' ' << cosine << ' ' << angle;
+                EXPECT_GE(G.at(l, v).x, 0.0);
+                EXPECT_LE(G.at(l, v).x, 1.0 + 1e-12);
+            }
+        }
+    }
+}
+
+TEST(LobeFactor, OfAModelWithoutIt_IsAnErrorThatSaysSo) {
+    const auto factor = LobeFactor::create(catalog(), materialOf("phong"), LobeTerm::Distribution);
+    ASSERT_FALSE(factor);
+    EXPECT_EQ(factor.error().problem, "Phong does not tell a distribution apart");
+    EXPECT_TRUE(factorsOf(catalog(), materialOf("lambert")).empty());
+    EXPECT_EQ(factorsOf(catalog(), materialOf("cook-torrance")).size(), 3u);
+    EXPECT_FALSE(LobeModel::create(catalog(), materialOf("cook-torrance"), LobeTerm::Masking));
+}
+
+TEST(LobeFactor, InAPolarPlot_IsALineOfItsOwn) {
+    LobeRequest request;
+    request.term = LobeTerm::Masking;
+    const auto lines = lobeLines(catalog(), materialOf("cook-torrance"), request);
+    ASSERT_TRUE(lines);
+    EXPECT_EQ(lines->lines.front().name, "masking");
+    EXPECT_TRUE(lines->lines.front().isShare);
+    request.plot = LobePlot::Albedo;
+    EXPECT_FALSE(lobeLines(catalog(), materialOf("cook-torrance"), request));
+}
+
+TEST(LobeSolid, OfLambert_IsEvenOverTheWholeHemisphere) {
+    const LobeModel model = modelOf(materialOf("lambert", {{"diffuse.color", glm::dvec3(0.5)}}));
+    for (const double degrees : {0.0, 50.0, 90.0}) {
+        const LobeSolid solid = lobeSolid(model, {degrees * degree, 0.3});
+        ASSERT_EQ(solid.f.size(), solid.directions.size());
+        for (std::size_t i = 0; i < solid.f.size(); ++i) {
+            EXPECT_NEAR(glm::length(solid.directions[i]), 1.0, 1e-12);
+            EXPECT_GE(solid.directions[i].z, 0.0);
+            if (solid.directions[i].z > 1e-6) { // at the horizon nothing is seen
+                EXPECT_NEAR(solid.f[i].x, 0.5 / pi, 1e-9) << degrees;
+            }
+        }
+        EXPECT_NEAR(solid.directions.back().z, 0.0, 1e-12);
+    }
+}
+
+TEST(LobeSolid, OfANarrowLobe_HasItsPeakInTheFirstRing) {
+    const LobeModel model =
+        modelOf(materialOf("phong", {{"diffuse.color", glm::dvec3(0.0)}, {"shininess", 5000.0}}));
+    const Incoming incoming{0.7, 0.2};
+    const LobeSolid solid = lobeSolid(model, incoming);
+    const glm::dvec3 peak = model.reflectance(incoming.direction(), incoming.across(0.7));
+    ASSERT_GT(peak.x, 0.0);
+    EXPECT_NEAR(solid.f[solid.place(0, 5)].x / peak.x, 1.0, 1e-9);
+    EXPECT_GT(solid.f[solid.place(1, 0)].x, 0.5 * peak.x); // the mesh follows the lobe
+    EXPECT_LT(solid.f[solid.place(20, 0)].x, 0.01 * peak.x);
 }
 
 TEST(EnergyRange, OfAnEvenCurve_IsItsValue) {
@@ -479,6 +597,62 @@ TEST(FresnelCurve, OfAMaterialWithoutOne_SaysSo) {
     const auto curves = fresnelCurves(catalog(), materialOf("lambert"));
     ASSERT_FALSE(curves);
     EXPECT_EQ(curves.error().problem, "the material has no Fresnel term");
+}
+
+TEST(ReflectanceTable, OfEveryModel_IsOverTheNumbersThatDecideIt) {
+    for (const Block* block : catalog().ofKind(kinds::models)) {
+        const auto table =
+            reflectanceTable(catalog(), defaultMaterial(*block), LobeTerm::Whole, 32);
+        const bool factors = block->id == "lambert" || block->id == "minnaert" ||
+                             block->id == "lommel-seeliger" || block->id == "heidrich-seidel";
+        EXPECT_EQ(table.has_value(), factors) << block->id;
+        if (table) {
+            EXPECT_EQ(table->axes, block->id == "heidrich-seidel" ? TableAxes::TangentCosines
+                                                                  : TableAxes::NormalCosines)
+                << block->id;
+        }
+    }
+}
+
+TEST(ReflectanceTable, ReadBetweenTexels_IsAsNearAsItSays) {
+    const auto checked = [](const Material& material, LobeTerm term) {
+        const auto table = reflectanceTable(catalog(), material, term, 64);
+        ASSERT_TRUE(table);
+        const LobeModel model = modelOf(material, term);
+        double mean = 0.0;
+        constexpr int steps = 50;
+        for (int i = 0; i < steps; ++i) {
+            for (int j = 0; j < steps; ++j) {
+                // Directions that are not in one plane, other than those that were tabled.
+                const double a = 0.5 * pi * (i + 0.3) / steps;
+                const double b = 0.5 * pi * (j + 0.6) / steps;
+                const glm::dvec3 l(std::sin(a) * 0.6, std::sin(a) * 0.8, std::cos(a));
+                const glm::dvec3 v(-std::sin(b), 0.0, std::cos(b));
+                mean += worst(table->value(l, v), model.value(l, v)) / (steps * steps);
+                EXPECT_LE(worst(table->value(l, v), model.value(l, v)),
+                          1.05 * table->maxError + 1e-9);
+            }
+        }
+        EXPECT_LE(mean, 3.0 * table->meanError + 1e-9);
+        EXPECT_LT(table->meanError, 0.003);
+    };
+    checked(materialOf("minnaert", {{"darkening", 1.5}}), LobeTerm::Whole);
+    checked(materialOf("lommel-seeliger"), LobeTerm::Whole);
+    checked(materialOf("heidrich-seidel"), LobeTerm::Whole);
+    checked(materialOf("heidrich-seidel", {{"tangent.angle", 30.0}}), LobeTerm::Highlight);
+    checked(materialOf("phong"), LobeTerm::Diffuse);
+}
+
+TEST(ReflectanceTable, OfLambert_LosesNothing) {
+    const auto table = reflectanceTable(
+        catalog(), materialOf("lambert", {{"diffuse.color", glm::dvec3(0.5)}}), LobeTerm::Whole, 8);
+    ASSERT_TRUE(table);
+    EXPECT_FALSE(table->hasCosine);
+    EXPECT_LT(table->maxError, 1e-9);
+    EXPECT_NEAR(table->values.front().y, 0.5, 1e-12);
+    const std::string code = tableCode(*table, "Lambert");
+    EXPECT_NE(code.find("vec2(dot(n, v), nl)"), std::string::npos) << code;
+    EXPECT_NE(code.find(".rgb * nl"), std::string::npos) << code;
 }
 
 TEST(NoReflectance, IsSaidOfDrawingsAlone) {

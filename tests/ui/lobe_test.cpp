@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The reflectance of what is on screen, as plots.
+#include <numbers>
+
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
@@ -16,16 +18,24 @@
 #include "document/snapshot_edits.h"
 #include "lobe/energy_bar.h"
 #include "lobe/lobe_dock.h"
+#include "lobe/picked_incidence.h"
 #include "lobe/polar_plot.h"
 #include "lobe/share_plot.h"
+#include "lobe/slice_plot.h"
+#include "lobe/solid_plot.h"
+#include "shading/effects/key_light.h"
 #include "ui/fixtures.h"
 #include "ui/window_fixture.h"
 #include "viewport/frame_loop.h"
+#include "viewport/light_pose.h"
 
 namespace patina::tests::lobe_test {
 namespace {
 
 constexpr int waitMs = 20000;
+
+/// Names the tabs of the dock.
+enum Tab { Polar, Solid, Albedo, Fresnel, Slice, Float32 };
 
 class LobePanel : public WindowFixture {
   protected:
@@ -39,10 +49,12 @@ class LobePanel : public WindowFixture {
     LobeDock& dock() { return *window().dock("lobe")->findChild<LobeDock*>(); }
     PolarPlot& polar() { return *dock().findChild<PolarPlot*>(); }
     SharePlot& albedo() { return *dock().findChild<SharePlot*>("albedoPlot"); }
+    SolidPlot& solid() { return *dock().findChild<SolidPlot*>(); }
+    SlicePlot& slice() { return *dock().findChild<SlicePlot*>(); }
     SharePlot& fresnel() { return *dock().findChild<SharePlot*>("fresnelPlot"); }
     EnergyBar& energy() { return *dock().findChild<EnergyBar*>(); }
     QString note() { return dock().findChild<QLabel*>("note")->text(); }
-    void openTab(int index) { dock().findChild<QTabWidget*>()->setCurrentIndex(index); }
+    void openTab(Tab index) { dock().findChild<QTabWidget*>()->setCurrentIndex(index); }
     bool wait() {
         return QTest::qWaitFor([this] { return dock().isUpToDate(); }, waitMs);
     }
@@ -89,7 +101,7 @@ TEST_F(LobePanel, Hidden_ComputesNothing) {
 TEST_F(LobePanel, HiddenWhileItComputes_GivesUp) {
     ASSERT_TRUE(wait());
     document().setModel(Side::A, "poulin-fournier");
-    openTab(1); // takes seconds
+    openTab(Albedo); // takes seconds
     EXPECT_TRUE(dock().isComputing());
     window().dock("lobe")->hide();
     EXPECT_FALSE(dock().isComputing());
@@ -154,7 +166,7 @@ TEST_F(LobePanel, Pointer_ReadsValuesWithTheirUnit) {
 TEST_F(LobePanel, Albedo_HasAnEnergyBarThatKnowsTooMuchLight) {
     set("diffuse.color", glm::dvec3(0.5));
     set("specular.color", glm::dvec3(0.0));
-    openTab(1);
+    openTab(Albedo);
     ASSERT_TRUE(wait());
     EXPECT_FALSE(energy().isAboveOne());
     EXPECT_TRUE(energy().text().contains("50 %")) << energy().text().toStdString();
@@ -168,18 +180,130 @@ TEST_F(LobePanel, Albedo_HasAnEnergyBarThatKnowsTooMuchLight) {
 TEST_F(LobePanel, Fresnel_OfAMetalIsPlotted) {
     document().setModel(Side::A, "cook-torrance");
     document().setBlock(document().selection().currentPath(kinds::fresnel), "dielectric");
-    openTab(2);
+    openTab(Fresnel);
     ASSERT_TRUE(wait());
     ASSERT_EQ(fresnel().subjects().size(), 1u);
     EXPECT_EQ(fresnel().subjects().front().lines.marks.size(), 3u);
 }
 
 TEST_F(LobePanel, Float32_ComparesTheDeviceWithDouble) {
-    openTab(3);
+    openTab(Float32);
     ASSERT_TRUE(wait());
     auto& plot = *dock().findChild<SharePlot*>("float32Plot");
     ASSERT_EQ(plot.subjects().size(), 1u);
     EXPECT_TRUE(note().contains("units in the last place")) << note().toStdString();
+}
+
+TEST_F(LobePanel, PickedPlace_GivesItsLightAndItsViewer) {
+    ASSERT_TRUE(wait());
+    dock().findChild<QToolButton*>("pick incidence")->click();
+    QTest::mouseClick(&view(), Qt::LeftButton, {}, view().rect().center());
+    ASSERT_TRUE(wait());
+    EXPECT_TRUE(note().contains("Picked: light")) << note().toStdString();
+    QTest::keyClick(&polar(), Qt::Key_Left); // the light is turned by hand
+    ASSERT_TRUE(wait());
+    EXPECT_FALSE(note().contains("Picked")) << note().toStdString();
+    EXPECT_EQ(document().undoStack().index(), 1); // the model alone
+}
+
+TEST_F(LobePanel, Incidence_IsInTheFrameOfTheSurface) {
+    const Scene& scene = document().scene();
+    const auto light = keyLight(scene, document().catalog());
+    ASSERT_TRUE(light);
+    const Block& block = *document().catalog().find(kinds::lights, scene.lights[*light].block.id);
+    const auto pose = lightPose(scene.lights[*light].block.parameters, block, scene.camera);
+    ASSERT_TRUE(pose);
+    Hit hit;
+    hit.point = scene.camera.pivot;
+    const glm::dvec3 l =
+        pose->hasPoint() ? glm::normalize(pose->point - hit.point) : -*pose->direction;
+    const glm::dvec3 v = glm::normalize(eye(scene.camera) - hit.point);
+    // The mirror of the light to the eye has both in one plane at the same angle.
+    hit.normal = glm::normalize(l + v);
+    const auto mirror = incidenceAt(hit, scene, document().catalog(), scene.camera, *light);
+    ASSERT_TRUE(mirror);
+    const double half = 0.5 * std::acos(glm::dot(l, v));
+    EXPECT_NEAR(mirror->incoming().angle, half, 1e-9);
+    EXPECT_NEAR(mirror->viewerDegrees(), half * 180.0 / std::numbers::pi, 1e-6);
+    EXPECT_NEAR(mirror->outOfPlane(), 0.0, 1e-6);
+    hit.normal = -l;
+    EXPECT_FALSE(incidenceAt(hit, scene, document().catalog(), scene.camera, *light));
+}
+
+TEST_F(LobePanel, Time_SaysNanosecondsAndWhatIsNotInTheProgram) {
+    ASSERT_TRUE(wait());
+    set("emissive.color", glm::dvec3(0.0));
+    ASSERT_TRUE(wait());
+    auto* time = dock().findChild<QToolButton*>("time");
+    time->click();
+    EXPECT_FALSE(time->isEnabled());
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !dock().isTiming(); }, 6 * waitMs));
+    EXPECT_TRUE(time->isEnabled());
+    EXPECT_TRUE(note().contains("ns/pixel") || note().contains("too quick"))
+        << note().toStdString();
+    EXPECT_TRUE(note().contains("program")) << note().toStdString();
+    time->click();
+    window().dock("lobe")->hide();
+    EXPECT_FALSE(dock().isTiming());
+    EXPECT_TRUE(time->isEnabled());
+}
+
+TEST_F(LobePanel, Slice_ReadsTheReflectanceOverBothAngles) {
+    document().setModel(Side::A, "lambert");
+    set("diffuse.color", glm::dvec3(0.5));
+    openTab(Slice);
+    ASSERT_TRUE(wait());
+    ASSERT_EQ(slice().slices().size(), 1u);
+    const QRectF square = slice().squareOf(0);
+    const QPointF near = square.bottomLeft() + QPointF(0.1, -0.1) * square.width();
+    const QString reading = slice().readingAt(near);
+    EXPECT_TRUE(reading.contains("half vector 9")) << reading.toStdString();
+    EXPECT_TRUE(reading.contains("A: 0.159 1/sr")) << reading.toStdString(); // 0.5/pi
+    EXPECT_EQ(slice().readingAt({-5.0, -5.0}), "");
+    dock().exportTo(QString::fromStdString(home("slice.csv").string()));
+    EXPECT_TRUE(readFile(home("slice.csv")).starts_with("material,half_degrees,"));
+}
+
+TEST_F(LobePanel, Solid_IsTurnedByADragAndReadsTheViewersDirection) {
+    openTab(Solid);
+    ASSERT_TRUE(wait());
+    ASSERT_EQ(solid().solids().size(), 1u);
+    // The peak of the lobe is as long as the room allows.
+    const double light = polar().light() * std::numbers::pi / 180.0;
+    const QPointF middle = solid().placeOf({-0.7 * std::sin(light), 0.0, 0.7 * std::cos(light)});
+    const QString reading = solid().readingAt(middle);
+    EXPECT_TRUE(reading.contains("from the tangent")) << reading.toStdString();
+    EXPECT_TRUE(reading.endsWith("1/sr")) << reading.toStdString();
+    EXPECT_EQ(solid().readingAt({1.0, 1.0}), "");
+    const double turn = solid().turn();
+    const double tilt = solid().tilt();
+    const QPoint from = solid().rect().center();
+    QTest::mousePress(&solid(), Qt::LeftButton, {}, from);
+    QMouseEvent drag(QEvent::MouseMove, from + QPoint(20, 10),
+                     solid().mapToGlobal(from + QPoint(20, 10)), Qt::NoButton, Qt::LeftButton,
+                     Qt::NoModifier);
+    QApplication::sendEvent(&solid(), &drag);
+    EXPECT_NEAR(solid().turn(), turn - 10.0, 1e-9);
+    EXPECT_NEAR(solid().tilt(), tilt + 5.0, 1e-9);
+    QTest::keyClick(&solid(), Qt::Key_Down);
+    EXPECT_NEAR(solid().tilt(), tilt, 1e-9);
+    for (const char* name : {"solid.svg", "solid.png", "solid.csv"}) {
+        dock().exportTo(QString::fromStdString(home(name).string()));
+    }
+    EXPECT_NE(readFile(home("solid.svg")).find("<svg"), std::string::npos);
+    EXPECT_TRUE(readFile(home("solid.png")).starts_with("\x89PNG"));
+    EXPECT_TRUE(readFile(home("solid.csv")).starts_with("material,viewer_degrees,"));
+}
+
+TEST_F(LobePanel, DrawingModel_HasNoPlotOverViewersOrHalfAngles) {
+    document().setModel(Side::A, "toon");
+    for (const Tab tab : {Solid, Slice}) {
+        openTab(tab);
+        ASSERT_TRUE(wait());
+        EXPECT_TRUE(note().contains("no share of the light")) << note().toStdString();
+    }
+    EXPECT_TRUE(solid().solids().empty());
+    EXPECT_TRUE(slice().slices().empty());
 }
 
 TEST_F(LobePanel, DrawingModel_SaysThatThePlotMeansNothing) {
@@ -187,6 +311,7 @@ TEST_F(LobePanel, DrawingModel_SaysThatThePlotMeansNothing) {
     ASSERT_TRUE(wait());
     EXPECT_TRUE(polar().subjects().empty());
     EXPECT_TRUE(note().contains("no share of the light")) << note().toStdString();
+    EXPECT_TRUE(note().contains("its albedo")) << note().toStdString();
 }
 
 TEST_F(LobePanel, Export_WritesEachForm) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lobe/lobe_dock.h"
 
+#include <iterator>
 #include <numbers>
 
 #include <QAction>
@@ -13,37 +14,51 @@
 #include <QVBoxLayout>
 
 #include "accuracy/chart_export.h"
+#include "accuracy/cost_subject.h"
 #include "core/atomic_file.h"
+#include "docks/effect_label.h"
 #include "docks/long_line.h"
 #include "docks/panel.h"
 #include "lobe/energy_bar.h"
 #include "lobe/polar_plot.h"
 #include "lobe/share_plot.h"
+#include "lobe/slice_plot.h"
+#include "lobe/solid_plot.h"
 #include "material/preset_file.h"
 #include "measure/error/parallel.h"
 #include "measure/eval/eval_gpu.h"
-#include "measure/lobe/lobe_table.h"
 #include "parameters/dropped_files.h"
 #include "session/message_log.h"
+#include "session/session.h"
+#include "shading/effects/effect_set.h"
+#include "shading/effects/key_light.h"
 #include "text/as_text.h"
+#include "text/display_number.h"
+#include "viewport/compare_area.h"
 
 namespace patina {
 namespace {
 
 constexpr int restMs = 200; ///< is how long values rest before the sketch becomes the plot
+constexpr int sliceCells = 90;
+constexpr int sketchCells = 30;
+constexpr SolidFineness sketchFineness{20, 32};
 
 } // namespace
 
 LobeDock::LobeDock(const DockContext& context)
     : document_(context.document), tried_(context.tried), messages_(context.messages),
-      pages_(new QTabWidget(this)), polar_(new PolarPlot(this)),
+      views_(context.views), meshes_(context.meshes), textures_(context.textures),
+      environments_(context.environments), pages_(new QTabWidget(this)),
+      polar_(new PolarPlot(this)), solid_(new SolidPlot(this)),
       albedo_(new SharePlot(LobePlot::Albedo, this)),
-      fresnel_(new SharePlot(LobePlot::Fresnel, this)),
+      fresnel_(new SharePlot(LobePlot::Fresnel, this)), slice_(new SlicePlot(this)),
       float32_(new SharePlot(LobePlot::Float32, this)), energy_(new EnergyBar(this)),
       scale_(new QComboBox(this)), term_(new QComboBox(this)), snapshots_(new QAction(this)),
       forget_(textButton(tr("Without Presets"), tr("Take the presets that were dropped here away"),
                          this)),
-      note_(new LongLine(this)), worker_({.name = tr("Plotting the reflectance")}) {
+      note_(new LongLine(this)), worker_({.name = tr("Plotting the reflectance")}),
+      timer_({.name = tr("Timing materials"), .canCancel = true}) {
     setAcceptDrops(true);
     forget_->setObjectName("forget presets");
     forget_->hide();
@@ -71,8 +86,10 @@ void LobeDock::addPages() {
         pages_->setTabToolTip(pages_->addTab(page, title), what);
     };
     add(polar_, tr("Lobe"), tr("Reflectance in the plane of incidence; drag to turn the light"));
+    add(solid_, tr("3D"), tr("Reflectance over all viewers; drag to turn it"));
     add(energy, tr("Albedo"), tr("What is reflected in all, over the angle of the light"));
     add(fresnel_, tr("Fresnel"), tr("What the surface mirrors, by polarisation and side"));
+    add(slice_, tr("Half angle"), tr("A slice over half and difference angle"));
     add(float32_, tr("Float32"), tr("How far the device is from double precision"));
 }
 
@@ -87,6 +104,9 @@ QWidget* LobeDock::makeControls() {
     term_->addItem(tr("Whole"), static_cast<int>(LobeTerm::Whole));
     term_->addItem(tr("Diffuse"), static_cast<int>(LobeTerm::Diffuse));
     term_->addItem(tr("Highlight"), static_cast<int>(LobeTerm::Highlight));
+    term_->addItem(tr("Distribution"), static_cast<int>(LobeTerm::Distribution));
+    term_->addItem(tr("Masking"), static_cast<int>(LobeTerm::Masking));
+    term_->addItem(tr("Fresnel"), static_cast<int>(LobeTerm::Fresnel));
     snapshots_->setText(tr("&Snapshots"));
     snapshots_->setToolTip(tr("Show the snapshots beside what is on screen, four in all"));
     snapshots_->setCheckable(true);
@@ -109,12 +129,134 @@ QWidget* LobeDock::makeControls() {
     auto* row = new QWidget(this);
     auto* widgets = new QHBoxLayout(row);
     widgets->setContentsMargins(0, 0, 0, 0);
-    for (QWidget* widget : std::initializer_list<QWidget*>{scale_, term_, overlay, forget_}) {
+    for (QWidget* widget :
+         std::initializer_list<QWidget*>{scale_, term_, makePick(), makeTime(), overlay, forget_}) {
         widgets->addWidget(widget);
     }
     widgets->addStretch(1);
     widgets->addWidget(write);
     return row;
+}
+
+QToolButton* LobeDock::makePick() {
+    auto* pick = textButton(tr("Pick"),
+                            tr("Click a place on an object: take its light and its viewer"), this);
+    pick->setObjectName("pick incidence");
+    connect(pick, &QToolButton::clicked, this, [this] { views_.active().awaitSurfacePick(); });
+    for (SideView* view : views_.views()) {
+        watchPicks(*view);
+    }
+    connect(&views_, &CompareArea::viewAdded, this, [this](SideView* view) { watchPicks(*view); });
+    return pick;
+}
+
+void LobeDock::watchPicks(SideView& view) {
+    connect(&view, &SideView::surfacePicked, this,
+            [this, &view](const Hit& hit) { takePick(view, hit); });
+}
+
+void LobeDock::takePick(SideView& view, const Hit& hit) {
+    const Scene& scene = document_.scene(view.side());
+    const int chosen = document_.selection().light();
+    const auto light = chosen >= 0 ? std::optional(static_cast<std::size_t>(chosen))
+                                   : keyLight(scene, document_.catalog());
+    picked_ = light ? incidenceAt(hit, scene, document_.catalog(), view.viewport().camera(), *light)
+                    : std::nullopt;
+    if (!picked_) {
+        forgetPick();
+        note_->tell(tr("No light reaches that place."));
+        return;
+    }
+    polar_->setLight(picked_->incoming().angle * 180.0 / std::numbers::pi);
+    polar_->setViewer(picked_->viewerDegrees());
+    solid_->setViewer(picked_->viewer);
+    isStale_ = true;
+    follow();
+}
+
+void LobeDock::forgetPick() {
+    picked_.reset();
+    polar_->setViewer(std::nullopt);
+    solid_->setViewer(std::nullopt);
+}
+
+QToolButton* LobeDock::makeTime() {
+    time_ = textButton(tr("Time"),
+                       tr("Measure what a pixel of each takes, and say what is not in its program"),
+                       this);
+    time_->setObjectName("time");
+    connect(time_, &QToolButton::clicked, this, &LobeDock::measureTimes);
+    return time_;
+}
+
+void LobeDock::measureTimes() {
+    if (isTiming() || materials_.empty() || document_.selection().object() < 0) {
+        return;
+    }
+    time_->setEnabled(false);
+    CostSweep::Options options;
+    options.programCache = programFolder();
+    timer_.ask(
+        [subject = costSubject(document_, meshes_, textures_, environments_), options,
+         materials = materials_](Worker::Control& control) -> Result<std::vector<MaterialTime>> {
+            if (const auto opened = control.openContext(); !opened) {
+                return tl::unexpected(opened.error());
+            }
+            std::vector<Material> timed;
+            for (const LobeMaterial& each : materials) {
+                timed.push_back(each.material);
+            }
+            return materialTimes(subject, timed, options,
+                                 [&control] { return !control.isCancelled(); });
+        },
+        [this, materials = materials_](const Result<std::vector<MaterialTime>>& times) {
+            takeTimes(materials, times);
+        });
+}
+
+void LobeDock::takeTimes(const std::vector<LobeMaterial>& materials,
+                         const Result<std::vector<MaterialTime>>& times) {
+    time_->setEnabled(true);
+    if (!times) {
+        messages_.add(times.error());
+        return;
+    }
+    if (materials != materials_) {
+        return; // they have changed meanwhile
+    }
+    for (const MaterialTime& each : *times) {
+        times_ << (each.isBelowNoise ? tr("too quick to measure")
+                                     : tr("%1 ns/pixel").arg(roundText(each.nanoseconds)));
+    }
+    for (LobePlotWidget* plot : {static_cast<LobePlotWidget*>(polar_), albedo_}) {
+        plot->setDetails(times_);
+    }
+    QStringList notes;
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+        notes << tr("%1: %2; %3.")
+                     .arg(asText(materials[i].name), times_[static_cast<qsizetype>(i)],
+                          leftOutText(materials[i]));
+    }
+    note_->tell(notes.join(' '));
+}
+
+QString LobeDock::leftOutText(const LobeMaterial& material) const {
+    const Scene& scene = document_.scene();
+    const EffectView view;
+    const EffectSet set = effectSet(material.material, scene, document_.catalog(), view);
+    QStringList names;
+    for (const EffectLine& line :
+         leftOut(set, {&material.material, scene, document_.catalog(), view})) {
+        names << effectLabel(line.effect, &material.material, scene, document_.catalog());
+    }
+    return names.isEmpty() ? tr("all it has is in its program")
+                           : tr("not in its program: %1").arg(names.join(QStringLiteral(", ")));
+}
+
+void LobeDock::forgetTimes() {
+    times_.clear();
+    polar_->setDetails({});
+    albedo_->setDetails({});
 }
 
 void LobeDock::connectParts(const DockContext& context) {
@@ -135,9 +277,16 @@ void LobeDock::connectParts(const DockContext& context) {
     });
     connect(pages_, &QTabWidget::currentChanged, this, again);
     connect(term_, &QComboBox::currentIndexChanged, this, again);
-    connect(scale_, &QComboBox::currentIndexChanged, this,
-            [this] { polar_->setScale(static_cast<LobeScale>(scale_->currentData().toInt())); });
-    connect(polar_, &PolarPlot::lightTurned, this, again);
+    connect(scale_, &QComboBox::currentIndexChanged, this, [this] {
+        const auto scale = static_cast<LobeScale>(scale_->currentData().toInt());
+        polar_->setScale(scale);
+        solid_->setScale(scale);
+        slice_->setScale(scale);
+    });
+    connect(polar_, &PolarPlot::lightTurned, this, [this, again] {
+        forgetPick();
+        again();
+    });
     connect(&settle_, &QTimer::timeout, this, [this] { ask(false); });
 }
 
@@ -175,6 +324,8 @@ void LobeDock::hideEvent(QHideEvent* event) {
     QWidget::hideEvent(event);
     settle_.stop();
     worker_.forget();
+    timer_.forget();
+    time_->setEnabled(true);
     isStale_ = true;
 }
 
@@ -192,42 +343,56 @@ void LobeDock::follow() {
     if (!isStale_ && now == materials_) {
         return;
     }
+    if (now != materials_ && !times_.isEmpty()) {
+        forgetTimes();
+    }
     materials_ = std::move(now);
     isStale_ = false;
     ask(true);
     settle_.start();
 }
 
-LobePlot LobeDock::shownPlot() const {
-    constexpr LobePlot plots[] = {LobePlot::Polar, LobePlot::Albedo, LobePlot::Fresnel,
-                                  LobePlot::Float32};
-    return plots[std::max(pages_->currentIndex(), 0)];
+LobeDock::Page LobeDock::shownPage() const {
+    return static_cast<Page>(std::max(pages_->currentIndex(), 0));
 }
 
-LobePlotWidget& LobeDock::page() const {
-    switch (shownPlot()) {
-    case LobePlot::Albedo:
-        return *albedo_;
-    case LobePlot::Fresnel:
-        return *fresnel_;
-    case LobePlot::Float32:
-        return *float32_;
+LobePlotWidget* LobeDock::linePlot() const {
+    switch (shownPage()) {
+    case Page::Polar:
+        return polar_;
+    case Page::Albedo:
+        return albedo_;
+    case Page::Fresnel:
+        return fresnel_;
+    case Page::Float32:
+        return float32_;
     default:
-        return *polar_;
+        return nullptr;
     }
 }
 
+PaintedPlot* LobeDock::paintedPlot() const {
+    return shownPage() == Page::Solid   ? static_cast<PaintedPlot*>(solid_)
+           : shownPage() == Page::Slice ? static_cast<PaintedPlot*>(slice_)
+                                        : nullptr;
+}
+
 void LobeDock::ask(bool isSketch) {
-    LobeRequest request;
-    request.plot = shownPlot();
-    request.incoming.angle = polar_->light() * std::numbers::pi / 180.0;
-    request.term = static_cast<LobeTerm>(term_->currentData().toInt());
-    request.isSketch = isSketch;
-    scale_->setEnabled(request.plot == LobePlot::Polar);
-    term_->setEnabled(request.plot == LobePlot::Polar || request.plot == LobePlot::Albedo);
+    const Page page = shownPage();
+    Question question{page, {}};
+    question.lines.plot = page == Page::Albedo    ? LobePlot::Albedo
+                          : page == Page::Fresnel ? LobePlot::Fresnel
+                          : page == Page::Float32 ? LobePlot::Float32
+                                                  : LobePlot::Polar;
+    question.lines.incoming =
+        picked_ ? picked_->incoming() : Incoming{polar_->light() * std::numbers::pi / 180.0, 0.0};
+    question.lines.term = static_cast<LobeTerm>(term_->currentData().toInt());
+    question.lines.isSketch = isSketch;
+    scale_->setEnabled(page == Page::Polar || page == Page::Solid || page == Page::Slice);
+    term_->setEnabled(page != Page::Fresnel && page != Page::Float32);
     worker_.ask(
-        [request, materials = materials_, catalog = document_.sharedCatalog()](
-            Worker::Control& control) { return answerTo(request, materials, *catalog, control); },
+        [question, materials = materials_, catalog = document_.sharedCatalog()](
+            Worker::Control& control) { return answerTo(question, materials, *catalog, control); },
         [this](const Result<Answer>& answer) {
             if (answer) {
                 show(*answer);
@@ -236,22 +401,54 @@ void LobeDock::ask(bool isSketch) {
         QStringLiteral("lines"));
 }
 
+Result<void> LobeDock::answerFor(const LobeMaterial& material, const Catalog& catalog,
+                                 const std::function<bool()>& isWanted, EvalGpu* device,
+                                 Answer& answer) {
+    const auto& [page, request] = answer.question;
+    if (page == Page::Solid || page == Page::Slice) {
+        const auto model = reflectanceModel(catalog, material.material, request.term);
+        if (!model) {
+            return tl::unexpected(model.error());
+        }
+        if (page == Page::Solid) {
+            answer.solids.push_back(
+                {material.name, lobeSolid(*model, request.incoming,
+                                          request.isSketch ? sketchFineness : SolidFineness())});
+        } else {
+            answer.slices.push_back(
+                {material.name,
+                 halfDifferenceSlice(*model, request.isSketch ? sketchCells : sliceCells)});
+        }
+        return {};
+    }
+    auto lines = lobeLines(catalog, material.material, request, isWanted, device);
+    if (!lines) {
+        return tl::unexpected(lines.error());
+    }
+    answer.subjects.push_back({material.name, std::move(*lines)});
+    return {};
+}
+
 /// Runs in the worker's thread. The device is asked when values rest, as its context takes a while.
-LobeDock::Answer LobeDock::answerTo(const LobeRequest& request,
+LobeDock::Answer LobeDock::answerTo(const Question& question,
                                     const std::vector<LobeMaterial>& materials,
                                     const Catalog& catalog, Worker::Control& control) {
+    const bool isSketch = question.lines.isSketch;
     // Every sketch is shown, so that ticks that come faster still move the plot.
-    const auto isWanted = [&control, &request] {
-        return !control.isCancelled() && (request.isSketch || !control.isSuperseded());
+    const auto isWanted = [&control, isSketch] {
+        return !control.isCancelled() && (isSketch || !control.isSuperseded());
     };
-    Answer answer{request.plot, {}, {}, request.isSketch};
-    std::vector<Result<LobeLines>> found(materials.size());
+    std::vector<Answer> found(materials.size(), Answer{.question = question});
     const auto plot = [&](std::size_t begin, std::size_t end, EvalGpu* device) {
         for (std::size_t i = begin; i < end; ++i) {
-            found[i] = lobeLines(catalog, materials[i].material, request, isWanted, device);
+            const auto done = answerFor(materials[i], catalog, isWanted, device, found[i]);
+            if (!done) {
+                found[i].problems << tr("%1: %2.").arg(asText(materials[i].name),
+                                                       asText(done.error().problem));
+            }
         }
     };
-    if (request.isSketch) {
+    if (isSketch) {
         inParallel(materials.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
             plot(begin, end, nullptr);
         });
@@ -259,24 +456,29 @@ LobeDock::Answer LobeDock::answerTo(const LobeRequest& request,
         EvalGpu device;
         plot(0, materials.size(), &device);
     }
-    for (std::size_t i = 0; i < materials.size(); ++i) {
-        if (found[i]) {
-            answer.subjects.push_back({materials[i].name, std::move(*found[i])});
-        } else {
-            answer.problems << tr("%1: %2.").arg(asText(materials[i].name),
-                                                 asText(found[i].error().problem));
-        }
+    Answer answer{.question = question};
+    for (Answer& one : found) {
+        std::ranges::move(one.subjects, std::back_inserter(answer.subjects));
+        std::ranges::move(one.solids, std::back_inserter(answer.solids));
+        std::ranges::move(one.slices, std::back_inserter(answer.slices));
+        answer.problems += one.problems;
     }
-    return isWanted() ? answer : Answer{request.plot, {}, {}, request.isSketch};
+    return isWanted() ? answer : Answer{.question = question};
 }
 
 void LobeDock::show(const Answer& answer) {
-    const bool isIncomplete = answer.isSketch && !answer.problems.isEmpty();
-    if (answer.plot != shownPlot() || isIncomplete ||
-        (answer.subjects.empty() && answer.problems.isEmpty())) {
+    const bool isIncomplete = answer.question.lines.isSketch && !answer.problems.isEmpty();
+    if (answer.question.page != shownPage() || isIncomplete ||
+        (answer.isEmpty() && answer.problems.isEmpty())) {
         return; // another one is on its way
     }
     QStringList notes = answer.problems;
+    if (picked_ && (shownPage() == Page::Polar || shownPage() == Page::Solid)) {
+        notes << tr("Picked: light %1° and viewer %2° from the normal, the viewer %3° out of the "
+                    "plane of incidence.")
+                     .arg(roundText(polar_->light()), roundText(std::abs(picked_->viewerDegrees())),
+                          roundText(picked_->outOfPlane()));
+    }
     for (const LobeSubject& subject : answer.subjects) {
         if (!subject.lines.note.empty()) {
             notes << QStringLiteral("%1: %2.").arg(asText(subject.name),
@@ -284,21 +486,38 @@ void LobeDock::show(const Answer& answer) {
         }
     }
     note_->tell(notes.join(' '));
-    if (answer.plot == LobePlot::Albedo) {
+    if (shownPage() == Page::Albedo) {
         const bool isThere = !answer.subjects.empty() &&
                              answer.subjects.front().lines.lines.front().values.size() > 1;
         energy_->setRange(
             isThere ? std::optional(energyRange(answer.subjects.front().lines.lines.front()))
                     : std::nullopt);
     }
-    page().setSubjects(answer.subjects);
+    if (LobePlotWidget* plot = linePlot()) {
+        plot->setSubjects(answer.subjects);
+    } else if (shownPage() == Page::Solid) {
+        solid_->setSolids(answer.solids, answer.question.lines.incoming);
+    } else {
+        slice_->setSlices(answer.slices);
+    }
+}
+
+std::string LobeDock::csv() const {
+    const LobePlotWidget* plot = linePlot();
+    return plot != nullptr              ? linesCsv(plot->subjects())
+           : shownPage() == Page::Solid ? solidsCsv(solid_->solids())
+                                        : slicesCsv(slice_->slices());
 }
 
 void LobeDock::exportTo(const QString& file) {
     const QString ending = QFileInfo(file).suffix().toLower();
-    const std::string bytes = ending == "csv"   ? linesCsv(page().subjects())
-                              : ending == "svg" ? page().svg().toStdString()
-                                                : page().png().toStdString();
+    const auto bytesOf = [&ending](const auto& plot) {
+        return (ending == "svg" ? plot.svg() : plot.png()).toStdString();
+    };
+    const LobePlotWidget* plot = linePlot();
+    const std::string bytes = ending == "csv"   ? csv()
+                              : plot != nullptr ? bytesOf(*plot)
+                                                : bytesOf(*paintedPlot());
     if (const auto written = writeFileAtomically(file.toStdString(), bytes); !written) {
         messages_.add(written.error());
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include <QTimer>
 #include <QWidget>
@@ -9,7 +10,9 @@
 #include "background/worker.h"
 #include "docks/dock_context.h"
 #include "lobe/lobe_subjects.h"
-#include "measure/lobe/lobe_lines.h"
+#include "lobe/picked_incidence.h"
+#include "measure/cost/material_times.h"
+#include "measure/lobe/lobe_table.h"
 
 class QAction;
 class QComboBox;
@@ -19,9 +22,14 @@ class QToolButton;
 namespace patina {
 
 class EnergyBar;
+class EvalGpu;
 class LobePlotWidget;
 class LongLine;
+class PaintedPlot;
 class PolarPlot;
+class SideView;
+class SlicePlot;
+class SolidPlot;
 
 /// Plots the reflectance of the materials on screen, in double precision. Only the plot that is
 /// seen is computed: a sketch of it while values move, and all of it when they rest.
@@ -33,6 +41,7 @@ class LobeDock : public QWidget {
 
     /// Says that what is shown is what is on screen, and no sketch.
     bool isUpToDate() const { return !isComputing() && !isStale_; }
+    bool isTiming() const { return !timer_.isIdle(); }
     bool isComputing() const { return !worker_.isIdle() || settle_.isActive(); }
 
     /// Writes the plot that is seen into a file: .svg, .png or .csv.
@@ -45,34 +54,71 @@ class LobeDock : public QWidget {
     void dropEvent(QDropEvent* event) override;
 
   private:
-    /// Is what the worker found: the lines of each material that has some, and why the others have
+    /// Names the tabs, in their order.
+    enum class Page { Polar, Solid, Albedo, Fresnel, Slice, Float32 };
+
+    /// Says what the worker is to find for a tab; the request counts where the tab has lines.
+    struct Question {
+        Page page = Page::Polar;
+        LobeRequest lines;
+    };
+
+    /// Is what the worker found: the plot of each material that has one, and why the others have
     /// none.
     struct Answer {
-        LobePlot plot = LobePlot::Polar;
-        std::vector<LobeSubject> subjects;
-        QStringList problems;
-        bool isSketch = false;
+        Question question;
+        std::vector<LobeSubject> subjects = {};
+        std::vector<NamedSolid> solids = {};
+        std::vector<NamedSlice> slices = {};
+        QStringList problems = {};
+
+        bool isEmpty() const { return subjects.empty() && solids.empty() && slices.empty(); }
     };
 
     void addPages();
     void addPreset(const std::filesystem::path& file);
     QWidget* makeControls();
+    QToolButton* makePick();
+    void watchPicks(SideView& view);
+    /// Takes the light and the viewer of a place on an object.
+    void takePick(SideView& view, const Hit& hit);
+    void forgetPick();
+    QToolButton* makeTime();
+    /// Measures the time of each material on the current object.
+    void measureTimes();
+    void takeTimes(const std::vector<LobeMaterial>& materials,
+                   const Result<std::vector<MaterialTime>>& times);
+    void forgetTimes();
+    /// Says what of the document a material's program does not have.
+    QString leftOutText(const LobeMaterial& material) const;
     void connectParts(const DockContext& context);
     void follow();
     void ask(bool isSketch);
-    static Answer answerTo(const LobeRequest& request, const std::vector<LobeMaterial>& materials,
+    static Answer answerTo(const Question& question, const std::vector<LobeMaterial>& materials,
                            const Catalog& catalog, Worker::Control& control);
+    static Result<void> answerFor(const LobeMaterial& material, const Catalog& catalog,
+                                  const std::function<bool()>& isWanted, EvalGpu* device,
+                                  Answer& answer);
     void show(const Answer& answer);
-    LobePlot shownPlot() const;
-    LobePlotWidget& page() const;
+    Page shownPage() const;
+    /// Return the widget of the tab that is seen: one of lines or a painted one.
+    LobePlotWidget* linePlot() const;
+    PaintedPlot* paintedPlot() const;
+    std::string csv() const;
 
     Document& document_;
     TriedMaterial& tried_;
     MessageLog& messages_;
+    CompareArea& views_;
+    MeshLibrary& meshes_;
+    TextureLibrary& textures_;
+    EnvironmentLibrary& environments_;
     QTabWidget* pages_;
     PolarPlot* polar_;
+    SolidPlot* solid_;
     LobePlotWidget* albedo_;
     LobePlotWidget* fresnel_;
+    SlicePlot* slice_;
     LobePlotWidget* float32_;
     EnergyBar* energy_;
     QComboBox* scale_;
@@ -81,10 +127,14 @@ class LobeDock : public QWidget {
     QToolButton* forget_;               ///< takes the dropped presets away
     std::vector<LobeMaterial> dropped_; ///< are presets that were dropped on the dock
     LongLine* note_;
-    std::vector<LobeMaterial> materials_; ///< are those that were asked for last
+    QToolButton* time_ = nullptr;
+    QStringList times_; ///< say the time of each material; empty where nobody measured them
+    std::optional<PickedIncidence> picked_; ///< is empty where the light was turned by hand
+    std::vector<LobeMaterial> materials_;   ///< are those that were asked for last
     bool isStale_ = true;
     QTimer settle_;
     Worker worker_;
+    Worker timer_;
 };
 
 } // namespace patina

@@ -62,6 +62,11 @@ void LobePlotWidget::setSubjects(std::vector<LobeSubject> subjects) {
     draw();
 }
 
+void LobePlotWidget::setDetails(QStringList details) {
+    details_ = std::move(details);
+    draw();
+}
+
 std::vector<LobePlotWidget::Stroke> LobePlotWidget::strokes() const {
     std::vector<Stroke> all;
     const bool isAlone = subjects_.size() == 1;
@@ -94,7 +99,7 @@ QString LobePlotWidget::readingAt(const QPointF& place) const {
             if (!line.values.empty()) {
                 lines << tr("%1, %2: %3 %4")
                              .arg(asText(subject.name), asText(line.name),
-                                  numberText(line, degrees), unit())
+                                  numberText(line, degrees), line.isShare ? QString() : unit())
                              .trimmed();
             }
         }
@@ -107,13 +112,16 @@ QSize LobePlotWidget::sizeHint() const {
 }
 
 void LobePlotWidget::addLegend() {
-    for (std::size_t i = 0; i < subjects_.size() && subjects_.size() > 1; ++i) {
+    const bool isWanted = subjects_.size() > 1 || !details_.isEmpty();
+    for (std::size_t i = 0; i < subjects_.size() && isWanted; ++i) {
+        const QString detail = details_.value(static_cast<qsizetype>(i));
         auto* name = new QCPItemText(plot_);
         name->position->setType(QCPItemPosition::ptAxisRectRatio);
         name->position->setCoords(legendPlace);
         name->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
         // Names stand below each other: the lines above are empty.
-        name->setText(QString(static_cast<qsizetype>(i), '\n') + asText(subjects_[i].name));
+        name->setText(QString(static_cast<qsizetype>(i), '\n') + asText(subjects_[i].name) +
+                      (detail.isEmpty() ? QString() : QStringLiteral(", ") + detail));
         name->setTextAlignment(Qt::AlignLeft);
         name->setFont(plot_->font());
         name->setColor(lobeColor(i, palette()));

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <QPen>
+#include <QStringList>
 
 #include "accuracy/plot_widget.h"
 #include "measure/lobe/lobe_lines.h"
@@ -21,6 +22,9 @@ class LobePlotWidget : public PlotWidget {
 
     void setSubjects(std::vector<LobeSubject> subjects);
     const std::vector<LobeSubject>& subjects() const { return subjects_; }
+
+    /// Sets what stands beside the name of each material; empty for nothing.
+    void setDetails(QStringList details);
 
     /// Returns what the plot reads at a place of this widget, a line per material; empty beside the
     /// plot.
@@ -49,7 +53,7 @@ class LobePlotWidget : public PlotWidget {
     /// Returns what a value is called in a reading: "1/sr"; empty for a share.
     virtual QString unit() const = 0;
 
-    /// Adds the names of materials in their colours, where there are several.
+    /// Adds the names of materials in their colours, where there are several or one has details.
     void addLegend();
 
     QCustomPlot& plot() const { return *plot_; }
@@ -57,6 +61,7 @@ class LobePlotWidget : public PlotWidget {
 
   private:
     std::vector<LobeSubject> subjects_;
+    QStringList details_;
     QCustomPlot* plot_;
 };
 

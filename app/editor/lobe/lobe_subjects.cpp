@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lobe/lobe_subjects.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "text/display_number.h"
 #include "viewport/side_view.h"
 
 namespace patina {
@@ -51,6 +55,15 @@ QColor lobeColor(std::size_t place, const QPalette& palette) {
 QColor channelColor(int channel, const QPalette& palette) {
     constexpr int hues[] = {4, 115, 222};
     return standingOut(hues[channel], palette);
+}
+
+QString valueText(const glm::dvec3& v) {
+    constexpr double rounding = 1e-6;
+    const double max = std::max({v.x, v.y, v.z});
+    if (max - std::min({v.x, v.y, v.z}) <= rounding * std::abs(max)) {
+        return roundText(v.x);
+    }
+    return QStringLiteral("%1, %2, %3").arg(roundText(v.x), roundText(v.y), roundText(v.z));
 }
 
 } // namespace patina

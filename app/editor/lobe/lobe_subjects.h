@@ -5,6 +5,9 @@
 
 #include <QColor>
 #include <QPalette>
+#include <QString>
+
+#include <glm/vec3.hpp>
 
 #include "document/tried_material.h"
 
@@ -31,5 +34,8 @@ QColor lobeColor(std::size_t place, const QPalette& palette);
 
 /// Returns the colour of a channel (0: red) where a plot shows the channels of one material.
 QColor channelColor(int channel, const QPalette& palette);
+
+/// Returns a value of three channels as text: one number where they are the same.
+QString valueText(const glm::dvec3& v);
 
 } // namespace patina

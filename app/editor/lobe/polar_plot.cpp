@@ -52,6 +52,11 @@ void PolarPlot::setLight(double degrees) {
     draw();
 }
 
+void PolarPlot::setViewer(std::optional<double> degrees) {
+    viewer_ = degrees;
+    draw();
+}
+
 QString PolarPlot::unit() const {
     return QStringLiteral("1/sr");
 }
@@ -112,6 +117,23 @@ void PolarPlot::addDisc(double largest) {
             Qt::AlignCenter);
 }
 
+void PolarPlot::addViewer() {
+    if (!viewer_) {
+        return;
+    }
+    const QColor color =
+        mixed(palette().color(QPalette::Base), palette().color(QPalette::Text), 0.7);
+    auto* ray = new QCPItemLine(&plot());
+    ray->start->setCoords(0.0, 0.0);
+    ray->end->setCoords(discPlace(*viewer_, 1.0));
+    ray->setPen(QPen(color, 1.2, Qt::DotLine));
+    auto* label = new QCPItemText(&plot());
+    label->position->setCoords(discPlace(*viewer_, 1.06) + QPointF(0.0, 0.04));
+    label->setText(tr("viewer"));
+    label->setFont(plot().font());
+    label->setColor(color);
+}
+
 void PolarPlot::draw() {
     plot().clearPlottables();
     plot().clearItems();
@@ -125,6 +147,7 @@ void PolarPlot::draw() {
         }
     }
     addDisc(largest);
+    addViewer();
     for (const Stroke& line : lines) {
         auto* curve = new QCPCurve(plot().xAxis, plot().yAxis);
         QVector<QCPCurveData> points;

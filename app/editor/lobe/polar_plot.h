@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "lobe/lobe_plot_widget.h"
 #include "measure/lobe/lobe_scale.h"
 
@@ -18,6 +20,9 @@ class PolarPlot final : public LobePlotWidget {
     void setLight(double degrees);
     double light() const { return light_; }
 
+    /// Marks the angle of a viewer, in degrees as degreesAt() returns them; none without one.
+    void setViewer(std::optional<double> degrees);
+
     /// Returns where an angle at the edge of the disc is drawn, in pixels of this widget.
     QPointF edgeAt(double degrees) const;
 
@@ -33,11 +38,13 @@ class PolarPlot final : public LobePlotWidget {
 
   private:
     void addDisc(double largest);
+    void addViewer();
     void turnTo(double degrees);
     void fitDisc();
 
     LobeScale scale_ = LobeScale::Linear;
     double light_ = 45.0; ///< degrees from the normal
+    std::optional<double> viewer_;
 };
 
 } // namespace patina

@@ -117,6 +117,19 @@ glm::dvec3 normalAt(const Met& met, const MeshView& mesh, const glm::dmat4& worl
     return normal * (glm::dot(normal, ray.direction) > 0.0 ? -1.0 / length : 1.0 / length);
 }
 
+/// Returns the unit tangent in world space across the normal; zero where the vertices have none.
+glm::dvec3 tangentAt(const Met& met, const MeshView& mesh, const glm::dmat4& world,
+                     const glm::dvec3& normal) {
+    const auto tangent = [&](std::size_t i) {
+        return glm::dvec3(mesh.vertices[mesh.indices[met.first + i]].tangent);
+    };
+    const glm::dvec3 along = glm::dmat3(world) * ((1.0 - met.u - met.v) * tangent(0) +
+                                                  met.u * tangent(1) + met.v * tangent(2));
+    const glm::dvec3 across = along - glm::dot(along, normal) * normal;
+    const double length = glm::length(across);
+    return length > 1e-6 * glm::length(along) ? across / length : glm::dvec3(0.0);
+}
+
 Ray inObjectSpace(const Ray& ray, const Object& object) {
     const glm::dmat4 inverse = glm::inverse(worldMatrix(object));
     return {glm::dvec3(inverse * glm::dvec4(ray.origin, 1.0)),
@@ -150,7 +163,7 @@ double pixelsPerMetre(const Camera& camera, const glm::dvec3& point, double heig
 
 std::optional<Hit> cast(const Ray& ray, const Scene& scene,
                         const std::function<PickMesh(const Object&)>& meshes) {
-    Hit hit{-1, never, {}, {}};
+    Hit hit{-1, never, {}, {}, {}};
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
         if (!object.visible) {
@@ -159,8 +172,10 @@ std::optional<Hit> cast(const Ray& ray, const Scene& scene,
         const PickMesh pick = meshes(object);
         const Met met = meetNearest(inObjectSpace(ray, object), pick);
         if (met.distance < hit.distance) {
+            const glm::dmat4 world = worldMatrix(object);
+            const glm::dvec3 normal = normalAt(met, pick.mesh, world, ray);
             hit = {static_cast<int>(i), met.distance, ray.origin + met.distance * ray.direction,
-                   normalAt(met, pick.mesh, worldMatrix(object), ray)};
+                   normal, tangentAt(met, pick.mesh, world, normal)};
         }
     }
     return hit.object < 0 ? std::nullopt : std::optional(hit);

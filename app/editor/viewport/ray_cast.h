@@ -27,6 +27,8 @@ struct Hit {
     glm::dvec3 point{0.0};
     /// Is a unit vector, interpolated between vertices, on the side that the ray meets.
     glm::dvec3 normal{0.0};
+    /// Is the unit tangent of the mesh in the surface; zero where the mesh has none.
+    glm::dvec3 tangent{0.0};
 
     friend bool operator==(const Hit&, const Hit&) = default;
 };

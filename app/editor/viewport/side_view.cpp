@@ -390,7 +390,12 @@ void SideView::pivotOn(QPointF place) {
 void SideView::pick(QPointF place, bool adds) {
     if (awaited_) {
         viewport_->unsetCursor();
-        placeLight(place, *std::exchange(awaited_, std::nullopt));
+        const Awaited awaited = *std::exchange(awaited_, std::nullopt);
+        if (awaited != Awaited::Surface) {
+            placeLight(place, awaited == Awaited::Shadow);
+        } else if (const std::optional<Hit> hit = hitAt(place)) {
+            Q_EMIT surfacePicked(*hit);
+        }
         return;
     }
     const std::optional<Hit> hit = wasActive_ ? hitAt(place) : std::nullopt;
@@ -416,7 +421,15 @@ void SideView::pick(QPointF place, bool adds) {
 }
 
 void SideView::awaitLightPick(bool isShadow) {
-    awaited_ = isShadow;
+    await(isShadow ? Awaited::Shadow : Awaited::Highlight);
+}
+
+void SideView::awaitSurfacePick() {
+    await(Awaited::Surface);
+}
+
+void SideView::await(Awaited awaited) {
+    awaited_ = awaited;
     viewport_->setCursor(Qt::CrossCursor);
     viewport_->setFocus();
 }

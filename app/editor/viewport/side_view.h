@@ -68,6 +68,9 @@ class SideView : public QFrame {
     /// the current object.
     void awaitLightPick(bool isShadow);
 
+    /// Makes the next click on an object tell of the place, by surfacePicked().
+    void awaitSurfacePick();
+
     /// Moves the camera so that the current object fills the view.
     void frameCurrentObject();
 
@@ -80,6 +83,7 @@ class SideView : public QFrame {
     void resetWished();
     void filesDropped(QStringList files);
     void captionChanged();
+    void surfacePicked(const patina::Hit& hit);
     void bookmarkWished(int digit); ///< asks to store the camera under a digit
     /// Asks for a camera that the document stores.
     void bookmarkChosen(const patina::Camera& bookmark);
@@ -118,7 +122,11 @@ class SideView : public QFrame {
     ViewLinks* links_; ///< stands beside the title
     Viewport* viewport_;
     InspectionPanel* inspection_ = nullptr; ///< is null until it is first wanted
-    std::optional<bool> awaited_; ///< holds what awaitLightPick() got until the next click
+    /// Names what the next click is for.
+    enum class Awaited { Highlight, Shadow, Surface };
+    void await(Awaited awaited);
+
+    std::optional<Awaited> awaited_; ///< is empty where a click selects
     bool turning_ = false;
     Camera atPress_;                ///< holds the camera when a drag began
     std::function<void()> restore_; ///< restores what is turned as it was when the drag began

@@ -10,6 +10,7 @@
 #include "material/blocks_in_use.h"
 #include "measure/lobe/device_lobe.h"
 #include "measure/lobe/fresnel_curve.h"
+#include "measure/lobe/lobe_factor.h"
 #include "measure/stability/sweep_cases.h"
 
 namespace patina {
@@ -26,11 +27,11 @@ double inDegrees(double radians) {
     return radians * 180.0 / std::numbers::pi;
 }
 
-LobeLine polarLine(const LobeModel& model, const LobeRequest& request) {
+LobeLine polarLine(const DirectionsValue& value, const LobeRequest& request) {
     LobeLine line{"reflectance", LobeStroke::Main, false, {}, {}};
     const CurveFineness fineness =
         request.isSketch ? CurveFineness{120, 5e-3, 400} : CurveFineness();
-    for (const LobePoint& point : polarCurve(model, request.incoming, fineness)) {
+    for (const LobePoint& point : polarCurve(value, request.incoming, fineness)) {
         line.degrees.push_back(inDegrees(point.angle));
         line.values.push_back(point.f);
     }
@@ -137,12 +138,38 @@ Result<LobeLines> floatLines(const Catalog& catalog, const EvalCase& variant,
     return all;
 }
 
+/// Returns the line of the wanted term: of a reflectance, or of a factor in a polar plot.
+Result<LobeLine> termLine(const Catalog& catalog, const Material& material,
+                          const LobeRequest& request, const std::function<bool()>& isWanted) {
+    if (request.plot == LobePlot::Polar && isFactor(request.term)) {
+        const auto factor = LobeFactor::create(catalog, material, request.term);
+        if (!factor) {
+            return tl::unexpected(factor.error());
+        }
+        LobeLine line = polarLine(
+            [&factor](const glm::dvec3& l, const glm::dvec3& v) { return factor->at(l, v); },
+            request);
+        line.name = factor->name();
+        line.isShare = request.term != LobeTerm::Distribution;
+        return line;
+    }
+    const auto model = LobeModel::create(catalog, material, request.term);
+    if (!model) {
+        return tl::unexpected(model.error());
+    }
+    return request.plot == LobePlot::Polar
+               ? polarLine([&model](const glm::dvec3& l,
+                                    const glm::dvec3& v) { return model->reflectance(l, v); },
+                           request)
+               : albedoLine(*model, request, isWanted);
+}
+
 Result<LobeLines> modelLines(const Catalog& catalog, const Material& material,
                              const LobeRequest& request, const std::function<bool()>& isWanted,
                              EvalGpu* device) {
     const Block* block = catalog.find(kinds::models, material.model.id);
-    if (block != nullptr && !whyNoReflectance(*block).empty()) {
-        return failure(whyNoReflectance(*block), "a model of a reflectance");
+    if (block != nullptr && !whyNoPlots(*block).empty()) {
+        return failure(whyNoPlots(*block), "a model of a reflectance");
     }
     const Result<EvalCase> variant = sweepVariant(catalog, material);
     if (!variant) {
@@ -158,17 +185,15 @@ Result<LobeLines> modelLines(const Catalog& catalog, const Material& material,
     }
     LobeLines all;
     const auto add = [&](const Material& shown, LobeStroke stroke) -> Result<void> {
-        const auto model = LobeModel::create(catalog, shown, request.term);
-        if (!model) {
-            return tl::unexpected(model.error());
+        Result<LobeLine> line = termLine(catalog, shown, request, isWanted);
+        if (!line) {
+            return tl::unexpected(line.error());
         }
-        LobeLine line = request.plot == LobePlot::Polar ? polarLine(*model, request)
-                                                        : albedoLine(*model, request, isWanted);
         if (stroke == LobeStroke::Exact) {
-            line.name += ", exact";
+            line->name += ", exact";
         }
-        line.stroke = stroke;
-        all.lines.push_back(std::move(line));
+        line->stroke = stroke;
+        all.lines.push_back(std::move(*line));
         return {};
     };
     if (const auto added = add(material, LobeStroke::Main); !added) {

@@ -41,6 +41,7 @@ struct LobeLine {
     std::vector<double> degrees;    ///< from the normal, rising
     std::vector<glm::dvec3> values; ///< as many; 1/sr in a polar plot, units in the last place of
                                     ///< a float in that of single precision, else shares of light
+    bool isShare = false;           ///< says that values are shares where the plot's others are not
 };
 
 /// Is an angle of a plot with a name, such as Brewster's.

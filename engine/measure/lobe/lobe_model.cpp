@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measure/lobe/lobe_model.h"
 
+#include <algorithm>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
@@ -13,21 +15,29 @@
 namespace patina {
 namespace {
 
-/// Returns the case without its diffuse term.
-EvalCase highlightOf(const EvalCase& request) {
-    EvalCase alone = request;
-    for (const Parameter& parameter : request.block.block->parameters) {
-        if (parameter.role == roles::diffuse) {
-            alone.block.values[parameter.id] = glm::dvec3(0.0);
-        }
-    }
-    return alone;
-}
+constexpr std::pair<LobeTerm, std::string_view> termWords[] = {
+    {LobeTerm::Whole, "whole"},         {LobeTerm::Diffuse, "diffuse"},
+    {LobeTerm::Highlight, "highlight"}, {LobeTerm::Distribution, "distribution"},
+    {LobeTerm::Masking, "masking"},     {LobeTerm::Fresnel, "fresnel"}};
 
 } // namespace
 
+std::string_view wordOf(LobeTerm term) {
+    return std::ranges::find(termWords, term, &std::pair<LobeTerm, std::string_view>::first)
+        ->second;
+}
+
+std::optional<LobeTerm> lobeTermOf(std::string_view word) {
+    const auto found =
+        std::ranges::find(termWords, word, &std::pair<LobeTerm, std::string_view>::second);
+    return found == std::end(termWords) ? std::nullopt : std::optional(found->first);
+}
+
 Result<LobeModel> LobeModel::create(const Catalog& catalog, const Material& material,
                                     LobeTerm term) {
+    if (isFactor(term)) {
+        return failure("a factor of the highlight is no reflectance", "a polar plot of it");
+    }
     const Result<EvalCase> request = sweepVariant(catalog, material);
     if (!request) {
         return tl::unexpected(request.error());
@@ -36,7 +46,7 @@ Result<LobeModel> LobeModel::create(const Catalog& catalog, const Material& mate
     if (term != LobeTerm::Whole && !hasTerms(block)) {
         return failure(fmt::format("{} does not add a highlight to a diffuse term", block.label));
     }
-    const EvalCase looked = term == LobeTerm::Highlight ? highlightOf(*request) : *request;
+    const EvalCase looked = term == LobeTerm::Highlight ? withoutDiffuse(*request) : *request;
     Result<ModelValues> values = ModelValues::of(looked);
     if (!values) {
         return tl::unexpected(values.error());
@@ -44,7 +54,7 @@ Result<LobeModel> LobeModel::create(const Catalog& catalog, const Material& mate
     LobeModel model(std::move(*values));
     model.isIsotropic_ = block.hasClaim("isotropic");
     if (term == LobeTerm::Diffuse) {
-        model.subtracted_ = *ModelValues::of(highlightOf(*request)); // has the same code
+        model.subtracted_ = *ModelValues::of(withoutDiffuse(*request)); // has the same code
     }
     return model;
 }
@@ -68,8 +78,35 @@ std::string whyNoReflectance(const Block& model) {
                : std::string();
 }
 
+Result<LobeModel> reflectanceModel(const Catalog& catalog, const Material& material,
+                                   LobeTerm term) {
+    const Block* block = catalog.find(kinds::models, material.model.id);
+    if (block != nullptr && !whyNoPlots(*block).empty()) {
+        return failure(whyNoPlots(*block), "a model of a reflectance");
+    }
+    return LobeModel::create(catalog, material, term);
+}
+
+std::string whyNoPlots(const Block& model) {
+    const std::string why = whyNoReflectance(model);
+    return why.empty() ? why
+                       : why + ": its lobe, in the plane of incidence or in 3D, its albedo, the "
+                               "slice over half angles and the error of single precision mean "
+                               "nothing";
+}
+
 bool hasTerms(const Block& model) {
     return model.withRole(roles::diffuse) != nullptr;
+}
+
+EvalCase withoutDiffuse(const EvalCase& request) {
+    EvalCase alone = request;
+    for (const Parameter& parameter : request.block.block->parameters) {
+        if (parameter.role == roles::diffuse) {
+            alone.block.values[parameter.id] = glm::dvec3(0.0);
+        }
+    }
+    return alone;
 }
 
 Material atExactLevels(const Material& material) {

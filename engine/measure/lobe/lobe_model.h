@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "material/material.h"
@@ -10,8 +11,18 @@
 
 namespace patina {
 
-/// Tells which part of a model's light is looked at.
-enum class LobeTerm { Whole, Diffuse, Highlight };
+/// Tells which part of a model's light is looked at: all of it, a term of the sum, or a factor of
+/// the highlight.
+enum class LobeTerm { Whole, Diffuse, Highlight, Distribution, Masking, Fresnel };
+
+/// Tells whether a term is a factor, which is no reflectance.
+inline bool isFactor(LobeTerm term) {
+    return term >= LobeTerm::Distribution;
+}
+
+/// Returns the word of a term: "whole", "diffuse", "distribution"; and the term of a word.
+std::string_view wordOf(LobeTerm term);
+std::optional<LobeTerm> lobeTermOf(std::string_view word);
 
 /// Is the reflectance of a material's model in double precision, with the material's values and
 /// what fills its slot. Images, the opacity, what it emits, and a Fresnel term that is blended over
@@ -44,9 +55,21 @@ class LobeModel {
 /// Says why a model is no reflectance, so that its albedo means nothing; empty where it is one.
 std::string whyNoReflectance(const Block& model);
 
+/// Returns a material's model to be plotted. It is an error, which says why, where its values are
+/// no reflectance, and where LobeModel::create() is one.
+Result<LobeModel> reflectanceModel(const Catalog& catalog, const Material& material,
+                                   LobeTerm term = LobeTerm::Whole);
+
+/// Says which plots mean nothing for a model that is no reflectance, and why; empty for one that
+/// is.
+std::string whyNoPlots(const Block& model);
+
 /// Tells whether the model's light is the sum of a diffuse term and a highlight, so that these can
 /// be looked at alone.
 bool hasTerms(const Block& model);
+
+/// Returns the case without its diffuse term.
+EvalCase withoutDiffuse(const EvalCase& request);
 
 /// Returns the material with every accuracy choice at its exact level.
 Material atExactLevels(const Material& material);

@@ -6,6 +6,7 @@
 
 #include "measure/lobe/half_difference_slice.h"
 #include "measure/lobe/lobe_lines.h"
+#include "measure/lobe/lobe_solid.h"
 
 namespace patina {
 
@@ -16,5 +17,22 @@ std::string linesCsv(const std::vector<LobeSubject>& subjects);
 /// Returns a slice as comma-separated values, a row per cell: degrees of the half vector and of the
 /// difference, and the three channels in 1/sr.
 std::string sliceCsv(const HalfDifferenceSlice& slice);
+
+/// Is the slice of a material, or its lobe, with the material's name.
+struct NamedSlice {
+    std::string name;
+    HalfDifferenceSlice slice;
+};
+struct NamedSolid {
+    std::string name;
+    LobeSolid solid;
+};
+
+/// Returns the same of several materials, with the material in front.
+std::string slicesCsv(const std::vector<NamedSlice>& slices);
+
+/// Returns lobes as comma-separated values, a row per direction: the material, the viewer's degrees
+/// from the normal and from the tangent, and the three channels in 1/sr.
+std::string solidsCsv(const std::vector<NamedSolid>& solids);
 
 } // namespace patina

@@ -26,8 +26,9 @@ double largestOf(const glm::dvec3& v) {
 
 class PolarPoints {
   public:
-    PolarPoints(const LobeModel& model, const Incoming& incoming, const CurveFineness& fineness)
-        : model_(model), incoming_(incoming), light_(incoming.direction()), fineness_(fineness) {}
+    PolarPoints(const DirectionsValue& value, const Incoming& incoming,
+                const CurveFineness& fineness)
+        : value_(value), incoming_(incoming), light_(incoming.direction()), fineness_(fineness) {}
 
     std::vector<LobePoint> points() {
         const std::vector<double> starts = startingAngles();
@@ -46,9 +47,7 @@ class PolarPoints {
     }
 
   private:
-    LobePoint at(double angle) const {
-        return {angle, model_.reflectance(light_, incoming_.across(angle))};
-    }
+    LobePoint at(double angle) const { return {angle, value_(light_, incoming_.across(angle))}; }
 
     std::vector<double> startingAngles() const {
         std::vector<double> angles;
@@ -96,7 +95,7 @@ class PolarPoints {
         return largestOf(glm::abs(middle.f - 0.5 * (left.f + right.f))) > limit;
     }
 
-    const LobeModel& model_;
+    const DirectionsValue& value_;
     Incoming incoming_;
     glm::dvec3 light_;
     CurveFineness fineness_;
@@ -113,11 +112,19 @@ glm::dvec3 Incoming::across(double angleFromNormal) const {
     return {s * std::cos(azimuth), s * std::sin(azimuth), std::max(std::cos(angleFromNormal), 0.0)};
 }
 
-std::vector<LobePoint> polarCurve(const LobeModel& model, const Incoming& incoming,
+std::vector<LobePoint> polarCurve(const DirectionsValue& value, const Incoming& incoming,
                                   const CurveFineness& fineness) {
     Incoming lit = incoming;
     lit.angle = std::clamp(incoming.angle, 0.0, maxIncoming);
-    return PolarPoints(model, lit, fineness).points();
+    return PolarPoints(value, lit, fineness).points();
+}
+
+std::vector<LobePoint> polarCurve(const LobeModel& model, const Incoming& incoming,
+                                  const CurveFineness& fineness) {
+    const DirectionsValue value = [&model](const glm::dvec3& l, const glm::dvec3& v) {
+        return model.reflectance(l, v);
+    };
+    return polarCurve(value, incoming, fineness);
 }
 
 } // namespace patina

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "measure/lobe/lobe_model.h"
@@ -34,6 +35,14 @@ struct CurveFineness {
     double tolerance = 2e-3;   ///< is how far a line between points may be off, of the largest f
     std::size_t points = 1500; ///< limits how many there are
 };
+
+/// Is a value of light and viewer, which are unit directions.
+using DirectionsValue = std::function<glm::dvec3(const glm::dvec3& l, const glm::dvec3& v)>;
+
+/// Returns any value in the plane of incidence over the viewer's angle, -pi/2 .. pi/2, with points
+/// that are closer where the curve bends.
+std::vector<LobePoint> polarCurve(const DirectionsValue& value, const Incoming& incoming,
+                                  const CurveFineness& fineness);
 
 /// Returns the reflectance in the plane of incidence over the viewer's angle, -pi/2 .. pi/2. Points
 /// are closer where the curve bends, so that a narrow lobe keeps its peak.

@@ -10,7 +10,7 @@
 namespace patina {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Is a node of a rule along one angle.
 struct Node {

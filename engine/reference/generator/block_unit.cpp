@@ -12,6 +12,7 @@
 #include "core/text.h"
 #include "declarations.h"
 #include "number_mover.h"
+#include "reference/reference.h"
 
 namespace patina {
 namespace {
@@ -143,11 +144,12 @@ std::string slotCode(const Block& block, const Declarations& declarations) {
 }
 
 /// Returns the name of the function to which a block's table points.
-std::string callName(const BlockFunction& function) {
-    return "call" + std::string(function.suffix);
+std::string callName(std::string_view suffix) {
+    return "call" + std::string(suffix);
 }
 
-std::string directionsCall(const Block& block, const BlockFunction& function) {
+/// Returns a function that calls the block's function of Directions with this suffix.
+std::string directionsCall(const Block& block, std::string_view suffix) {
     std::string slots;
     for (const Slot& slot : block.slots) {
         slots += fmt::format("    p.{0} = filledSlot(fillers, \"{0}\", g);\n", slot.kind);
@@ -156,9 +158,8 @@ std::string directionsCall(const Block& block, const BlockFunction& function) {
                        "         [[maybe_unused]] Fillers fillers) {{\n"
                        "    {1} p = unpack(data);\n{2}"
                        "    Directions d = directions(g.n, g.t, g.b, g.l, g.v);\n"
-                       "    d.pixel = g.pixel;\n    return {3}{4}(d, p);\n}}\n",
-                       callName(function), structName(block), slots, functionName(block),
-                       function.suffix);
+                       "    d.pixel = g.pixel;\n    return vec3({3}{4}(d, p));\n}}\n",
+                       callName(suffix), structName(block), slots, functionName(block), suffix);
 }
 
 /// Returns a function that reads the argument from numbers, calls the block's function and writes
@@ -176,16 +177,40 @@ std::string numbersCall(const Block& block, const BlockFunction& function,
     return fmt::format("void {}([[maybe_unused]] const double* in, double* out,\n"
                        "          [[maybe_unused]] Parameters data) {{\n{}"
                        "    const {} result = {}{}({}unpack(data));\n    {}\n}}\n",
-                       callName(function), before, cppType(result), functionName(block),
+                       callName(function.suffix), before, cppType(result), functionName(block),
                        function.suffix, argument.empty() ? "" : "argument, ",
                        out.write(result, "result"));
 }
 
+/// Returns the suffixes of functions by which a model tells factors of its highlight.
+std::vector<std::string_view> factorsOf(const Block& block, const Declarations& own) {
+    std::vector<std::string_view> found;
+    for (const std::string_view suffix : reference::factorSuffixes) {
+        const std::string name = functionName(block) + std::string(suffix);
+        const bool isThere =
+            block.kind == kinds::models &&
+            std::ranges::any_of(own.functions, [&](const FunctionDeclaration& function) {
+                return function.name == name && function.arguments.size() == 2 &&
+                       function.arguments[0].type == directions &&
+                       function.arguments[1].type == structName(block) &&
+                       (function.result == "float" || function.result == "vec3");
+            });
+        if (isThere) {
+            found.push_back(suffix);
+        }
+    }
+    return found;
+}
+
 /// Returns the functions to which the block's table points.
-std::string entryFunctions(const Block& block, const Declarations& declarations) {
+std::string entryFunctions(const Block& block, const Declarations& declarations,
+                           const std::vector<std::string_view>& factors) {
     std::string code;
+    for (const std::string_view suffix : factors) {
+        code += directionsCall(block, suffix);
+    }
     for (const BlockFunction& function : functionsOf(block)) {
-        code += isOfDirections(function) ? directionsCall(block, function)
+        code += isOfDirections(function) ? directionsCall(block, function.suffix)
                                          : numbersCall(block, function, declarations);
     }
     return code;
@@ -196,12 +221,13 @@ std::string entryAssignments(const Block& block, const Declarations& declaration
     std::string model;
     for (const BlockFunction& function : functionsOf(block)) {
         if (isOfDirections(function)) {
-            model = fmt::format("    block.model = &{};\n", callName(function));
+            model = fmt::format("    block.model = &{};\n", callName(function.suffix));
             continue;
         }
         rows += fmt::format("        BlockCall{{\"{}\", {}, {}, &{}}},\n", function.suffix,
                             declarations.numbers(std::string(function.argument)),
-                            declarations.numbers(std::string(function.result)), callName(function));
+                            declarations.numbers(std::string(function.result)),
+                            callName(function.suffix));
     }
     return rows.empty() ? model
                         : fmt::format("{}    static constexpr BlockCall calls[] = {{\n{}"
@@ -209,8 +235,19 @@ std::string entryAssignments(const Block& block, const Declarations& declaration
                                       model, rows);
 }
 
+std::string factorAssignments(const std::vector<std::string_view>& factors) {
+    std::string rows;
+    for (const std::string_view suffix : factors) {
+        rows += fmt::format("        ModelFactor{{\"{}\", &{}}},\n", suffix, callName(suffix));
+    }
+    return rows.empty() ? rows
+                        : fmt::format("    static constexpr ModelFactor factors[] = {{\n{}"
+                                      "    }};\n    block.factors = factors;\n",
+                                      rows);
+}
+
 std::string entry(const Block& block, const ParameterLayout& layout,
-                  const Declarations& declarations) {
+                  const Declarations& declarations, const std::vector<std::string_view>& factors) {
     std::string fields;
     for (const ParameterField& field : layout.fields) {
         fields += fmt::format("        Field{{\"{}\", {}, {}}},\n", field.name, field.offset,
@@ -226,7 +263,8 @@ std::string entry(const Block& block, const ParameterLayout& layout,
                        "    block.lightGate = {};\n    block.viewGate = {};\n{}{}"
                        "    return block;\n}}\n",
                        block.kind, block.id, layout.floats, block.hasGate("light"),
-                       block.hasGate("view"), table, entryAssignments(block, declarations));
+                       block.hasGate("view"), table,
+                       entryAssignments(block, declarations) + factorAssignments(factors));
 }
 
 } // namespace
@@ -251,13 +289,16 @@ std::string blockSource(const Block& block, const GlslLines& lines) {
         (line->file == own ? code : library).push_back(*line);
     }
     const Declarations declarations = declarationsOf(plainText(library));
+    const std::string ownText = plainText(code);
+    const auto factors = factorsOf(block, declarationsOf(ownText));
     return fmt::format("#include \"reference/elementary.h\"\n#include \"reference/glsl.h\"\n\n"
                        "namespace patina::reference::{0} {{\n\n{1}\n#line 1 \"generated\"\n"
                        "{2}{3}\n{7}{4}\n#line 1 \"generated\"\n{8}{5}\n{6}\n"
                        "}} // namespace patina::reference::{0}\n",
                        unitScope(block), asCpp(library), slotCode(block, declarations),
-                       structCode(block, layout), asCpp(code), entryFunctions(block, declarations),
-                       entry(block, layout, declarations), tableDeclarations(block),
+                       structCode(block, layout), asCpp(code),
+                       entryFunctions(block, declarations, factors),
+                       entry(block, layout, declarations, factors), tableDeclarations(block),
                        asCpp(computedTables(block)));
 }
 

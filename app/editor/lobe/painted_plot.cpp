@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lobe/painted_plot.h"
+
+#include <QBuffer>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QSvgGenerator>
+#include <QToolTip>
+
+#include "text/png.h"
+
+namespace patina {
+namespace {
+
+constexpr QSize paintedFileSize{960, 600};
+constexpr int paintedFileScale = 2;
+constexpr QSize minPaintedSize{180, 120};
+constexpr QSize usualPaintedSize{480, 260};
+
+} // namespace
+
+PaintedPlot::PaintedPlot(QWidget* parent) : PlotWidget(parent) {
+    setMouseTracking(true);
+    setMinimumSize(minPaintedSize);
+}
+
+QByteArray PaintedPlot::png() const {
+    QImage image(paintedFileSize * paintedFileScale, QImage::Format_ARGB32_Premultiplied);
+    image.setDevicePixelRatio(paintedFileScale);
+    image.fill(palette().color(QPalette::Base));
+    QPainter painter(&image);
+    painter.setFont(font());
+    paint(painter, paintedFileSize);
+    painter.end();
+    return asPng(image);
+}
+
+QByteArray PaintedPlot::svg() const {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    QSvgGenerator generator;
+    generator.setOutputDevice(&buffer);
+    generator.setSize(paintedFileSize);
+    generator.setViewBox(QRect(QPoint(), paintedFileSize));
+    generator.setTitle(accessibleName());
+    QPainter painter(&generator);
+    painter.setFont(font());
+    painter.fillRect(QRect(QPoint(), paintedFileSize), palette().color(QPalette::Base));
+    paint(painter, paintedFileSize);
+    painter.end();
+    return bytes;
+}
+
+QSize PaintedPlot::sizeHint() const {
+    return usualPaintedSize;
+}
+
+void PaintedPlot::draw() {
+    update();
+}
+
+void PaintedPlot::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.fillRect(rect(), palette().color(QPalette::Base));
+    paint(painter, size());
+}
+
+void PaintedPlot::mouseMoveEvent(QMouseEvent* event) {
+    QToolTip::showText(event->globalPosition().toPoint(), readingAt(event->position()), this);
+}
+
+} // namespace patina
