@@ -44,8 +44,8 @@ void SceneMeshes::findOpenness() {
     for (const auto& [key, mesh] : made_) {
         openness_.emplace(key, keptOpenness(mesh.view(), opennessFolder()));
     }
-    for (const auto& [key, mesh] : read_) {
-        openness_.emplace(key, keptOpenness(mesh->view(), opennessFolder()));
+    for (const auto& [key, view] : views_) {
+        openness_.emplace(key, keptOpenness(view, opennessFolder()));
     }
 }
 
@@ -77,7 +77,9 @@ Result<void> SceneMeshes::add(const Object& object, AssetClient& client) {
         made_.emplace(meshKey(object), std::move(*mesh));
         return {};
     }
-    auto mesh = client.loadMesh({object.mesh, object.fitUnitBox, object.flipNormals});
+    const bool byMaterial = !object.part.empty();
+    auto mesh =
+        client.loadMesh({object.mesh, object.fitUnitBox, object.flipNormals, 1.0, byMaterial});
     const bool hasRefusedLinks = !client.refusedLinks(object.mesh).empty();
     if (!mesh) {
         Error error = mesh.error();
@@ -90,8 +92,14 @@ Result<void> SceneMeshes::add(const Object& object, AssetClient& client) {
     if (const std::string& remarks = (*mesh)->remarks(); !remarks.empty()) {
         remarks_.push_back({object.mesh, 0, 0, remarks, hasRefusedLinks ? allowOutsideHint : ""});
     }
-    read_.emplace(meshKey(object), std::move(*mesh));
-    return {};
+    MeshKey key = meshKey(object);
+    for (const MeshPartView& part : (*mesh)->parts()) {
+        key.part = byMaterial ? part.material.name : std::string();
+        views_.emplace(key, part.view);
+    }
+    const bool isThere = views_.contains(meshKey(object));
+    read_.push_back(std::move(*mesh));
+    return isThere ? Result<void>() : tl::unexpected(missingPart(object.mesh, object.part));
 }
 
 Errors SceneMeshes::remarks() const {
@@ -105,8 +113,8 @@ MeshView SceneMeshes::view(const Object& object) const {
     MeshView view;
     if (const auto made = made_.find(key); made != made_.end()) {
         view = made->second.view();
-    } else if (const auto read = read_.find(key); read != read_.end()) {
-        view = read->second->view();
+    } else if (const auto read = views_.find(key); read != views_.end()) {
+        view = read->second;
     }
     if (const auto openness = openness_.find(key); openness != openness_.end()) {
         view.openness = openness->second;

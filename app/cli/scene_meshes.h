@@ -35,7 +35,9 @@ class SceneMeshes {
     Errors placeless_;
     Errors remarks_; ///< warnings of the meshes that were read
     std::map<MeshKey, Mesh> made_;
-    std::map<MeshKey, std::shared_ptr<const SharedMesh>> read_;
+    std::vector<std::shared_ptr<const SharedMesh>> read_;
+    /// Refers to the whole of meshes, and to the parts of those that are shown in parts.
+    std::map<MeshKey, MeshView> views_;
     /// Is filled where the scene asks for it.
     std::map<MeshKey, std::vector<VertexOpenness>> openness_;
 };

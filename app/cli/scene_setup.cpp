@@ -140,6 +140,7 @@ std::vector<std::string> inOrder(std::vector<std::string> sets, Material& materi
 
 void useMesh(Object& object, const std::string& mesh) {
     object.mesh = mesh;
+    object.part.clear();
     object.fitUnitBox = !mesh.starts_with(builtin);
     if (object.fitUnitBox) {
         object.mesh = std::filesystem::absolute(mesh).generic_string();

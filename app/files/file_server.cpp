@@ -113,20 +113,20 @@ Result<FileServer::Answer> FileServer::answer(const Channel::Delivery& request) 
 Result<FileServer::Answer> FileServer::readMesh(const Message& request) {
     MeshOptions options;
     LinkRights rights;
-    if (request.numbers.size() == 4 && request.texts.size() == 2) {
-        options = {request.numbers[0], request.numbers[1] != 0.0, request.numbers[2] != 0.0};
-        rights = {request.numbers[3] != 0.0, splitPaths(request.texts[1])};
+    if (request.numbers.size() == 5 && request.texts.size() == 2) {
+        options = {request.numbers[0], request.numbers[1] != 0.0, request.numbers[2] != 0.0,
+                   request.numbers[3] != 0.0};
+        rights = {request.numbers[4] != 0.0, splitPaths(request.texts[1])};
     }
     std::optional<SharedBlock> block;
-    const MeshStorage storage = [&](std::size_t vertices,
-                                    std::size_t indices) -> Result<MeshSpans> {
-        const std::size_t size = MeshBlock::sizeFor(vertices, indices);
+    const MeshStorage storage = [&](std::span<const MeshPart> parts) -> Result<MeshSpans> {
+        const std::size_t size = MeshBlock::sizeFor(parts);
         auto fresh = size != 0 ? SharedBlock::create(size) : failure("is too large");
         if (!fresh) {
             return tl::unexpected(fresh.error());
         }
         block.emplace(std::move(*fresh));
-        const MeshBlock mesh = MeshBlock::format(block->bytes(), vertices, indices);
+        const MeshBlock mesh = MeshBlock::format(block->bytes(), parts);
         return MeshSpans{mesh.vertices, mesh.indices};
     };
     const auto folder = std::make_shared<MeshFolder>(request.texts[0], std::move(rights));

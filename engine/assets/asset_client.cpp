@@ -23,15 +23,15 @@ namespace fs = std::filesystem;
 
 class MappedMesh final : public SharedMesh {
   public:
-    MappedMesh(SharedBlock block, MeshView view, std::string remarks)
-        : block_(std::move(block)), view_(view), remarks_(std::move(remarks)) {}
+    MappedMesh(SharedBlock block, std::vector<MeshPartView> parts, std::string remarks)
+        : block_(std::move(block)), parts_(std::move(parts)), remarks_(std::move(remarks)) {}
 
-    MeshView view() const override { return view_; }
+    const std::vector<MeshPartView>& parts() const override { return parts_; }
     const std::string& remarks() const override { return remarks_; }
 
   private:
     SharedBlock block_;
-    MeshView view_;
+    std::vector<MeshPartView> parts_;
     std::string remarks_;
 };
 
@@ -160,7 +160,7 @@ Result<std::shared_ptr<const SharedMesh>> AssetClient::loadMesh(const MeshReques
     }
     const FileRights rights = implementation_->rights();
     const std::vector<double> numbers{mesh.scale, mesh.fitUnitBox ? 1.0 : 0.0,
-                                      mesh.flipNormals ? 1.0 : 0.0,
+                                      mesh.flipNormals ? 1.0 : 0.0, mesh.byMaterial ? 1.0 : 0.0,
                                       rights.allowsEveryLink ? 1.0 : 0.0};
     const std::vector<std::string> links(rights.links.begin(), rights.links.end());
     const std::vector<std::string> texts{fullPath(mesh.file), joinedPaths(links)};
@@ -172,11 +172,12 @@ Result<std::shared_ptr<const SharedMesh>> AssetClient::loadMesh(const MeshReques
         if (!block) {
             return tl::unexpected(block.error());
         }
-        const auto view = MeshBlock::checked(std::as_const(*block).bytes());
-        if (!view) {
-            return tl::unexpected(view.error());
+        auto parts = MeshBlock::checked(std::as_const(*block).bytes());
+        if (!parts) {
+            return tl::unexpected(parts.error());
         }
-        return std::make_shared<MappedMesh>(std::move(*block), *view, std::move(answer.remarks));
+        return std::make_shared<MappedMesh>(std::move(*block), std::move(*parts),
+                                            std::move(answer.remarks));
     });
 }
 

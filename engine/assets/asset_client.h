@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "assets/file_rights.h"
+#include "assets/mesh_block.h"
 #include "assets/texture_maker.h"
 #include "core/error.h"
 #include "core/image.h"
@@ -21,6 +22,7 @@ struct MeshRequest {
     bool fitUnitBox = false; ///< centres the mesh and scales it to fit a cube from -1 to 1
     bool flipNormals = false;
     double scale = 1.0;
+    bool byMaterial = false; ///< makes the triangles of each material a part of their own
 
     friend bool operator==(const MeshRequest&, const MeshRequest&) = default;
 };
@@ -30,7 +32,13 @@ struct MeshRequest {
 class SharedMesh {
   public:
     virtual ~SharedMesh() = default;
-    virtual MeshView view() const = 0;
+
+    /// Returns the parts; there is one at least, and no more where the request did not ask for
+    /// them. They are in the order in which the file first uses their materials.
+    virtual const std::vector<MeshPartView>& parts() const = 0;
+
+    /// Returns the first part, which is the whole where there is no other one.
+    MeshView view() const { return parts().front().view; }
 
     /// Returns what was repaired while reading ("12 of 500 triangles had no area and were left
     /// out"); empty when nothing was. It is one sentence for the message list, without a final
@@ -66,10 +74,10 @@ class AssetClient {
     /// not read last time, because nobody allowed them.
     std::vector<std::string> refusedLinks(const std::filesystem::path& mesh) const;
 
-    /// Reads the whole file as one list of triangles: node transforms are applied, each vertex has
-    /// a normal and a tangent, and vertices are joined and ordered. Errors name the file and what
-    /// was wrong, also when the process crashed ("stopped unexpectedly while reading"), ran out of
-    /// time or memory, or was cancelled.
+    /// Reads the whole file as one list of triangles, or as one for each material: node transforms
+    /// are applied, each vertex has a normal and a tangent, and vertices are joined and ordered.
+    /// Errors name the file and what was wrong, also when the process crashed ("stopped
+    /// unexpectedly while reading"), ran out of time or memory, or was cancelled.
     Result<std::shared_ptr<const SharedMesh>> loadMesh(const MeshRequest&, Progress* = nullptr);
 
     /// Reads PNG, JPEG, EXR, HDR, ...; 8-bit formats are decoded from sRGB to linear. Errors are as

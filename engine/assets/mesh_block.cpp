@@ -3,21 +3,32 @@
 
 #include <cstring>
 #include <limits>
+#include <string>
+
+#include "assets/material_text.h"
 
 namespace patina {
 namespace {
 
 constexpr std::uint32_t meshMagic = 0x48534d50; // "PMSH"
-constexpr std::uint32_t meshVersion = 1;
+constexpr std::uint32_t meshVersion = 2;
+constexpr std::size_t maxParts = 4096;
 
 struct MeshHeader {
     std::uint32_t magic = meshMagic;
     std::uint32_t version = meshVersion;
     std::uint64_t vertexCount = 0;
     std::uint64_t indexCount = 0;
-    std::uint64_t reserved[5] = {};
+    std::uint64_t partCount = 0;
+    std::uint64_t textBytes = 0; ///< has no padding: it is the end of the block
+    std::uint64_t reserved[3] = {};
 };
 static_assert(sizeof(MeshHeader) == 64);
+
+struct PartSize {
+    std::uint32_t vertices = 0;
+    std::uint32_t indices = 0;
+};
 static_assert(sizeof(Vertex) == 48);
 
 /// Returns true when no float has all exponent bits set (infinity or not a number).
@@ -42,30 +53,72 @@ bool allBelow(std::span<const std::uint32_t> indices, std::uint64_t limit) {
     return highest < limit;
 }
 
-} // namespace
+MeshHeader headerFor(std::span<const MeshPart> parts) {
+    MeshHeader header;
+    for (const MeshPart& part : parts) {
+        header.vertexCount += part.vertices;
+        header.indexCount += part.indices;
+    }
+    header.partCount = parts.size();
+    header.textBytes = materialText(parts).size();
+    return header;
+}
 
-std::size_t MeshBlock::sizeFor(std::size_t vertexCount, std::size_t indexCount) {
+/// Returns the size of the block with this header; 0 where there can be none.
+std::size_t sizeOf(const MeshHeader& header) {
     constexpr std::size_t limit = std::numeric_limits<std::uint32_t>::max();
-    if (vertexCount == 0 || vertexCount > limit || indexCount == 0 || indexCount > limit ||
-        indexCount % 3 != 0) {
+    if (header.vertexCount == 0 || header.vertexCount > limit || header.indexCount == 0 ||
+        header.indexCount > limit || header.indexCount % 3 != 0 || header.partCount == 0 ||
+        header.partCount > maxParts || header.textBytes > limit) {
         return 0;
     }
-    return sizeof(MeshHeader) + vertexCount * sizeof(Vertex) + indexCount * sizeof(std::uint32_t);
+    return sizeof(MeshHeader) + header.vertexCount * sizeof(Vertex) +
+           header.indexCount * sizeof(std::uint32_t) + header.partCount * sizeof(PartSize) +
+           header.textBytes;
 }
 
-MeshBlock MeshBlock::format(std::span<std::byte> block, std::size_t vertexCount,
-                            std::size_t indexCount) {
-    MeshHeader header;
-    header.vertexCount = vertexCount;
-    header.indexCount = indexCount;
+/// Takes a part's triangles from the front of what is left of a mesh.
+Result<MeshView> takePart(std::span<const Vertex>& vertices,
+                          std::span<const std::uint32_t>& indices, const PartSize& size) {
+    if (size.vertices > vertices.size() || size.indices > indices.size() || size.indices == 0 ||
+        size.indices % 3 != 0) {
+        return failure("the mesh block has a part of an impossible size");
+    }
+    const std::span own = vertices.first(size.vertices);
+    const std::span corners = indices.first(size.indices);
+    vertices = vertices.subspan(size.vertices);
+    indices = indices.subspan(size.indices);
+    if (!allBelow(corners, own.size())) {
+        return failure("the mesh block has an index beyond its vertices");
+    }
+    return MeshView{own, corners, boundsOf(own)};
+}
+
+} // namespace
+
+std::size_t MeshBlock::sizeFor(std::span<const MeshPart> parts) {
+    return sizeOf(headerFor(parts));
+}
+
+MeshBlock MeshBlock::format(std::span<std::byte> block, std::span<const MeshPart> parts) {
+    const MeshHeader header = headerFor(parts);
+    const std::string text = materialText(parts);
     std::memcpy(block.data(), &header, sizeof header);
     std::byte* const vertices = block.data() + sizeof header;
-    std::byte* const indices = vertices + vertexCount * sizeof(Vertex);
-    return {{reinterpret_cast<Vertex*>(vertices), vertexCount},
-            {reinterpret_cast<std::uint32_t*>(indices), indexCount}};
+    std::byte* const indices = vertices + header.vertexCount * sizeof(Vertex);
+    std::byte* rest = indices + header.indexCount * sizeof(std::uint32_t);
+    for (const MeshPart& part : parts) {
+        const PartSize size{static_cast<std::uint32_t>(part.vertices),
+                            static_cast<std::uint32_t>(part.indices)};
+        std::memcpy(rest, &size, sizeof size);
+        rest += sizeof size;
+    }
+    std::memcpy(rest, text.data(), text.size());
+    return {{reinterpret_cast<Vertex*>(vertices), header.vertexCount},
+            {reinterpret_cast<std::uint32_t*>(indices), header.indexCount}};
 }
 
-Result<MeshView> MeshBlock::checked(std::span<const std::byte> block) {
+Result<std::vector<MeshPartView>> MeshBlock::checked(std::span<const std::byte> block) {
     MeshHeader header;
     if (block.size() < sizeof header) {
         return failure("the mesh block is shorter than its header");
@@ -74,21 +127,36 @@ Result<MeshView> MeshBlock::checked(std::span<const std::byte> block) {
     if (header.magic != meshMagic || header.version != meshVersion) {
         return failure("the mesh block does not start as one");
     }
-    if (block.size() != sizeFor(header.vertexCount, header.indexCount)) {
+    if (sizeOf(header) == 0 || block.size() != sizeOf(header)) {
         return failure("the mesh block does not have the size it claims");
     }
     const std::byte* const first = block.data() + sizeof header;
-    const std::span vertices(reinterpret_cast<const Vertex*>(first), header.vertexCount);
-    const std::span indices(
-        reinterpret_cast<const std::uint32_t*>(vertices.data() + vertices.size()),
-        header.indexCount);
+    std::span vertices(reinterpret_cast<const Vertex*>(first), header.vertexCount);
+    std::span indices(reinterpret_cast<const std::uint32_t*>(vertices.data() + vertices.size()),
+                      header.indexCount);
+    const std::span sizes(reinterpret_cast<const PartSize*>(indices.data() + indices.size()),
+                          header.partCount);
+    const std::string_view text(reinterpret_cast<const char*>(sizes.data() + sizes.size()),
+                                header.textBytes);
     if (!allFinite(vertices)) {
         return failure("the mesh block has a number that is not finite");
     }
-    if (!allBelow(indices, header.vertexCount)) {
-        return failure("the mesh block has an index beyond its vertices");
+    auto materials = materialsIn(text, header.partCount);
+    if (!materials) {
+        return failure("the mesh block does not say what its materials are");
     }
-    return MeshView{vertices, indices, boundsOf(vertices)};
+    std::vector<MeshPartView> parts;
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        const auto view = takePart(vertices, indices, sizes[i]);
+        if (!view) {
+            return tl::unexpected(view.error());
+        }
+        parts.push_back({std::move((*materials)[i]), *view});
+    }
+    if (!vertices.empty() || !indices.empty()) {
+        return failure("the mesh block has more than its parts");
+    }
+    return parts;
 }
 
 } // namespace patina

@@ -15,7 +15,8 @@ namespace patina {
 enum class MessageKind : std::uint32_t {
     warmImages = 1, ///< client asks to load the image formats in the background
     readMesh,       ///< client sends texts {file, paths of links that may be read} and numbers
-                    ///< {scale, fitUnitBox, flipNormals, whether every link may be read}
+                    ///< {scale, fitUnitBox, flipNormals, byMaterial, whether every link may be
+                    ///< read}
     readImage,      ///< client sends texts {file}, and numbers {1} when it wants the numbers of the
                     ///< file, not decoded
     writeImage,     ///< client sends texts {file} and attaches an image block

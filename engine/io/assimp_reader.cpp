@@ -14,6 +14,7 @@
 #include <assimp/scene.h>
 
 #include "io/assimp_files.h"
+#include "io/assimp_materials.h"
 #include "io/mesh_limits.h"
 #include "io/polygon_cutter.h"
 
@@ -108,6 +109,7 @@ void appendMesh(RawMesh& mesh, const aiMesh& part, const glm::dmat4& matrix) {
         appendTangents(mesh, first, part);
     }
     appendFaces(mesh, first, part);
+    mesh.setMaterial(firstIndex, part.mMaterialIndex);
     mesh.transform(matrix, first, firstIndex);
 }
 
@@ -172,6 +174,7 @@ Result<RawMesh> meshFrom(const std::shared_ptr<MeshFolder>& folder, const Report
         return tl::unexpected(unreadable(file, "it is too large or nested too deeply"));
     }
     mesh.padAttributes();
+    mesh.materials = materialsFrom(*scene, *folder);
     return mesh;
 }
 

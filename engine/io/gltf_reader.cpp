@@ -10,6 +10,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "io/gltf_file.h"
+#include "io/gltf_materials.h"
 #include "io/gltf_primitive.h"
 #include "io/gltf_views.h"
 #include "io/mesh_limits.h"
@@ -126,7 +127,7 @@ class Gatherer {
             if (whole_.positions.size() + (*part)->positions.size() > maxVertices) {
                 return failure("is too large");
             }
-            addPart(**part, matrix);
+            addPart(**part, matrix, primitives[i].material);
         }
         report_(double(index + 1) / double(model_.meshes.size()));
         return {};
@@ -148,7 +149,7 @@ class Gatherer {
         return &decoded_.emplace(key, std::move(*part)).first->second;
     }
 
-    void addPart(const RawMesh& part, const glm::dmat4& matrix) {
+    void addPart(const RawMesh& part, const glm::dmat4& matrix, int material) {
         const std::size_t first = whole_.positions.size();
         const std::size_t firstIndex = whole_.indices.size();
         append(whole_.positions, first, part.positions, glm::vec3(0.0f));
@@ -160,6 +161,9 @@ class Gatherer {
         }
         for (const std::uint32_t index : part.indices) {
             whole_.indices.push_back(static_cast<std::uint32_t>(first + index));
+        }
+        if (material >= 0) {
+            whole_.setMaterial(firstIndex, static_cast<std::uint32_t>(material));
         }
         whole_.pointsAndLines += part.pointsAndLines;
         whole_.transform(matrix, first, firstIndex);
@@ -187,6 +191,7 @@ Result<std::optional<RawMesh>> readGltf(MeshFolder& folder, const ReportProgress
     if (!mesh) {
         return tl::unexpected(mesh.error());
     }
+    mesh->materials = materialsFrom(**model, folder);
     return std::optional(std::move(*mesh));
 }
 

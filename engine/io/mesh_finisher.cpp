@@ -9,6 +9,7 @@
 #include <meshoptimizer.h>
 
 #include "core/vectors.h"
+#include "io/mesh_parts.h"
 #include "io/normals.h"
 #include "io/tangents.h"
 #include "io/triangle_filter.h"
@@ -100,6 +101,30 @@ void write(const RawMesh& mesh, const MeshSpans& target) {
     }
 }
 
+Result<void> writeParts(const std::vector<RawMesh>& meshes, const MeshStorage& storage) {
+    std::vector<MeshMaterial> materials;
+    for (const RawMesh& mesh : meshes) {
+        materials.insert(materials.end(), mesh.materials.begin(), mesh.materials.end());
+    }
+    std::vector<MeshPart> parts;
+    for (const RawMesh& mesh : meshes) {
+        const bool isNamed = !mesh.materials.empty();
+        parts.push_back({isNamed ? mesh.materials.front() : nameless(materials),
+                         mesh.positions.size(), mesh.indices.size()});
+    }
+    auto target = storage(parts);
+    if (!target) {
+        return tl::unexpected(target.error());
+    }
+    for (const RawMesh& mesh : meshes) {
+        write(mesh, {target->vertices.first(mesh.positions.size()),
+                     target->indices.first(mesh.indices.size())});
+        target->vertices = target->vertices.subspan(mesh.positions.size());
+        target->indices = target->indices.subspan(mesh.indices.size());
+    }
+    return {};
+}
+
 } // namespace
 
 Result<std::string> finishMesh(RawMesh mesh, const MeshOptions& options,
@@ -117,12 +142,12 @@ Result<std::string> finishMesh(RawMesh mesh, const MeshOptions& options,
     if (options.flipNormals) {
         flip(mesh);
     }
-    const auto target = storage(mesh.positions.size(), mesh.indices.size());
-    if (!target) {
-        return tl::unexpected(target.error());
+    const std::string remarks = remarksOn(dropped, mesh.indices.size() / 3);
+    if (!options.byMaterial) {
+        mesh.materials.clear();
+        mesh.materialOf.clear();
     }
-    write(mesh, *target);
-    return remarksOn(dropped, mesh.indices.size() / 3);
+    return writeParts(splitByMaterial(std::move(mesh)), storage).map([&] { return remarks; });
 }
 
 } // namespace patina

@@ -9,6 +9,8 @@ struct MeshOptions {
     /// The mesh is centred and its longest side becomes 2 before it is scaled.
     bool fitUnitBox = false;
     bool flipNormals = false;
+    /// The triangles of each material become a part of their own.
+    bool byMaterial = false;
 
     friend bool operator==(const MeshOptions&, const MeshOptions&) = default;
 };

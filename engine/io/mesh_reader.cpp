@@ -61,7 +61,7 @@ Result<RawMesh> readFormerGltf(const Folder& folder, const std::string& format,
     return mesh;
 }
 
-Result<RawMesh> readTriangles(const Folder& folder, const ReportProgress& report) {
+Result<RawMesh> readTriangles(const Folder& folder, bool byMaterial, const ReportProgress& report) {
     const std::filesystem::path& file = folder->file();
     const std::string format = formatOf(file);
     if (isUtf16Text(file, format)) {
@@ -71,7 +71,7 @@ Result<RawMesh> readTriangles(const Folder& folder, const ReportProgress& report
         return failure("is not a PLY file, or its header is cut short");
     }
     if (format == ".obj") {
-        if (auto mesh = readPlainObj(file, report)) {
+        if (auto mesh = readPlainObj(file, byMaterial, report)) {
             return std::move(*mesh);
         }
         return readGeneralObj(folder, report);
@@ -124,7 +124,8 @@ Result<MeshReading> readMesh(const Folder& folder, const MeshOptions& options,
     const ReportProgress reading = [&](double done) { report(shareOfReading * done); };
     std::shared_ptr<void> leftovers;
     return OrdinaryFile::open(folder->file(), maxAssetBytes)
-        .and_then([&](const OrdinaryFile&) { return readTriangles(folder, reading); })
+        .and_then(
+            [&](const OrdinaryFile&) { return readTriangles(folder, options.byMaterial, reading); })
         .and_then([&](RawMesh mesh) {
             report(shareOfReading);
             leftovers = std::move(mesh.leftovers);

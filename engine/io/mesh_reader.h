@@ -21,7 +21,8 @@ struct MeshReading {
 
 /// Reads every triangle of the folder's mesh file (glTF and GLB through tinygltf, all else through
 /// Assimp) into the storage: node transforms applied, triangles without area left out, normals and
-/// tangents completed, vertices joined and ordered for the GPU's caches. Errors name the file; may
+/// tangents completed, taken apart by materials where the options say so, vertices joined and
+/// ordered for the GPU's caches. Errors name the file; may
 /// throw std::bad_alloc.
 Result<MeshReading> readMesh(const std::shared_ptr<MeshFolder>& folder, const MeshOptions& options,
                              const MeshStorage& storage, const ReportProgress& report);

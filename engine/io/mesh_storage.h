@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/mesh.h"
+#include "core/mesh_material.h"
 
 namespace patina {
 
@@ -17,8 +18,9 @@ struct MeshSpans {
     std::span<std::uint32_t> indices;
 };
 
-/// Allocates memory for exactly these counts. It is called once, when the counts are known, so that
-/// a mesh is written where it is used and never copied.
-using MeshStorage = std::function<Result<MeshSpans>(std::size_t vertices, std::size_t indices)>;
+/// Allocates memory for exactly these parts, one after the other, and keeps what is said of them.
+/// It is called once, when the counts are known, so that a mesh is written where it is used and
+/// never copied.
+using MeshStorage = std::function<Result<MeshSpans>(std::span<const MeshPart> parts)>;
 
 } // namespace patina

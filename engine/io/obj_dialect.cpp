@@ -100,6 +100,18 @@ std::optional<std::string> withLeadingZeros(std::string_view text) {
     return whole.append(text, done);
 }
 
+bool choosesMaterials(std::string_view text) {
+    constexpr std::string_view word = "usemtl";
+    for (std::size_t at = text.find(word); at != std::string_view::npos;
+         at = text.find(word, at + 1)) {
+        const std::size_t before = at == 0 ? 0 : text.find_last_not_of(blanks, at - 1);
+        if (at == 0 || before == std::string_view::npos || text[before] == '\n') {
+            return true;
+        }
+    }
+    return false;
+}
+
 bool isPlainObj(std::string_view text) {
     if (text.find('\\') != std::string_view::npos || text.find('\0') != std::string_view::npos) {
         return false;

@@ -123,10 +123,10 @@ bool addShape(RawMesh& mesh, const tinyobj::attrib_t& from, const tinyobj::shape
 
 } // namespace
 
-std::optional<RawMesh> readPlainObj(const std::filesystem::path& file,
+std::optional<RawMesh> readPlainObj(const std::filesystem::path& file, bool byMaterial,
                                     const ReportProgress& report) {
     std::optional<std::string> text = textOf(file);
-    if (!text || !isPlainObj(*text)) {
+    if (!text || !isPlainObj(*text) || (byMaterial && choosesMaterials(*text))) {
         return std::nullopt;
     }
     const auto obj = parsed(std::move(*text), report);

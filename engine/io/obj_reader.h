@@ -14,8 +14,9 @@ namespace patina {
 /// Reads the triangles of an OBJ file through tinyobjloader, which keeps the file's shared corners
 /// where Assimp takes them apart, and so needs half the time and a third of the memory for a large
 /// mesh. Returns nothing when the file uses more of the format than tinyobjloader reads faithfully
-/// (polygons, continued lines, homogeneous coordinates, NaN) or is damaged: ask Assimp then.
-std::optional<RawMesh> readPlainObj(const std::filesystem::path& file,
+/// (polygons, continued lines, homogeneous coordinates, NaN) or is damaged, and when `byMaterial`
+/// and it has materials: ask Assimp then.
+std::optional<RawMesh> readPlainObj(const std::filesystem::path& file, bool byMaterial,
                                     const ReportProgress& report);
 
 /// Returns an OBJ file's text as Assimp understands it (see withLeadingZeros; without a byte order

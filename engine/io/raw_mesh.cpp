@@ -48,6 +48,11 @@ void RawMesh::transform(const glm::dmat4& matrix, std::size_t first, std::size_t
     }
 }
 
+void RawMesh::setMaterial(std::size_t firstIndex, std::uint32_t material) {
+    materialOf.resize(firstIndex / 3, noMaterial);
+    materialOf.resize(indices.size() / 3, material);
+}
+
 void RawMesh::padAttributes() {
     if (!normals.empty()) {
         normals.resize(positions.size(), glm::vec3(0.0f));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/triangle_filter.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -64,10 +65,14 @@ UselessTriangles dropUselessTriangles(RawMesh& mesh) {
             mesh.indices[kept] = corners[0];
             mesh.indices[kept + 1] = corners[1];
             mesh.indices[kept + 2] = corners[2];
+            if (i / 3 < mesh.materialOf.size()) {
+                mesh.materialOf[kept / 3] = mesh.materialOf[i / 3];
+            }
             kept += 3;
         }
     }
     mesh.indices.resize(kept);
+    mesh.materialOf.resize(std::min(mesh.materialOf.size(), kept / 3));
     return useless;
 }
 

@@ -10,6 +10,7 @@ namespace patina {
 /// Identifies the triangles of an object: two objects with equal keys have the same ones.
 struct MeshKey {
     std::string mesh;
+    std::string part;
     bool fitUnitBox = false;
     bool flipNormals = false;
 
@@ -17,7 +18,7 @@ struct MeshKey {
 };
 
 inline MeshKey meshKey(const Object& object) {
-    return {object.mesh, object.fitUnitBox, object.flipNormals};
+    return {object.mesh, object.part, object.fitUnitBox, object.flipNormals};
 }
 
 } // namespace patina

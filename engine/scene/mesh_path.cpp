@@ -28,4 +28,8 @@ std::string meshForFile(const std::string& mesh, const std::filesystem::path& fo
     return relative.empty() ? mesh : relative.generic_string();
 }
 
+Error missingPart(const std::string& mesh, const std::string& part) {
+    return Error{mesh, 0, 0, "has no triangles of a material \"" + part + '"', {}};
+}
+
 } // namespace patina

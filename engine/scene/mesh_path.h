@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/error.h"
+
 namespace patina {
 
 /// Returns "sphere" for "builtin:sphere"; nothing for the path of a file.
@@ -17,5 +19,8 @@ std::string meshFromFile(const std::string& mesh, const std::filesystem::path& f
 
 /// Returns the inverse: relative to the folder, with forward slashes.
 std::string meshForFile(const std::string& mesh, const std::filesystem::path& folder);
+
+/// Returns the error for an object whose mesh has no triangles of the material that it names.
+Error missingPart(const std::string& mesh, const std::string& part);
 
 } // namespace patina

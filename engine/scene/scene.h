@@ -21,6 +21,7 @@ namespace patina {
 struct Object {
     std::string name;
     std::string mesh = "builtin:sphere"; ///< is "builtin:<name>", or a path with forward slashes
+    std::string part; ///< names the material of the mesh file whose triangles it has; empty: all
     bool fitUnitBox = false; ///< scales and centres the mesh into [-1, 1]^3 before the transform
     bool flipNormals = false;
     bool visible = true;

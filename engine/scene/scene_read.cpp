@@ -90,6 +90,7 @@ class SceneReader {
         Object object;
         reader.read("name", object.name);
         reader.read("group", object.group);
+        reader.read("part", object.part);
         readSettingsOf(object, settings::object, reader);
         readMesh(reader, object);
         object.material = materialOf(reader);

@@ -25,6 +25,9 @@ Json toJson(const Object& object, const std::filesystem::path& folder) {
     Json json = object.unknown;
     json["name"] = object.name;
     json["mesh"] = meshForFile(object.mesh, folder);
+    if (!object.part.empty()) {
+        json["part"] = object.part;
+    }
     if (!object.group.empty()) {
         json["group"] = object.group;
     }

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <thread>
 
-#include <sys/socket.h>
 #include <sys/mman.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include "assets/channel.h"
@@ -24,10 +24,12 @@ namespace {
 
 constexpr std::size_t headerBytes = 64; // of a mesh block
 
+const MeshPart triangleSize{{"No material", {}, {}, {}}, 3, 3};
+
 /// A good triangle, for the lies to change.
 SharedBlock triangle() {
-    SharedBlock block = *SharedBlock::create(MeshBlock::sizeFor(3, 3));
-    const MeshBlock mesh = MeshBlock::format(block.bytes(), 3, 3);
+    SharedBlock block = *SharedBlock::create(MeshBlock::sizeFor({&triangleSize, 1}));
+    const MeshBlock mesh = MeshBlock::format(block.bytes(), {&triangleSize, 1});
     for (std::uint32_t i = 0; i < 3; ++i) {
         mesh.vertices[i] = Vertex{};
         mesh.vertices[i].position = {i == 1, i == 2, 0.0f};
@@ -51,7 +53,7 @@ void answer(const Channel& channel, SharedBlock block) {
 /// Memory that this process could still change after the client has checked it.
 void answerUnsealed(const Channel& channel) {
     const FileHandle handle(::memfd_create("unsealed", MFD_ALLOW_SEALING));
-    const std::size_t size = MeshBlock::sizeFor(3, 3);
+    const std::size_t size = MeshBlock::sizeFor({&triangleSize, 1});
     const SharedBlock block = triangle();
     if (::write(handle.get(), block.bytes().data(), size) == static_cast<ssize_t>(size)) {
         channel.send({MessageKind::done, {}, {""}}, handle.get());

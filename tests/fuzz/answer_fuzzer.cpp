@@ -37,8 +37,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::vector<std::uint64_t> words((size + 7) / 8);
     std::memcpy(words.data(), data, size);
     const std::span block = std::as_bytes(std::span(words)).first(size);
-    if (const auto mesh = patina::MeshBlock::checked(block)) {
-        useMesh(*mesh);
+    if (const auto parts = patina::MeshBlock::checked(block)) {
+        for (const patina::MeshPartView& part : *parts) {
+            useMesh(part.view);
+        }
     }
     [[maybe_unused]] const auto image = patina::ImageBlock::checked(block);
     [[maybe_unused]] const auto text = patina::TextBlock::checked(block);

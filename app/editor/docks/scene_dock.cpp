@@ -150,7 +150,8 @@ void SceneDock::fillMenu() {
 void SceneDock::update() {
     std::vector<CheckList::Row> rows;
     for (const Object& object : document_.scene().objects) {
-        const QString mesh = QString::fromStdString(object.mesh);
+        const QString mesh = QString::fromStdString(
+            object.part.empty() ? object.mesh : object.mesh + " (" + object.part + ')');
         const QString group = QString::fromStdString(object.group);
         rows.push_back({nameOf(object), group.isEmpty() ? mesh : tr("%1, in %2").arg(mesh, group),
                         object.visible});

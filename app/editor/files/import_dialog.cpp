@@ -34,7 +34,8 @@ class ScaleBox : public QDoubleSpinBox {
 ImportDialog::ImportDialog(const QString& file, const MeshImport& import, QWidget* parent)
     : QDialog(parent), fits_(new QCheckBox(tr("&Fit into a unit box"), this)),
       scale_(new ScaleBox(this)), up_(new QComboBox(this)),
-      flips_(new QCheckBox(tr("Flip &normals"), this)) {
+      flips_(new QCheckBox(tr("Flip &normals"), this)),
+      joins_(new QCheckBox(tr("&Join into one object"), this)) {
     setObjectName("import");
     setWindowTitle(tr("Import %1").arg(shortened(QFileInfo(file).fileName())));
     fits_->setChecked(import.fits);
@@ -51,6 +52,9 @@ ImportDialog::ImportDialog(const QString& file, const MeshImport& import, QWidge
     up_->setToolTip(tr("Which axis points up in the file"));
     flips_->setChecked(import.flips);
     flips_->setToolTip(tr("For meshes whose surfaces point inwards and look black"));
+    joins_->setChecked(import.joins);
+    joins_->setToolTip(tr("One object with the current material. Otherwise each material of the "
+                          "file is an object that looks as the file says."));
     auto* hint = new QLabel(tr("With Shift held the last choices are taken without asking."), this);
     hint->setForegroundRole(QPalette::PlaceholderText);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
@@ -62,12 +66,13 @@ ImportDialog::ImportDialog(const QString& file, const MeshImport& import, QWidge
     layout->addRow(tr("&Scale"), scale_);
     layout->addRow(tr("&Axes"), up_);
     layout->addRow(flips_);
+    layout->addRow(joins_);
     layout->addRow(hint);
     layout->addRow(buttons);
 }
 
 MeshImport ImportDialog::chosen() const {
-    return {fits_->isChecked(), scale_->value(), flips_->isChecked(), up_->currentIndex() == 1};
+    return {fits_->isChecked(), scale_->value(), flips_->isChecked(), up_->currentIndex() == 1, joins_->isChecked()};
 }
 
 } // namespace patina

@@ -11,7 +11,8 @@ class QDoubleSpinBox;
 
 namespace patina {
 
-/// Asks how a mesh file becomes an object: fit, scale, up axis, normals.
+/// Asks how a mesh file becomes an object: fit, scale, up axis, normals, and
+/// whether each of its materials is one of its own.
 class ImportDialog : public QDialog {
     Q_OBJECT
 
@@ -25,6 +26,7 @@ class ImportDialog : public QDialog {
     QDoubleSpinBox* scale_;
     QComboBox* up_;
     QCheckBox* flips_;
+    QCheckBox* joins_;
 };
 
 } // namespace patina

@@ -9,6 +9,8 @@ struct MeshImport {
     double scale = 1.0; ///< metres of one unit of the file
     bool flips = false; ///< says that normals which point inwards are turned
     bool isZUp = false; ///< z is up in the file, not y
+    /// Says that it is one object, whatever its materials.
+    bool joins = false;
 
     friend bool operator==(const MeshImport&, const MeshImport&) = default;
 };

@@ -228,7 +228,8 @@ MeshImport Session::meshImport() const {
     const double scale = settings_.value("import/scale", usual.scale).toDouble();
     return {settings_.value("import/fits", usual.fits).toBool(), scale > 0.0 ? scale : usual.scale,
             settings_.value("import/flips", usual.flips).toBool(),
-            settings_.value("import/zUp", usual.isZUp).toBool()};
+            settings_.value("import/zUp", usual.isZUp).toBool(),
+            settings_.value("import/joins", usual.joins).toBool()};
 }
 
 void Session::setMeshImport(const MeshImport& import) {
@@ -236,6 +237,7 @@ void Session::setMeshImport(const MeshImport& import) {
     settings_.setValue("import/scale", import.scale);
     settings_.setValue("import/flips", import.flips);
     settings_.setValue("import/zUp", import.isZUp);
+    settings_.setValue("import/joins", import.joins);
 }
 
 QStringList Session::presets(Presets which) const {

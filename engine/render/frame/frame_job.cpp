@@ -235,7 +235,7 @@ FrameJob::Progress FrameJob::finish() {
 /// A frame that was done in its first step has no copy of its scene to compare; it counts as equal.
 bool FrameJob::hasMeshesOf(const Scene& scene) const {
     const auto isAlike = [](const Object& a, const Object& b) {
-        return a.visible == b.visible && a.mesh == b.mesh;
+        return a.visible == b.visible && a.mesh == b.mesh && a.part == b.part;
     };
     return (at_.isDone && !at_.isKept) ||
            std::ranges::equal(kept_.scene.objects, scene.objects, isAlike);

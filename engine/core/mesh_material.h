@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+
+#include <glm/vec3.hpp>
+
+namespace patina {
+
+/// Says what a mesh file says of one of its materials, in the same words for every format.
+struct MeshMaterial {
+    std::string name; ///< is unlike those of the file's other materials, and never empty
+    /// Is "matte", "phong", "blinn-phong", "dielectric" or "metal"; empty where the file says
+    /// nothing of how it looks.
+    std::string look;
+    /// Holds "diffuse", "specular", "emissive" and "f0" in linear light, "shininess", "alpha" (the
+    /// width of the highlight) and "opacity"; a number is in all three.
+    std::map<std::string, glm::dvec3> values;
+    /// Holds full paths of images by the same words, by "normal" and by "height".
+    std::map<std::string, std::string> images;
+
+    friend bool operator==(const MeshMaterial&, const MeshMaterial&) = default;
+};
+
+/// Describes the triangles of a mesh that have one material.
+struct MeshPart {
+    MeshMaterial material;
+    std::size_t vertices = 0;
+    std::size_t indices = 0;
+
+    friend bool operator==(const MeshPart&, const MeshPart&) = default;
+};
+
+} // namespace patina
