@@ -24,9 +24,9 @@ Result<Recipe> recipeFor(const std::string& look) {
     const auto file = dataFolder() / "presets" / "mesh-looks.json";
     const auto document = readJson(file);
     if (!document) {
-        return tl::unexpected(document.error().front());
+        return tl::unexpected(document.error());
     }
-    const Json& all = document->root;
+    const Json& all = document->value;
     if (!all.is_object() || !all.contains(look)) {
         return failure(fmt::format("there is no recipe for the look \"{}\"", look));
     }
@@ -42,10 +42,9 @@ Result<Recipe> recipeFor(const std::string& look) {
 }
 
 std::string assignmentOf(const std::string& id, const glm::dvec3& value, const Parameter& to) {
-    return to.type == ParameterType::Color
-               ? fmt::format("{}={},{},{}", id, fullText(value.x), fullText(value.y),
-                             fullText(value.z))
-               : fmt::format("{}={}", id, fullText(value.x));
+    return to.type == ParameterType::Color ? fmt::format("{}={},{},{}", id, fullText(value.x),
+                                                         fullText(value.y), fullText(value.z))
+                                           : fmt::format("{}={}", id, fullText(value.x));
 }
 
 /// Lays the images on the surface and on the parameters that have the values of the same words. An

@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "files/import_dialog.h"
+#include "scene/scene_file.h"
 #include "ui/window_fixture.h"
 
 namespace patina::tests::import_test {
@@ -13,7 +14,7 @@ namespace {
 constexpr int readingMs = 20000;
 
 TEST(ImportDialog, Accepted_GivesWhatItBeganWith) {
-    const MeshImport import{false, 0.001, true, true};
+    const MeshImport import{false, 0.001, true, true, true};
     EXPECT_EQ(ImportDialog("/somewhere/bust.obj", import).chosen(), import);
 }
 
@@ -32,7 +33,7 @@ TEST(MeshImport, Remembered_IsThereAtTheNextStart) {
     const TemporaryFolder folder;
     const QByteArray before = qgetenv("XDG_CONFIG_HOME");
     qputenv("XDG_CONFIG_HOME", QByteArray::fromStdString(folder.path().string()));
-    const MeshImport import{false, 0.01, true, true};
+    const MeshImport import{false, 0.01, true, true, true};
     {
         Session session;
         EXPECT_EQ(session.meshImport(), MeshImport());
@@ -58,6 +59,78 @@ TEST_F(ImportedMesh, Opened_BecomesAnObjectAsTheLastOneDid) {
     EXPECT_TRUE(object.flipNormals);
     EXPECT_EQ(object.scale, glm::dvec3(0.5));
     EXPECT_EQ(object.rotation, glm::dvec3(-90.0, 0.0, 0.0));
+}
+
+/// Is a mesh of two materials, of which the file says how they look.
+class MeshOfTwoMaterials : public WindowFixture {
+  protected:
+    void open(const MeshImport& import) {
+        writeFile(home("two.mtl"), "newmtl paint\nKd 0.5 0.25 0\nKs 0.5 0.5 0.5\nNs 40\n"
+                                   "newmtl cloth\nKd 1 0 0\n");
+        writeFile(home("two.obj"), "mtllib two.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n"
+                                   "usemtl paint\nf 1 2 3\nusemtl cloth\nf 2 4 3\n");
+        Session().setMeshImport(import);
+        before_ = document().scene().objects.front().material;
+        window().files().open({QString::fromStdString(home("two.obj").string())}, Side::A);
+        const auto isThere = [this] {
+            return document().scene().objects.front().mesh.ends_with("two.obj");
+        };
+        ASSERT_TRUE(QTest::qWaitFor(isThere, readingMs));
+    }
+
+    const std::vector<Object>& objects() { return document().scene().objects; }
+
+    Material before_;
+};
+
+TEST_F(MeshOfTwoMaterials, Opened_IsAnObjectForEachWithItsPreset) {
+    open({});
+    ASSERT_EQ(objects().size(), 2u);
+    EXPECT_EQ(objects()[0].part, "paint");
+    EXPECT_EQ(objects()[0].material.name, "paint");
+    EXPECT_EQ(objects()[0].material.model.id, "blinn-phong");
+    EXPECT_EQ(objects()[0].material.model.parameters.at("shininess"), Value(40.0));
+    EXPECT_EQ(objects()[1].material.model.id, "lambert");
+    EXPECT_EQ(objects()[0].group, objects()[1].group);
+    EXPECT_FALSE(objects()[0].group.empty());
+    EXPECT_EQ(window().meshes().view(objects()[1]).indices.size(), 3u);
+    document().undoStack().undo();
+    EXPECT_EQ(objects().size(), 1u);
+    EXPECT_EQ(objects()[0].mesh.substr(0, 8), "builtin:");
+}
+
+TEST_F(MeshOfTwoMaterials, Joined_IsOneObjectWithTheCurrentMaterial) {
+    MeshImport import;
+    import.joins = true;
+    open(import);
+    ASSERT_EQ(objects().size(), 1u);
+    EXPECT_EQ(objects()[0].material, before_);
+    EXPECT_EQ(window().meshes().view(objects()[0]).indices.size(), 6u);
+}
+
+TEST_F(MeshOfTwoMaterials, SavedAndOpenedAgain_HasItsParts) {
+    open({});
+    ASSERT_TRUE(window().documentFiles().saveScene(home("two.patina-scene.json")));
+    const auto scene = readScene(home("two.patina-scene.json"), document().catalog());
+    ASSERT_TRUE(scene);
+    ASSERT_EQ(scene->scene.objects.size(), 2u);
+    EXPECT_EQ(scene->scene.objects[1].part, "cloth");
+    EXPECT_EQ(scene->scene.objects[1].material, objects()[1].material);
+}
+
+TEST_F(MeshOfTwoMaterials, PartThatTheFileLacks_IsToldOnce) {
+    open({});
+    int told = 0;
+    QObject::connect(&window().meshes(), &MeshLibrary::failed, &window(),
+                     [&](const QString&, const Error& why) {
+                         told += why.problem.ends_with("of a material \"gold\"") ? 1 : 0;
+                     });
+    Object other = objects()[0];
+    other.part = "gold";
+    EXPECT_TRUE(window().meshes().view(other).indices.empty());
+    EXPECT_TRUE(window().meshes().view(other).indices.empty());
+    QTest::qWait(1);
+    EXPECT_EQ(told, 1);
 }
 
 } // namespace

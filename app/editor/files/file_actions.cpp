@@ -2,6 +2,7 @@
 #include "files/file_actions.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -15,6 +16,7 @@
 #include "files/place_beside.h"
 #include "library/preset_library.h"
 #include "material/file_suffixes.h"
+#include "material/mesh_look.h"
 #include "scene/scene_file.h"
 #include "sheet/sheet_file.h"
 #include "text/as_text.h"
@@ -213,14 +215,18 @@ bool FileActions::askHowToImport(const QString& file) {
     return true;
 }
 
-void FileActions::addObject(Object object) {
+Object FileActions::withCurrentMaterial(Object object) const {
     if (const Material* material = document_.material(Side::A)) {
         object.material = *material;
     } else if (const auto start = readScene(defaultSceneFile(), document_.catalog());
                start && !start->scene.objects.empty()) {
         object.material = start->scene.objects.front().material;
     }
-    patina::addObject(document_, object); // makes it current, too
+    return object;
+}
+
+void FileActions::addObject(const Object& object) {
+    patina::addObject(document_, withCurrentMaterial(object)); // makes it current, too
 }
 
 void FileActions::addBeside(const Object& object) {
@@ -259,9 +265,13 @@ void FileActions::load(const QString& mesh) {
     object.scale = glm::dvec3(import.scale);
     object.rotation.x = import.isZUp ? -90.0 : 0.0;
     const QString file = QString::fromStdString(object.mesh);
-    wanted_[file] = object;
+    wanted_[file] = {object, import.joins};
     files_.withheld().allow(object.mesh);
     meshes_.forgetFailures();
+    if (!import.joins) {
+        meshes_.readApart(object);
+        return;
+    }
     meshes_.view(object);
     if (meshes_.has(object)) {
         meshLoaded(file);
@@ -270,18 +280,55 @@ void FileActions::load(const QString& mesh) {
 
 void FileActions::meshLoaded(const QString& mesh) {
     if (const auto found = wanted_.find(mesh); found != wanted_.end()) {
-        const Object object = found->second;
-        wanted_.erase(found);
-        if (showsOnlyTheStart()) {
-            document_.editAsOneStep(tr("Add %1").arg(QString::fromStdString(object.name)), [&] {
-                replaceObject(object);
-                Q_EMIT meshPlaced();
-            });
-        } else {
-            addBeside(object);
+        const Wanted wanted = found->second;
+        std::vector<Object> objects = objectsOf(wanted.object);
+        if (!wanted.joins && objects.empty()) {
+            return; // the whole was read for another object, its parts are on their way
         }
+        wanted_.erase(found);
+        if (wanted.joins || objects.empty()) {
+            objects = {withCurrentMaterial(wanted.object)};
+        }
+        document_.editAsOneStep(tr("Add %1").arg(QString::fromStdString(wanted.object.name)), [&] {
+            place(objects);
+            Q_EMIT meshPlaced();
+        });
         session_.addRecentFile(mesh);
     }
+}
+
+/// Puts the objects of a mesh in place of the one in a new document, or beside all others.
+void FileActions::place(const std::vector<Object>& objects) {
+    if (showsOnlyTheStart()) {
+        replaceObject(objects);
+        return;
+    }
+    const std::vector<Object> placed = placedBeside(document_.scene(), objects, meshes_);
+    if (placed.size() == 1) {
+        patina::addObject(document_, placed.front());
+    } else {
+        patina::addObjects(document_, placed, tr("Add objects"));
+    }
+}
+
+/// Returns an object for each material of a mesh that was read apart, with the preset that looks as
+/// the file says, or with the current material where the file says nothing.
+std::vector<Object> FileActions::objectsOf(const Object& mesh) const {
+    std::vector<Object> objects;
+    const std::vector<MeshMaterial> materials = meshes_.materialsOf(mesh);
+    for (const MeshMaterial& from : materials) {
+        Object object = withCurrentMaterial(mesh);
+        if (materials.size() > 1) {
+            object.name = from.name;
+            object.part = from.name;
+            object.group = mesh.name;
+        }
+        if (auto material = materialOf(from, document_.catalog()); material && !from.look.empty()) {
+            object.material = std::move(*material);
+        }
+        objects.push_back(std::move(object));
+    }
+    return objects;
 }
 
 /// Returns whether the document shows one of the scenes that ship, as a new one does, whatever its
@@ -303,11 +350,18 @@ bool FileActions::showsOnlyTheStart() const {
     });
 }
 
-/// Replaces the only object, but keeps its material.
-void FileActions::replaceObject(Object object) {
-    object.material = document_.scene().objects.front().material;
-    patina::setObject(document_, 0, object);
-    document_.selection().setObject(0);
+/// Replaces the only object.
+void FileActions::replaceObject(const std::vector<Object>& objects) {
+    if (objects.size() == 1) {
+        patina::setObject(document_, 0, objects.front());
+        document_.selection().setObject(0);
+        return;
+    }
+    patina::addObjects(document_, objects, tr("Add objects"));
+    patina::removeObjects(document_, {0});
+    std::vector<int> all(objects.size());
+    std::iota(all.begin(), all.end(), 0);
+    document_.selection().setObjects(all);
 }
 
 void FileActions::meshFailed(const QString& mesh, const Error& why) {

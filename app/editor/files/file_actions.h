@@ -40,8 +40,8 @@ class FileActions : public QObject {
     void editDetails();
 
     /// Opens files from the command line or a menu. A scene or preset becomes the document, a
-    /// second preset goes onto the other side, and a mesh becomes an object: beside the others, or
-    /// in place of the one in a new document.
+    /// second preset goes onto the other side, and a mesh becomes an object, or one for
+    /// each of its materials: beside the others, or in place of the one in a new document.
     void open(const QStringList& files, Side side);
 
     /// Opens dropped files. A preset goes onto `side`, undoably, and a sheet is made of that side.
@@ -55,7 +55,7 @@ class FileActions : public QObject {
 
     /// Adds an object and makes it current. It gets the current material of side A, or in an
     /// empty scene that of a new document.
-    void addObject(Object object);
+    void addObject(const Object& object);
 
     /// Adds an object beside the others as one undo step, and emits meshPlaced(). Its mesh must be
     /// loaded.
@@ -98,7 +98,10 @@ class FileActions : public QObject {
     void meshLoaded(const QString& mesh);
     bool showsOnlyTheStart() const;
     bool writePreset(const QString& file);
-    void replaceObject(Object object);
+    Object withCurrentMaterial(Object object) const;
+    std::vector<Object> objectsOf(const Object& mesh) const;
+    void place(const std::vector<Object>& objects);
+    void replaceObject(const std::vector<Object>& objects);
     void meshFailed(const QString& mesh, const Error& why);
     void noteLinks(const QString& mesh, const std::vector<std::string>& places);
     void noteSaved(const QString& file);
@@ -119,7 +122,12 @@ class FileActions : public QObject {
     QWidget* window_;
     /// Is when the document's file was last read or written here.
     std::optional<std::filesystem::file_time_type> written_;
-    std::map<QString, Object> wanted_; ///< holds objects that wait for their mesh, by its file
+    /// Is an object that waits for its mesh.
+    struct Wanted {
+        Object object;
+        bool joins = false; ///< says that it stays one, whatever the materials
+    };
+    std::map<QString, Wanted> wanted_; ///< holds these by the file of the mesh
 };
 
 } // namespace patina

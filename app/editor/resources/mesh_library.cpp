@@ -18,6 +18,12 @@ QString fileName(const MeshKey& key) {
     return QFileInfo(QString::fromStdString(key.mesh)).fileName();
 }
 
+/// Returns the key under which a mesh is read: all parts of a mesh are read at once.
+MeshKey readingOf(MeshKey key) {
+    key.part = key.part.empty() ? "" : "*";
+    return key;
+}
+
 } // namespace
 
 MeshLibrary::MeshLibrary(QObject* parent)
@@ -52,11 +58,21 @@ MeshView MeshLibrary::triangles(const MeshKey& key) {
         return builtins_.at(key).view();
     }
     if (const auto found = files_.find(key); found != files_.end()) {
-        return found->second->mesh->view();
+        return found->second->view;
     }
-    if (!key.mesh.empty() && !loading_.contains(key) && !failures_.contains(key)) {
-        load(key);
+    const MeshKey reading = readingOf(key);
+    if (key.mesh.empty() || loading_.contains(reading) || failures_.contains(reading) ||
+        failures_.contains(key)) {
+        return {};
     }
+    if (materials_.contains(reading)) {
+        failures_[key] = missingPart(key.mesh, key.part);
+        tellAfterwards(*this, [this, why = failures_[key]] {
+            Q_EMIT failed(QString::fromStdString(why.file), why);
+        });
+        return {};
+    }
+    load(reading);
     return {};
 }
 
@@ -92,12 +108,31 @@ void MeshLibrary::findOpenness(const MeshView& view, const MeshKey& key) {
 PickMesh MeshLibrary::pickMesh(const Object& object) {
     const auto found = files_.find(meshKey(object));
     return found == files_.end() ? PickMesh(view(object))
-                                 : PickMesh(found->second->mesh->view(), found->second->runs);
+                                 : PickMesh(found->second->view, found->second->runs);
 }
 
 bool MeshLibrary::has(const Object& object) const {
     const MeshKey key = meshKey(object);
     return files_.contains(key) || builtins_.contains(key);
+}
+
+void MeshLibrary::readApart(const Object& object) {
+    MeshKey key = meshKey(object);
+    key.part = "*";
+    if (!materials_.contains(key)) {
+        if (!loading_.contains(key)) {
+            load(key);
+        }
+        return;
+    }
+    tellAfterwards(*this, [this, mesh = key.mesh] { Q_EMIT loaded(QString::fromStdString(mesh)); });
+}
+
+std::vector<MeshMaterial> MeshLibrary::materialsOf(const Object& object) const {
+    MeshKey key = meshKey(object);
+    key.part = "*";
+    const auto found = materials_.find(key);
+    return found == materials_.end() ? std::vector<MeshMaterial>() : found->second;
 }
 
 void MeshLibrary::warmUp() {
@@ -107,7 +142,7 @@ void MeshLibrary::warmUp() {
 void MeshLibrary::cancelAllBut(const Scene& scene) {
     for (const auto& [key, progress] : loading_) {
         const auto isOfKey = [&wanted = key](const Object& object) {
-            return meshKey(object) == wanted;
+            return readingOf(meshKey(object)) == wanted;
         };
         if (std::ranges::none_of(scene.objects, isOfKey)) {
             progress->cancelled = true;
@@ -130,7 +165,7 @@ void MeshLibrary::setRights(const FileRights& rights) {
 void MeshLibrary::repeatMissingLinks(const Scene& scene) {
     for (const auto& [key, places] : missingLinks_) {
         const auto isOfKey = [&wanted = key](const Object& object) {
-            return meshKey(object) == wanted;
+            return readingOf(meshKey(object)) == wanted;
         };
         if (std::ranges::any_of(scene.objects, isOfKey)) {
             Q_EMIT linksRefused(QString::fromStdString(key.mesh), places);
@@ -168,11 +203,16 @@ void MeshLibrary::load(const MeshKey& key) {
 
 /// Runs in the worker's thread.
 MeshLibrary::Answer MeshLibrary::read(AssetClient& client, const MeshKey& key, Progress& progress) {
-    const MeshRequest request{key.mesh, key.fitUnitBox, key.flipNormals, 1.0};
-    return client.loadMesh(request, &progress).map([](std::shared_ptr<const SharedMesh> mesh) {
-        std::vector<Bounds> runs = runBoundsOf(mesh->view());
-        return std::make_shared<const Loaded>(Loaded{std::move(mesh), std::move(runs)});
-    });
+    const MeshRequest request{key.mesh, key.fitUnitBox, key.flipNormals, 1.0, !key.part.empty()};
+    return client.loadMesh(request, &progress)
+        .map([](const std::shared_ptr<const SharedMesh>& mesh) {
+            std::vector<std::shared_ptr<const Loaded>> parts;
+            for (const MeshPartView& part : mesh->parts()) {
+                parts.push_back(std::make_shared<const Loaded>(
+                    Loaded{mesh, part.view, runBoundsOf(part.view)}));
+            }
+            return parts;
+        });
 }
 
 void MeshLibrary::finish(const MeshKey& key, const Answer& answer) {
@@ -180,13 +220,9 @@ void MeshLibrary::finish(const MeshKey& key, const Answer& answer) {
     const QString file = QString::fromStdString(key.mesh);
     const std::vector<std::string> refused = client().refusedLinks(key.mesh);
     if (answer) {
-        std::shared_ptr<const Loaded>& held = files_[key];
-        if (held) {
-            outdated_.push_back(held);
-        }
-        held = *answer;
+        keepParts(key, answer);
         Q_EMIT loaded(file);
-        if (const std::string& remarks = (*answer)->mesh->remarks(); !remarks.empty()) {
+        if (const std::string& remarks = answer->front()->mesh->remarks(); !remarks.empty()) {
             Q_EMIT remarked({key.mesh, 0, 0, remarks, {}});
         }
     } else {
@@ -199,6 +235,34 @@ void MeshLibrary::finish(const MeshKey& key, const Answer& answer) {
         }
         Q_EMIT linksRefused(file, refused);
     }
+}
+
+/// Keeps what was read for this key, which is a readingOf().
+void MeshLibrary::keepParts(const MeshKey& reading, const Answer& answer) {
+    if (reading.part.empty()) {
+        keep(reading, answer->front());
+        return;
+    }
+    std::vector<MeshMaterial>& materials = materials_[reading];
+    materials.clear();
+    MeshKey key = reading;
+    const std::vector<MeshPartView>& parts = answer->front()->mesh->parts();
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        materials.push_back(parts[i].material);
+        key.part = parts[i].material.name;
+        keep(key, (*answer)[i]);
+    }
+    if (key.part.clear(); parts.size() == 1 && !files_.contains(key)) {
+        keep(key, answer->front()); // it is the whole, too
+    }
+}
+
+void MeshLibrary::keep(const MeshKey& key, const std::shared_ptr<const Loaded>& mesh) {
+    std::shared_ptr<const Loaded>& held = files_[key];
+    if (held) {
+        outdated_.push_back(held);
+    }
+    held = mesh;
 }
 
 AssetClient& MeshLibrary::client() {

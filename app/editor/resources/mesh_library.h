@@ -34,6 +34,14 @@ class MeshLibrary : public QObject {
     /// known. False cancels what is being found.
     void wantOpenness(bool wanted);
 
+    /// Reads a file's triangles apart by their materials, as the object has its mesh read. loaded()
+    /// is emitted when they are there, also where they were before.
+    void readApart(const Object& object);
+
+    /// Returns the materials of such a mesh, in the order in which the file first uses them; empty
+    /// where it is not read.
+    std::vector<MeshMaterial> materialsOf(const Object& object) const;
+
     /// Returns the triangles with boxes, so that a ray need not test each triangle of a large mesh.
     PickMesh pickMesh(const Object& object);
 
@@ -72,9 +80,10 @@ class MeshLibrary : public QObject {
     /// Holds a mesh of a file, and the boxes for picking in it.
     struct Loaded {
         std::shared_ptr<const SharedMesh> mesh;
+        MeshView view; ///< is that of the mesh or of one of its parts
         std::vector<Bounds> runs;
     };
-    using Answer = Result<std::shared_ptr<const Loaded>>;
+    using Answer = Result<std::vector<std::shared_ptr<const Loaded>>>;
 
     /// Holds how open each vertex of a mesh is, that is how much the mesh hides from itself.
     struct Found {
@@ -85,6 +94,8 @@ class MeshLibrary : public QObject {
     MeshView triangles(const MeshKey& key);
     void addOpenness(MeshView& view, const MeshKey& key);
     void findOpenness(const MeshView& view, const MeshKey& key);
+    void keep(const MeshKey& key, const std::shared_ptr<const Loaded>& mesh);
+    void keepParts(const MeshKey& reading, const Answer& answer);
     static Answer read(AssetClient& client, const MeshKey& key, Progress& progress);
     void makeBuiltin(const MeshKey& key);
     void load(const MeshKey& key);
@@ -93,7 +104,10 @@ class MeshLibrary : public QObject {
     std::unique_ptr<AssetClient> client_;
     std::map<MeshKey, Mesh> builtins_;
     std::map<MeshKey, std::shared_ptr<const Loaded>> files_;
-    std::map<MeshKey, std::vector<std::string>> missingLinks_; ///< are those of meshes in files_
+    /// Holds the materials of meshes that were read apart, by their readingOf().
+    std::map<MeshKey, std::vector<MeshMaterial>> materials_;
+    /// Holds those of meshes in files_, by their readingOf(), as loading_ and failures_ do.
+    std::map<MeshKey, std::vector<std::string>> missingLinks_;
     /// Holds replaced meshes until the library goes, since frames may still draw them.
     std::vector<std::shared_ptr<const Loaded>> outdated_;
     std::map<MeshKey, std::shared_ptr<Progress>> loading_;
