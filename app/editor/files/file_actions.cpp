@@ -289,8 +289,9 @@ void FileActions::meshLoaded(const QString& mesh) {
         if (wanted.joins || objects.empty()) {
             objects = {withCurrentMaterial(wanted.object)};
         }
+        const bool isInPlace = showsOnlyTheStart();
         document_.editAsOneStep(tr("Add %1").arg(QString::fromStdString(wanted.object.name)), [&] {
-            place(objects);
+            place(objects, isInPlace);
             Q_EMIT meshPlaced();
         });
         session_.addRecentFile(mesh);
@@ -298,8 +299,8 @@ void FileActions::meshLoaded(const QString& mesh) {
 }
 
 /// Puts the objects of a mesh in place of the one in a new document, or beside all others.
-void FileActions::place(const std::vector<Object>& objects) {
-    if (showsOnlyTheStart()) {
+void FileActions::place(const std::vector<Object>& objects, bool isInPlace) {
+    if (isInPlace) {
         replaceObject(objects);
         return;
     }

@@ -100,7 +100,7 @@ class FileActions : public QObject {
     bool writePreset(const QString& file);
     Object withCurrentMaterial(Object object) const;
     std::vector<Object> objectsOf(const Object& mesh) const;
-    void place(const std::vector<Object>& objects);
+    void place(const std::vector<Object>& objects, bool isInPlace);
     void replaceObject(const std::vector<Object>& objects);
     void meshFailed(const QString& mesh, const Error& why);
     void noteLinks(const QString& mesh, const std::vector<std::string>& places);
