@@ -4,6 +4,7 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QMenu>
 #include <QSlider>
 #include <QTest>
 
@@ -11,6 +12,7 @@
 #include "ui/window_fixture.h"
 #include "viewport/composed_view.h"
 #include "viewport/difference_view.h"
+#include "viewport/view_links.h"
 
 namespace patina::tests::compare_modes_test {
 namespace {
@@ -71,6 +73,25 @@ TEST_F(CompareModes, Wipe_HasALeftAndBRightOfTheLine) {
     EXPECT_EQ(shown.copy(0, 0, half, shown.height()), ofA().copy(0, 0, half, shown.height()));
     EXPECT_EQ(shown.copy(half + 1, 0, half - 1, shown.height()),
               ofB().copy(half + 1, 0, half - 1, shown.height()));
+}
+
+TEST_F(CompareModes, LinksOfBothSides_AreReachedBelowTheirTitles) {
+    compareAs(CompareMode::Wipe);
+    const auto links = composed().findChildren<ViewLinks*>();
+    ASSERT_EQ(links.size(), 2);
+    for (ViewLinks* each : links) {
+        EXPECT_TRUE(composed().rect().contains(each->geometry()));
+        EXPECT_EQ(composed().childAt(each->geometry().center()), each);
+    }
+    EXPECT_LT(links[0]->geometry().right(), composed().width() / 2);
+    EXPECT_GT(links[1]->geometry().left(), composed().width() / 2);
+    links[1]->menu()->findChild<QAction*>("ownExposure")->trigger();
+    EXPECT_TRUE(ownView(document().state(), Side::B).exposure.has_value());
+    EXPECT_TRUE(composed().rect().contains(links[1]->geometry())) << links[1]->text().toStdString();
+    CompareLook turned = window().views().look();
+    turned.wipeAngle = 180.0;
+    window().views().setLook(turned);
+    EXPECT_GT(links[0]->geometry().left(), composed().width() / 2);
 }
 
 TEST_F(CompareModes, DraggedWipeLine_MovesAndDrawsNoFrame) {

@@ -230,7 +230,7 @@ void CompareArea::showComposed(bool shown) {
         return;
     }
     if (!composed_) {
-        composed_ = new ComposedView(document_, first(), *second(), this);
+        composed_ = new ComposedView(document_, sources_.switches, first(), *second(), this);
         composed_->setLook(look_);
         connect(composed_, &ComposedView::lookWished, this, &CompareArea::setLook);
     }

@@ -10,6 +10,8 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include "viewport/view_links.h"
+
 namespace patina {
 namespace {
 
@@ -19,6 +21,7 @@ constexpr double knobRadius = 6.0;
 constexpr double turnStep = 15.0; ///< degrees; the line turns in these steps with Shift
 constexpr int labelMargin = 8;
 constexpr int labelPadding = 6;
+constexpr int linksGap = 4;
 constexpr int labelOpacity = 225; ///< 0 .. 255
 
 Side otherThan(Side side) {
@@ -39,7 +42,8 @@ void strokeTwice(QPainter& painter, const auto& stroke) {
 
 } // namespace
 
-ComposedView::ComposedView(Document& document, SideView& first, SideView& second, QWidget* parent)
+ComposedView::ComposedView(Document& document, EffectSwitches& switches, SideView& first,
+                           SideView& second, QWidget* parent)
     : QWidget(parent), document_(document), first_(first), second_(second) {
     setMouseTracking(true);
     setAcceptDrops(true);
@@ -54,7 +58,16 @@ ComposedView::ComposedView(Document& document, SideView& first, SideView& second
         connect(&view(side).viewport().frames(), &FrameLoop::frameDrawn, this,
                 [this, side] { readSoon(side); });
         connect(&view(side), &SideView::captionChanged, this, qOverload<>(&QWidget::update));
+        auto* links = new ViewLinks(document_, switches, side, this);
+        links->setStyleSheet(QStringLiteral("QToolButton { color: #f0f0f0; background: rgba(0, 0, "
+                                            "0, 60%); border: none; border-radius: 4px; padding: "
+                                            "2px 14px 2px 6px; }"));
+        links->setCursor(Qt::ArrowCursor);
+        links_[indexOf(side)] = links;
     }
+    const auto later = [this] { placeLinks(); };
+    onChange(document, DocumentChange::OwnView | DocumentChange::Scene | DocumentChange::Value,
+             this, later);
     onChange(document, DocumentChange::Current, this, qOverload<>(&QWidget::update));
 }
 
@@ -62,7 +75,25 @@ void ComposedView::setLook(const CompareLook& look) {
     look_ = look;
     setAccessibleName(tr("A and B as one picture: %1").arg(rowOf(look.mode).shownLabel()));
     followBlink();
+    placeLinks();
     update();
+}
+
+/// Tells whether side B is where the title of A stands otherwise.
+bool ComposedView::hasTitlesSwapped() const {
+    return look_.mode == CompareMode::Wipe && line().depthInB({0.0, 0.0}) > 0.0;
+}
+
+/// Puts the button of each side's links below the title of the side, also while the other side is
+/// shown alone: what blinks could not be clicked.
+void ComposedView::placeLinks() {
+    const int top = labelMargin + fontMetrics().height() + labelPadding + linksGap;
+    for (const Side side : {Side::A, Side::B}) {
+        ViewLinks& links = *links_[indexOf(side)];
+        links.adjustSize();
+        const bool isAtRight = (side == Side::B) != hasTitlesSwapped();
+        links.move(isAtRight ? width() - labelMargin - links.width() : labelMargin, top);
+    }
 }
 
 void ComposedView::followBlink() {
@@ -139,6 +170,7 @@ void ComposedView::read() {
 
 void ComposedView::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
+    placeLinks();
     for (const Side side : {Side::A, Side::B}) {
         if (view(side).viewport().frames().frameCount() > 0) {
             readSoon(side);
@@ -158,6 +190,7 @@ void ComposedView::hideEvent(QHideEvent* event) {
 
 void ComposedView::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
+    placeLinks();
     update();
 }
 
@@ -242,7 +275,7 @@ QRect ComposedView::drawTitle(QPainter& painter, Side side, bool atRight) const 
 /// Draws the title of each side that is seen, over its own picture where both are.
 void ComposedView::drawTitles(QPainter& painter) {
     painter.setRenderHint(QPainter::Antialiasing);
-    const bool isAtRight = look_.mode == CompareMode::Wipe && line().depthInB({0.0, 0.0}) > 0.0;
+    const bool isAtRight = hasTitlesSwapped();
     const std::optional<Side> one = alone();
     titles_ = {};
     for (const Side side : {Side::A, Side::B}) {

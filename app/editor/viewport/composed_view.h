@@ -17,12 +17,13 @@ namespace patina {
 /// Lies over the views of A and B, which have the same place, and shows their pictures as one: each
 /// is read back when its view has drawn it, and composing them draws nothing of the scene. Mouse
 /// events go on to the view of the side under the pointer, except on the line of a wipe and on the
-/// titles.
+/// titles, below which each side has the button of its links.
 class ComposedView : public QWidget {
     Q_OBJECT
 
   public:
-    ComposedView(Document& document, SideView& first, SideView& second, QWidget* parent);
+    ComposedView(Document& document, EffectSwitches& switches, SideView& first, SideView& second,
+                 QWidget* parent);
 
     void setLook(const CompareLook& look);
 
@@ -52,6 +53,8 @@ class ComposedView : public QWidget {
 
     SideView& view(Side side) const { return side == Side::A ? first_ : second_; }
     WipeLine line() const;
+    bool hasTitlesSwapped() const;
+    void placeLinks();
     std::optional<Side> alone() const;
     Side sideAt(const QPointF& place) const;
     Part partAt(const QPointF& place) const;
@@ -73,7 +76,8 @@ class ComposedView : public QWidget {
     CompareLook look_;
     std::array<QImage, 2> pictures_; ///< holds one per side
     std::array<bool, 2> isNew_{};    ///< says for each side that its view has drawn another picture
-    std::array<QRect, 2> titles_;    ///< holds one per side; empty where none is shown
+    std::array<ViewLinks*, 2> links_{}; ///< holds one per side
+    std::array<QRect, 2> titles_;       ///< holds one per side; empty where none is shown
     QTimer reading_;
     QTimer blink_;
     bool blinksSecond_ = false;
