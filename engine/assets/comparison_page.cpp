@@ -59,6 +59,7 @@ constexpr const char* head = R"html(<!DOCTYPE html>
 <meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:;
       style-src 'unsafe-inline'; script-src 'unsafe-inline'">
 <style>
+:root { color-scheme: dark; }
 body { margin: 0 auto; padding: 1em; max-width: max-content;
        background: #1e1e1e; color: #e6e6e6; font: 15px/1.4 sans-serif; }
 h1 { font-size: 1.2em; }
@@ -73,9 +74,13 @@ figcaption { position: absolute; top: 8px; left: 8px; padding: 2px 8px; border-r
                touch-action: none; }
 .wiped figure { display: none; }
 .wiped figure.left, .wiped figure.right { display: block; }
+.wiped figure.left { position: static; }
 .wiped figure.right { position: absolute; inset: 0; }
 .wiped figure.right figcaption { left: auto; right: 8px; }
-#line { display: none; position: absolute; width: 0; height: 0; pointer-events: none; }
+.wiped.swapped figure.right figcaption { left: 8px; right: auto; }
+.wiped.swapped figure.left figcaption { left: auto; right: 8px; }
+.wiped figcaption { z-index: 2; }
+#line { display: none; position: absolute; z-index: 1; width: 0; height: 0; pointer-events: none; }
 .wiped #line { display: block; }
 #line::before { content: ""; position: absolute; left: -1px; top: -3000px; width: 2px;
                 height: 6000px; background: #f5f5f5; box-shadow: 0 0 3px #000; }
@@ -111,6 +116,8 @@ function across() {
 function show() {
     const left = figures[part("left").value], right = figures[part("right").value];
     stage.classList.toggle("wiped", part("wipe").checked);
+    for (const id of ["left", "right", "share", "angle"])
+        part(id).disabled = !part("wipe").checked;
     for (const f of figures) {
         f.className = f === right ? "right" : f === left ? "left" : "";
         f.firstElementChild.style.clipPath = "";
@@ -118,6 +125,7 @@ function show() {
     if (!part("wipe").checked)
         return;
     const { x, y, reach } = across(), far = stage.clientWidth + stage.clientHeight;
+    stage.classList.toggle("swapped", x < 0);
     const off = (2 * part("share").value - 1) * reach;
     const gripX = stage.clientWidth / 2 + off * x, gripY = stage.clientHeight / 2 + off * y;
     const point = (along, deep) =>
