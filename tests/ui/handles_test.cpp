@@ -7,6 +7,7 @@
 
 #include "document/scene_edits.h"
 #include "ui/window_fixture.h"
+#include "viewport/light_handles.h"
 #include "viewport/light_pose.h"
 #include "viewport/ray_cast.h"
 #include "viewport/side_view.h"
@@ -66,6 +67,25 @@ class Handles : public WindowFixture {
         return index;
     }
 };
+
+TEST_F(Handles, LampOfADirectionalLight_StandsBesideTheObject) {
+    const LightHandles handles(document(), window().views().handleModes(),
+                               [](const Ray&) { return std::nullopt; });
+    const ViewGeometry geometry{camera(), size()};
+    const auto meshes = [this](const Object& each) { return window().meshes().pickMesh(each); };
+    ASSERT_FALSE(pose(0).hasPoint());
+    int found = 0;
+    for (int y = 0; y < view().height(); y += 4) {
+        for (int x = 0; x < view().width(); x += 4) {
+            if (handles.handleAt(geometry, QPointF(x, y))) {
+                ++found;
+                EXPECT_FALSE(cast(geometry.ray(QPointF(x, y)), document().scene(), meshes))
+                    << x << ", " << y;
+            }
+        }
+    }
+    EXPECT_GT(found, 0);
+}
 
 TEST_F(Handles, DragOfAnAxis_MovesAlongItInOneStep) {
     key(Qt::Key_W);

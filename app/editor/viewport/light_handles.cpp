@@ -21,6 +21,9 @@ namespace {
 enum Part { PlacePart, TargetPart, DistancePart, ConePart, PartCount };
 
 constexpr double lampReach = 9.0;
+/// Is how far from its target the lamp of a light without a position is at least, as a share of the
+/// view's shorter side: beside what fills two thirds of it.
+constexpr double lampDistance = 0.44;
 constexpr double iconPixels = 8.0;
 constexpr double dotPixels = 4.5;
 constexpr double lampDegreesPerPixel = 0.4;
@@ -143,6 +146,26 @@ std::optional<glm::dvec3> LightHandles::pointOf(const Shown& light, int part) co
     }
 }
 
+/// Returns where the handle of a part is seen. The lamp of a light without a position says nothing
+/// but a direction, so it stands beside what it shines on rather than before that.
+std::optional<QPointF> LightHandles::placeOf(const ViewGeometry& view, const Shown& light,
+                                             int part) const {
+    const auto point = pointOf(light, part);
+    const auto place = point ? view.place(*point) : std::nullopt;
+    const auto target = view.place(light.target);
+    if (part != PlacePart || light.place.hasPoint() || !place || !target) {
+        return place;
+    }
+    const double least = lampDistance * std::min(view.size.x, view.size.y);
+    const QPointF way = *place - *target;
+    const double length = std::hypot(way.x(), way.y());
+    if (length >= least) {
+        return place;
+    }
+    // Along the line of sight it has no direction in the view.
+    return *target + (length < 1.0 ? QPointF(0.0, -least) : way * (least / length));
+}
+
 std::optional<int> LightHandles::handleAt(const ViewGeometry& view, QPointF at) const {
     std::optional<int> found;
     double nearest = lampReach;
@@ -151,8 +174,7 @@ std::optional<int> LightHandles::handleAt(const ViewGeometry& view, QPointF at) 
         const auto light = shown(view, index);
         const int parts = index == document_.selection().light() ? int(PartCount) : 1;
         for (int part = 0; light && part < parts; ++part) {
-            const auto point = pointOf(*light, part);
-            const auto place = point ? view.place(*point) : std::nullopt;
+            const auto place = placeOf(view, *light, part);
             const double away =
                 place ? std::hypot(place->x() - at.x(), place->y() - at.y()) : lampReach;
             if (away < nearest) {
@@ -173,7 +195,7 @@ void LightHandles::draw(const ViewGeometry& view, QPainter& painter, std::option
 void LightHandles::drawLight(const ViewGeometry& view, QPainter& painter, int index,
                              std::optional<int> hot) const {
     const auto light = shown(view, index);
-    const auto at = light ? view.place(light->place.point) : std::nullopt;
+    const auto at = light ? placeOf(view, *light, PlacePart) : std::nullopt;
     if (!at) {
         return;
     }

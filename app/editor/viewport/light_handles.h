@@ -43,6 +43,7 @@ class LightHandles : public HandleSet {
     std::optional<Shown> shown(const ViewGeometry& view, int light) const;
     glm::dvec3 targetOf(const ViewGeometry& view, const LightPose& place) const;
     std::optional<glm::dvec3> pointOf(const Shown& light, int part) const;
+    std::optional<QPointF> placeOf(const ViewGeometry& view, const Shown& light, int part) const;
     void drawLight(const ViewGeometry& view, QPainter& painter, int index,
                    std::optional<int> hot) const;
     void drawCone(const ViewGeometry& view, QPainter& painter, const Shown& light) const;
