@@ -72,7 +72,8 @@ ImportDialog::ImportDialog(const QString& file, const MeshImport& import, QWidge
 }
 
 MeshImport ImportDialog::chosen() const {
-    return {fits_->isChecked(), scale_->value(), flips_->isChecked(), up_->currentIndex() == 1, joins_->isChecked()};
+    return {fits_->isChecked(), scale_->value(), flips_->isChecked(), up_->currentIndex() == 1,
+            joins_->isChecked()};
 }
 
 } // namespace patina

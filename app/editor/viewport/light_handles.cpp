@@ -156,14 +156,14 @@ std::optional<QPointF> LightHandles::placeOf(const ViewGeometry& view, const Sho
     if (part != PlacePart || light.place.hasPoint() || !place || !target) {
         return place;
     }
-    const double least = lampDistance * std::min(view.size.x, view.size.y);
+    const double minLength = lampDistance * std::min(view.size.x, view.size.y);
     const QPointF way = *place - *target;
     const double length = std::hypot(way.x(), way.y());
-    if (length >= least) {
+    if (length >= minLength) {
         return place;
     }
     // Along the line of sight it has no direction in the view.
-    return *target + (length < 1.0 ? QPointF(0.0, -least) : way * (least / length));
+    return *target + (length < 1.0 ? QPointF(0.0, -minLength) : way * (minLength / length));
 }
 
 std::optional<int> LightHandles::handleAt(const ViewGeometry& view, QPointF at) const {

@@ -16,7 +16,8 @@ namespace {
 /// Returns true when two objects have the same mesh, as neighbours in a scene often do; then it
 /// need not be looked up again.
 bool isOfOneMesh(const Object& a, const Object& b) {
-    return a.mesh == b.mesh && a.part == b.part && a.fitUnitBox == b.fitUnitBox && a.flipNormals == b.flipNormals;
+    return a.mesh == b.mesh && a.part == b.part && a.fitUnitBox == b.fitUnitBox &&
+           a.flipNormals == b.flipNormals;
 }
 
 /// Returns the scene whose effects the programs of a view have: the view's own if its objects and
