@@ -17,7 +17,8 @@ const Catalog& shipped() {
 Light named(const char* name) {
     Light light;
     light.name = name;
-    light.block = {"directional", {{"intensity", 1.0}}};
+    light.block.id = "directional";
+    light.block.parameters = {{"intensity", 1.0}};
     return light;
 }
 

@@ -105,8 +105,9 @@ TEST_F(MatchPanel, AllModels_AppearAsTheyAreDoneAndAreTimed) {
     ASSERT_TRUE(QTest::qWaitFor(
         [&] {
             counts.insert(list().topLevelItemCount());
-            return std::ranges::any_of(page().matches().rows,
-                                       [](const ModelMatch& row) { return row.nanoseconds; });
+            return std::ranges::any_of(page().matches().rows, [](const ModelMatch& row) {
+                return row.nanoseconds.has_value();
+            });
         },
         8 * waitMs));
     EXPECT_GT(counts.size(), 3u);
