@@ -41,7 +41,8 @@ std::string problemIn(const Material& material, const std::string& text) {
 }
 
 TEST(Assignment, InAPartThatIsNotThere_NamesThePart) {
-    const Material material = defaultMaterial(*shipped().find(kinds::models, "cook-torrance"));
+    Material material = defaultMaterial(*shipped().find(kinds::models, "cook-torrance"));
+    ASSERT_TRUE(choosePart(material, "fresnel", "schlick", shipped()));
     EXPECT_EQ(problemIn(material, "outline.width=3"),
               "the material has no outline; expected --outline");
     EXPECT_EQ(problemIn(material, "fresnel.nope=3").find("the fresnel \"schlick\" has no such"), 0u)

@@ -36,9 +36,12 @@ Outcome validate(std::vector<std::string> files) {
 }
 
 TEST(ValidateCommand, ShippedPresetsAndScenes_AreValid) {
-    const Outcome outcome = validate(filesBelow("presets", ".json"));
+    const Outcome outcome = validate(filesBelow("presets", ".patina.json"));
+    const Outcome scenes = validate(filesBelow("presets", ".patina-scene.json"));
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
+    EXPECT_EQ(scenes.exitCode, 0) << scenes.err;
+    EXPECT_EQ(scenes.err, "");
 }
 
 TEST(ValidateCommand, ShippedDescriptors_AreValid) {

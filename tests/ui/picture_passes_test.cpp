@@ -52,8 +52,11 @@ TEST_F(PicturePasses, RemovedPass_LeavesThePictureWithoutIt) {
 }
 
 TEST_F(PicturePasses, PanelsButtons_MoveAndRemovePasses) {
+    window().dock("scene")->show();
+    window().dock("scene")->raise();
     addPass(document(), "kuwahara");
     document().setValue(pathOf(kinds::pass), "radius", 3.0);
+    settle();
     auto* panel = window().dock("scene")->findChild<PassesPanel*>();
     ASSERT_NE(panel, nullptr);
     const auto press = [&](const QString& text, int which) {

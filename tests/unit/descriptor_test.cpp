@@ -62,7 +62,7 @@ TEST_F(Mistakes, SeveralInOneFile_AreAllReported) {
                   "when old values mean something else\n" +
                   file + ":6:59: the default is outside the hard range; expected 0 to 1\n" + file +
                   ":7:39: \"flaot\" is not allowed here; expected one of float, int, bool, "
-                  "color, vec2, vec3, angle, enum, texture, curve, ramp\n" +
+                  "color, vec2, vec3, angle, enum, texture, measured, curve, ramp\n" +
                   file +
                   ":7:72: the key \"colour\" is not known; expected one of advanced, "
                   "compiled, components, decimals, default, doc, emission, enabledWhen, group, "

@@ -20,6 +20,14 @@ void addNew(std::vector<StrangerBlock>& blocks, const std::vector<StrangerBlock>
     }
 }
 
+Error checkingStopped() {
+    return {{},
+            0,
+            0,
+            "checking your blocks was stopped: those that were not checked are left out",
+            "a change of one of their files, which checks them again"};
+}
+
 } // namespace
 
 /// Holds the user's blocks as they are in programs, and the mistakes that their texts alone show.
@@ -83,7 +91,11 @@ Errors UserBlockTrials::mistakesIn(const Catalog& catalog, const Worker::Control
             wanted.add(trialProgram(block, catalog));
         }
     }
-    if (!blockGate() || wanted.blocks.empty() || control.isCancelled()) {
+    if (control.isCancelled()) {
+        wanted.mistakes.push_back(checkingStopped());
+        return wanted.mistakes;
+    }
+    if (!blockGate() || wanted.blocks.empty()) {
         return wanted.mistakes;
     }
     if (!control.openContext()) {
@@ -92,12 +104,7 @@ Errors UserBlockTrials::mistakesIn(const Catalog& catalog, const Worker::Control
     const BlockGate::Answer answer = blockGate()->ask(wanted.blocks, true);
     addNew(wanted.mistakes, answer.mistakes);
     if (control.isCancelled() && !answer.isFinal) {
-        wanted.mistakes.push_back({{},
-                                   0,
-                                   0,
-                                   "checking your blocks was stopped: those that were not checked "
-                                   "are left out",
-                                   "a change of one of their files, which checks them again"});
+        wanted.mistakes.push_back(checkingStopped());
     }
     return wanted.mistakes;
 }
