@@ -18,7 +18,7 @@ constexpr double innermost = 1e-5;
 
 /// Limits how many panels a ring is cut into: steps of a reflectance, such as shadows of grooves,
 /// would take as many as there may be.
-constexpr std::size_t ringPanels = 40;
+constexpr std::size_t ringPanels = 128;
 
 double radiusOf(double u) {
     return innermost * std::sinh(u);
