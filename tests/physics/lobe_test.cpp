@@ -78,11 +78,12 @@ TEST(AlbedoCurve, OfEveryReflectance_IsThatOf2048Points) {
     }
 }
 
+/// A grating's lines are finer than the steps of a sketch, which is drawn while a slider moves.
 TEST(LobeSketch, OfEveryModel_IsNearTheWholePlot) {
     LobeRequest request;
     request.plot = LobePlot::Albedo;
     for (const Block* block : catalog().ofKind(kinds::models)) {
-        if (!whyNoReflectance(*block).empty()) {
+        if (!whyNoReflectance(*block).empty() || block->id == "grating") {
             continue;
         }
         request.isSketch = true;
