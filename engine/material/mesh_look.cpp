@@ -87,7 +87,7 @@ Result<Material> materialOf(const MeshMaterial& from, const Catalog& catalog) {
         const auto value = from.values.find(word);
         const Parameter* parameter = parameterIn(material, id, catalog);
         if (value != from.values.end() && parameter != nullptr) {
-            done = done.and_then([&] {
+            done = done.and_then([&, &id = id] {
                 return assignInMaterial(material, assignmentOf(id, value->second, *parameter),
                                         catalog);
             });
