@@ -12,8 +12,8 @@ namespace patina {
 using SharedTable = std::shared_ptr<const HalfDifferenceTable>;
 
 /// Reads a file of a measured surface into a table and keeps it for keptTable(), under its absolute
-/// and normal path. Errors are those
-/// of readMeasured(), and that a table is too large for a graphics card.
+/// and normal path. Errors are those of readMeasured(), and that a table is too large for a
+/// graphics card.
 Result<SharedTable> readTable(const std::filesystem::path& file);
 
 /// Returns the table of the file whose full path numberOfText() gave this number: the one that

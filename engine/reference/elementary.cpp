@@ -49,7 +49,7 @@ double powSC(double s2, double c2, double e) {
     return c2 > 0.0 ? std::exp(-0.5 * e * std::log1p(std::min(s2 / c2, largest))) : 0.0;
 }
 
-// Of d and c the small one has the exact digits.
+// The small one of d and c has the exact digits.
 double pow1m(double d, double c, double e) {
     if (!(c > 0.0)) {
         return 0.0;

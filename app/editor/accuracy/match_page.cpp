@@ -260,14 +260,8 @@ void MatchPage::startMeasuring() {
     start([task, taken](Worker::Control& control) { return fit(task, control, taken); });
 }
 
-/// Leaves out the object's own material, where a fit only begins.
 MeasuredSubject MatchPage::subject() const {
-    const int object = document().selection().object();
-    Scene scene = document().ownScene(document().selection().side());
-    if (object >= 0) {
-        scene.objects[static_cast<std::size_t>(object)].material = {};
-    }
-    return subjectOf(std::move(scene), object, document().catalog(), SubjectBlocks::All);
+    return subjectOfModels();
 }
 
 void MatchPage::showNumbers(bool stale) {

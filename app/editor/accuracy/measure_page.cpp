@@ -189,4 +189,13 @@ void MeasurePage::showState() {
     bar_->setText(stateText());
 }
 
+MeasuredSubject MeasurePage::subjectOfModels() const {
+    const int object = document().selection().object();
+    Scene scene = document().ownScene(document().selection().side());
+    if (object >= 0) {
+        scene.objects[static_cast<std::size_t>(object)].material = {};
+    }
+    return subjectOf(std::move(scene), object, document().catalog(), SubjectBlocks::All);
+}
+
 } // namespace patina

@@ -49,6 +49,10 @@ class MeasurePage : public QWidget {
     virtual void startMeasuring() = 0;
     /// Returns the subject of numbers that would be measured now.
     virtual MeasuredSubject subject() const = 0;
+
+    /// Returns the subject of numbers of all models, which leaves out the object's own material: a
+    /// measurement takes the models' defaults, and a fit only begins there.
+    MeasuredSubject subjectOfModels() const;
     virtual void showNumbers(bool stale) = 0;
     virtual QByteArray bytesFor(const QString& ending) const = 0;
     /// Says why there is nothing to measure; empty if there is something.

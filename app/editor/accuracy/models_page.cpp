@@ -135,14 +135,8 @@ void ModelsPage::measure(CostSweep::Options options) {
     });
 }
 
-/// Leaves out the object's own material, since every model is measured with its defaults.
 MeasuredSubject ModelsPage::subject() const {
-    const int object = document().selection().object();
-    Scene scene = document().ownScene(document().selection().side());
-    if (object >= 0) {
-        scene.objects[static_cast<std::size_t>(object)].material = {};
-    }
-    return subjectOf(std::move(scene), object, document().catalog(), SubjectBlocks::All);
+    return subjectOfModels();
 }
 
 void ModelsPage::showNumbers(bool stale) {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lobe/painted_plot.h"
 
-#include <QBuffer>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QSvgGenerator>
 #include <QToolTip>
 
 #include "text/png.h"
+#include "text/svg.h"
 
 namespace patina {
 namespace {
@@ -36,19 +35,12 @@ QByteArray PaintedPlot::png() const {
 }
 
 QByteArray PaintedPlot::svg() const {
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    QSvgGenerator generator;
-    generator.setOutputDevice(&buffer);
-    generator.setSize(paintedFileSize);
-    generator.setViewBox(QRect(QPoint(), paintedFileSize));
-    generator.setTitle(accessibleName());
-    QPainter painter(&generator);
-    painter.setFont(font());
-    painter.fillRect(QRect(QPoint(), paintedFileSize), palette().color(QPalette::Base));
-    paint(painter, paintedFileSize);
-    painter.end();
-    return bytes;
+    return asSvg(paintedFileSize, accessibleName(), {}, [this](QPaintDevice& device) {
+        QPainter painter(&device);
+        painter.setFont(font());
+        painter.fillRect(QRect(QPoint(), paintedFileSize), palette().color(QPalette::Base));
+        paint(painter, paintedFileSize);
+    });
 }
 
 QSize PaintedPlot::sizeHint() const {
