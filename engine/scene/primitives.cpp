@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
+#include "scene/gem_cuts.h"
 #include "scene/lathe.h"
 
 namespace patina {
@@ -172,7 +173,7 @@ Mesh shaderball() {
 }
 
 using Maker = Mesh (*)();
-constexpr std::array<std::pair<std::string_view, Maker>, 7> makers{{
+constexpr std::array<std::pair<std::string_view, Maker>, 9> makers{{
     {"shaderball", shaderball},
     {"sphere", sphere},
     {"torus", torus},
@@ -180,6 +181,8 @@ constexpr std::array<std::pair<std::string_view, Maker>, 7> makers{{
     {"plane", plane},
     {"cylinder", cylinder},
     {"cone", cone},
+    {"brilliant", roundBrilliant},
+    {"emeraldcut", emeraldCut},
 }};
 
 } // namespace

@@ -11,7 +11,7 @@
 namespace patina {
 
 /// Returns the names of the meshes made by code: "shaderball", "sphere", "torus", "cube", "plane",
-/// "cylinder", "cone".
+/// "cylinder", "cone", "brilliant", "emeraldcut".
 std::vector<std::string> primitiveNames();
 
 /// Returns the mesh of one of those names, about one metre in radius, centred at the origin, with

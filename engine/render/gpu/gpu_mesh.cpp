@@ -96,6 +96,10 @@ GpuEdges& GpuMesh::edges(const MeshView& mesh, std::uint64_t frame) {
     return edges_ ? *edges_ : edges_.emplace(mesh);
 }
 
+const ConvexFacets& GpuMesh::facets(const MeshView& mesh) {
+    return facets_ ? *facets_ : facets_.emplace(convexFacetsOf(mesh));
+}
+
 void GpuMesh::forgetEdges(std::uint64_t frame) {
     if (edgesFrame_ < frame) {
         edges_.reset();

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/convex_facets.h"
 #include "core/mesh.h"
 #include "gl/buffer.h"
 #include "gl/vertex_array.h"
@@ -44,6 +45,10 @@ class GpuMesh {
     bool hasEdges() const { return edges_ && edges_->isComplete(); }
     int edgeCount() const { return edges_->count(); }
 
+    /// Returns the planes of the mesh that it was made for, which it finds when they are first asked
+    /// for.
+    const ConvexFacets& facets(const MeshView& mesh);
+
     /// Deletes the edges unless frame number `frame` or a later one has asked for them.
     void forgetEdges(std::uint64_t frame);
 
@@ -58,6 +63,7 @@ class GpuMesh {
     int triangles_ = 0;
     std::uint64_t serial_ = 0;
     std::optional<GpuEdges> edges_;
+    std::optional<ConvexFacets> facets_;
     std::uint64_t edgesFrame_ = 0; ///< is the last frame that asked for the edges
 };
 

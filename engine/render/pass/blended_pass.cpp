@@ -7,6 +7,27 @@
 #include "shading/effects/refraction.h"
 
 namespace patina {
+namespace {
+
+/// Returns the object's facets where its program follows rays among them; null where it does not,
+/// or there are none.
+const ConvexFacets* facetsOf(const FramePlan& plan, const DrawBatch& batch) {
+    const DrawMaterial& material = plan.materials[batch.material];
+    if (!followsFacets(*material.pipeline->object.refraction->block)) {
+        return nullptr;
+    }
+    const DrawItem& item = plan.items[plan.list.items()[batch.first]];
+    const ConvexFacets& facets = batch.mesh->facets(item.view);
+    return facets.planes.empty() ? nullptr : &facets;
+}
+
+/// Tells whether the farthest surface of the object must be drawn.
+bool needsBack(const FramePlan& plan, const DrawBatch& batch) {
+    const Block& block = *plan.materials[batch.material].pipeline->object.refraction->block;
+    return !isSheet(block) && facetsOf(plan, batch) == nullptr;
+}
+
+} // namespace
 
 /// Fits the target again where a refracting program reads the scene's colour, since a program kept
 /// from before a change may do so when the scene's effects do not.
@@ -30,7 +51,7 @@ Result<bool> BlendedPass::fitRefraction(const FramePlan& plan, FrameGpu& gpu) {
         const DrawMaterial& material = plan.materials[batch.material];
         if (material.refracts()) {
             isNeeded = true;
-            needs.back = needs.back || !isSheet(*material.pipeline->object.refraction->block);
+            needs.back = needs.back || needsBack(plan, batch);
             needs.behind = needs.behind || material.pipeline->effects.isShownRefracted;
         }
     }
@@ -103,10 +124,9 @@ bool BlendedPass::drawSurface(const FramePlan& plan, FrameGpu& gpu, const DrawBa
 bool BlendedPass::drawRefracting(const FramePlan& plan, FrameGpu& gpu, const DrawBatch& batch,
                                  StepBudget& budget) {
     const Pipeline& pipeline = *plan.materials[batch.material].pipeline;
-    const Ball& ball = plan.items[plan.list.items()[batch.first]].placement->ball;
+    const Placement& placement = *plan.items[plan.list.items()[batch.first]].placement;
     gpu.data.feed(plan, batch);
-    if (!isSheet(*pipeline.object.refraction->block) && !hasBack_ &&
-        !drawBack(plan, gpu, batch, budget)) {
+    if (needsBack(plan, batch) && !hasBack_ && !drawBack(plan, gpu, batch, budget)) {
         return false;
     }
     hasBack_ = true;
@@ -114,7 +134,12 @@ bool BlendedPass::drawRefracting(const FramePlan& plan, FrameGpu& gpu, const Dra
         refraction_->takeBehind(gpu.target());
         gpu.target().bind();
     }
-    refraction_->bind(*pipeline.program, ball, gpu.target());
+    refraction_->bind(*pipeline.program, placement.ball, gpu.target());
+    if (followsFacets(*pipeline.object.refraction->block)) {
+        const ConvexFacets* facets = facetsOf(plan, batch);
+        RefractionTargets::setFacets(*pipeline.program, placement,
+                                     facets ? *facets : ConvexFacets());
+    }
     if (!drawer_.drawTriangles(gpu, batch, budget)) {
         return false;
     }

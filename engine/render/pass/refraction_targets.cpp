@@ -2,8 +2,12 @@
 #include "render/pass/refraction_targets.h"
 
 #include <array>
+#include <cmath>
 
 #include <epoxy/gl.h>
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
 
 #include "render/gpu/binding.h"
 #include "shading/effects/refraction_source.h"
@@ -15,6 +19,13 @@ void setBall(const gl::Program& program, const Ball& ball) {
     glUniform4f(program.uniform("refractionBody"), static_cast<float>(ball.center.x),
                 static_cast<float>(ball.center.y), static_cast<float>(ball.center.z),
                 static_cast<float>(ball.radius));
+}
+
+/// Returns a plane in the world, as seen from the middle of its body.
+glm::vec4 placed(const FacetPlane& plane, const Placement& placement, const glm::dmat3& turn) {
+    const glm::dvec3 normal = glm::normalize(turn * plane.normal);
+    const glm::dvec3 x(placement.world * glm::dvec4(plane.offset * plane.normal, 1.0));
+    return {normal, glm::dot(normal, x - placement.ball.center)};
 }
 
 } // namespace
@@ -108,6 +119,24 @@ void RefractionTargets::bind(const gl::Program& program, const Ball& ball,
         behindDepth_.bind(binding::behindDepth);
     }
     glActiveTexture(GL_TEXTURE0);
+}
+
+void RefractionTargets::setFacets(const gl::Program& program, const Placement& placement,
+                                  const ConvexFacets& facets) {
+    const glm::dmat3 turn = glm::transpose(glm::inverse(glm::dmat3(placement.world)));
+    std::array<glm::vec4, ConvexFacets::maxPlanes> planes{};
+    int count = 0;
+    for (const FacetPlane& plane : facets.planes) {
+        const glm::vec4 each = placed(plane, placement, turn);
+        if (!std::isfinite(glm::dot(each, each))) {
+            count = 0;
+            break;
+        }
+        planes[static_cast<std::size_t>(count++)] = each;
+    }
+    setBall(program, placement.ball);
+    glUniform1i(program.uniform("refractionFacetCount"), count);
+    glUniform4fv(program.uniform("refractionFacets"), count, glm::value_ptr(planes.front()));
 }
 
 void RefractionTargets::assignUnits(const gl::Program& program) {

@@ -4,10 +4,11 @@
 #include <memory>
 
 #include "catalog/catalog.h"
+#include "core/convex_facets.h"
 #include "gl/framebuffer.h"
 #include "gl/target_texture.h"
 #include "render/gpu/hdr_target.h"
-#include "render/lights/light_lists.h"
+#include "render/lights/placement.h"
 #include "shading/program/program_cache.h"
 
 namespace patina {
@@ -37,6 +38,11 @@ class RefractionTargets {
 
     /// Binds the images for a program that is in use and draws a body within the ball.
     void bind(const gl::Program& program, const Ball& ball, const HdrTarget& target) const;
+
+    /// Sets the facets of a body for a program that is in use and follows rays among them; one that
+    /// has none in the world, as it is flattened, counts as a body without.
+    static void setFacets(const gl::Program& program, const Placement& placement,
+                          const ConvexFacets& facets);
 
     /// Sets the texture units of the images in a linked program (binding.h).
     static void assignUnits(const gl::Program& program);

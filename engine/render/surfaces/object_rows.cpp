@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "core/convex_facets.h"
 #include "core/image_places.h"
 #include "render/lights/frustum.h"
 #include "render/lights/light_lists.h"
@@ -16,6 +17,7 @@
 #include "shading/effects/light_reach.h"
 #include "shading/effects/lights.h"
 #include "shading/effects/opacity.h"
+#include "shading/effects/refraction.h"
 
 namespace patina {
 namespace {
@@ -123,6 +125,27 @@ void describeEnvironment(std::vector<EffectRow>& rows, const KnownImages& images
     }
 }
 
+/// Says how many facets the rays are followed among, or why the mesh has none for them.
+void describeFacets(std::vector<EffectRow>& rows, const Material& material, const Catalog& catalog,
+                    const MeshView& mesh) {
+    const Block* block = refractionChoice(material, catalog).block;
+    if (block == nullptr || !followsFacets(*block) || mesh.indices.empty()) {
+        return;
+    }
+    const ConvexFacets facets = convexFacetsOf(mesh);
+    for (EffectRow& row : rows) {
+        if (row.in && row.line.effect == effectName(block->kind, block->id)) {
+            row.line.reason +=
+                facets.planes.empty()
+                    ? fmt::format(" Of this mesh rays meet only the first and the last surface, as "
+                                  "of a solid body: {}.",
+                                  facets.whyNot)
+                    : fmt::format(" Rays are followed among {} flat facets.",
+                                  facets.planes.size());
+        }
+    }
+}
+
 /// Sets all effects of the object to out, since it is not drawn; effects of the whole picture stay.
 void takeOut(std::vector<EffectRow>& rows, const std::string& reason) {
     for (EffectRow& row : rows) {
@@ -171,6 +194,7 @@ std::vector<EffectRow> objectRows(const Scene& scene, std::size_t object, const 
     addUnreached(rows, scene, object, catalog, view, mesh);
     describeImages(rows, material, catalog, mesh, images);
     describeEnvironment(rows, images);
+    describeFacets(rows, material, catalog, mesh);
     return rows;
 }
 

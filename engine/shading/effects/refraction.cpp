@@ -2,6 +2,7 @@
 #include "shading/effects/refraction.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <string_view>
 
@@ -120,6 +121,35 @@ std::string namesSource(const Block& block) {
                        structName(block), function);
 }
 
+/// Returns the number that an accuracy level's whole id is; nothing where it is none.
+std::optional<int> countOf(const EnumValue& level) {
+    int count = 0;
+    const char* end = level.id.data() + level.id.size();
+    const auto read = std::from_chars(level.id.data(), end, count);
+    return read.ec == std::errc() && read.ptr == end && count >= 0 ? std::optional(count)
+                                                                   : std::nullopt;
+}
+
+/// Returns the choice whose levels count reflections inside of a body; null where there is none.
+const AccuracyChoice* reflectionChoice(const Block& block) {
+    const auto found = std::ranges::find_if(block.accuracy, [](const AccuracyChoice& choice) {
+        return std::ranges::all_of(choice.values,
+                                   [](const EnumValue& level) { return countOf(level); });
+    });
+    return found == block.accuracy.end() ? nullptr : &*found;
+}
+
+/// Writes the ways of rays from facet to facet.
+void writeFacets(SurfaceText& text, const BlockUse& use) {
+    const EnumValue& level = use.level(*reflectionChoice(use.block()));
+    text.out.add(fmt::format("#define INNER_REFLECTIONS {}\n", *countOf(level)));
+    text.out.addFile(text.set.environment ? "passes/refraction_facets_environment.glsl"
+                                          : "passes/refraction_facets_plain.glsl");
+    text.out.addFile(text.set.isShownRefracted ? "passes/refraction_facets_behind.glsl"
+                                               : "passes/refraction_facets_alone.glsl");
+    text.out.addFile("passes/refraction_facets.glsl");
+}
+
 /// Writes what is seen where a ray leaves everything.
 void writeDistance(SurfaceText& text) {
     if (!text.set.environment) {
@@ -169,6 +199,10 @@ double bodyIndex(const Material& material, const RefractionChoice& choice, const
 
 bool isSheet(const Block& refraction) {
     return refraction.withRole(roles::thickness) != nullptr;
+}
+
+bool followsFacets(const Block& refraction) {
+    return reflectionChoice(refraction) != nullptr;
 }
 
 bool hasRefraction(const Scene& scene, const Catalog& catalog) {
@@ -238,8 +272,12 @@ void RefractionEffect::write(SurfaceText& text) const {
                                                : "passes/refraction_alone.glsl");
     writePassage(text, block);
     text.out.addFile("passes/refraction_color.glsl");
-    text.last += fmt::format("    {0} = refracted(s, {0}, {1}, unpackRefraction({2}));\n",
-                             text.stored, text.alpha, text.object.refraction->first);
+    if (followsFacets(block)) {
+        writeFacets(text, *refraction);
+    }
+    text.last += fmt::format("    {0} = {3}(s, {0}, {1}, unpackRefraction({2}));\n", text.stored,
+                             text.alpha, text.object.refraction->first,
+                             followsFacets(block) ? "refractedByFacets" : "refracted");
     text.alpha = "1.0";
 }
 
