@@ -14,9 +14,10 @@ namespace patina {
 namespace {
 
 // In units of the mesh's radius.
-constexpr double coplanar = 1e-5; ///< metres between a plane and the corners of one of its triangles
-constexpr double convex = 1e-4;   ///< metres by which a corner may lie in front of a plane
-constexpr double closed = 1e-3;   ///< of the area, that opposite sides may differ
+constexpr double coplanar =
+    1e-5;                       ///< metres between a plane and the corners of one of its triangles
+constexpr double convex = 1e-4; ///< metres by which a corner may lie in front of a plane
+constexpr double closed = 1e-3; ///< of the area, that opposite sides may differ
 
 constexpr double parallel = 0.99; ///< is the least cosine between triangles of a plane
 
@@ -77,8 +78,8 @@ class FacetFinder {
             const Triangle each = triangle(i);
             sum += each.area;
             area += glm::length(each.area);
-            moment += glm::outerProduct(
-                (each.corners[0] + each.corners[1] + each.corners[2]) / 3.0, each.area);
+            moment += glm::outerProduct((each.corners[0] + each.corners[1] + each.corners[2]) / 3.0,
+                                        each.area);
         }
         const double volume = (moment[0][0] + moment[1][1] + moment[2][2]) / 3.0;
         moment -= glm::dmat3(volume);

@@ -138,9 +138,9 @@ glm::dvec3 around(double azimuth, double radius, double height) {
     return {radius * std::cos(azimuth), height, radius * std::sin(azimuth)};
 }
 
-/// Adds the facets above the girdle of a brilliant, or those below it at a `side` of -1: eight mains
-/// at an angle and two halves between each, of which pairs end on the line between the mains at
-/// `halfEnd` from the axis.
+/// Adds the facets above the girdle of a brilliant, or those below it at a `side` of -1: eight
+/// mains at an angle and two halves between each, of which pairs end on the line between the mains
+/// at `halfEnd` from the axis.
 void addHalf(std::vector<HalfSpace>& cuts, double side, double girdle, double angle,
              double halfEnd) {
     constexpr double eighth = pi / 4.0;
@@ -170,8 +170,7 @@ Mesh roundBrilliant() {
     const double tableHeight = girdle + (1.0 - table) * std::tan(crown);
     const double tableEdge = table * std::cos(0.5 * eighth);
     const double starEnd = tableEdge + 0.5 * (1.0 - tableEdge);
-    const double starHeight =
-        girdle + (1.0 - starEnd * std::cos(0.5 * eighth)) * std::tan(crown);
+    const double starHeight = girdle + (1.0 - starEnd * std::cos(0.5 * eighth)) * std::tan(crown);
     std::vector<HalfSpace> cuts{{{0.0, 1.0, 0.0}, tableHeight}};
     for (int i = 0; i < 8; ++i) {
         cuts.push_back(through(around(i * eighth, table, tableHeight),

@@ -45,8 +45,8 @@ class GpuMesh {
     bool hasEdges() const { return edges_ && edges_->isComplete(); }
     int edgeCount() const { return edges_->count(); }
 
-    /// Returns the planes of the mesh that it was made for, which it finds when they are first asked
-    /// for.
+    /// Returns the planes of the mesh that it was made for, which it finds when they are first
+    /// asked for.
     const ConvexFacets& facets(const MeshView& mesh);
 
     /// Deletes the edges unless frame number `frame` or a later one has asked for them.

@@ -31,7 +31,7 @@ glm::vec4 placed(const FacetPlane& plane, const Placement& placement, const glm:
 } // namespace
 
 Result<void> RefractionTargets::begin(glm::ivec2 size, Needs needs, const Catalog& catalog,
-                                   ProgramCache& cache) {
+                                      ProgramCache& cache) {
     if (size != size_ || built_.back != needs.back || built_.behind != needs.behind) {
         std::shared_ptr<const gl::Program> program = std::move(backProgram_);
         *this = RefractionTargets();
@@ -108,7 +108,7 @@ void RefractionTargets::takeBehind(const HdrTarget& target) const {
 }
 
 void RefractionTargets::bind(const gl::Program& program, const Ball& ball,
-                          const HdrTarget& target) const {
+                             const HdrTarget& target) const {
     if (built_.back) {
         back_.bind(binding::refractionBack);
         setBall(program, ball);

@@ -140,8 +140,7 @@ void describeFacets(std::vector<EffectRow>& rows, const Material& material, cons
                     ? fmt::format(" Of this mesh rays meet only the first and the last surface, as "
                                   "of a solid body: {}.",
                                   facets.whyNot)
-                    : fmt::format(" Rays are followed among {} flat facets.",
-                                  facets.planes.size());
+                    : fmt::format(" Rays are followed among {} flat facets.", facets.planes.size());
         }
     }
 }

@@ -27,8 +27,8 @@ double bodyIndex(const Material& material, const RefractionChoice& choice, const
 /// Tells whether light leaves it in its old direction: a pane, which has a thickness.
 bool isSheet(const Block& refraction);
 
-/// Tells whether it follows rays from facet to facet of a convex body of flat ones: the levels of an
-/// accuracy choice are whole numbers, of reflections inside.
+/// Tells whether it follows rays from facet to facet of a convex body of flat ones: the levels of
+/// an accuracy choice are whole numbers, of reflections inside.
 bool followsFacets(const Block& refraction);
 
 /// Tells whether an object that is seen refracts what is behind it. Allocates nothing.
