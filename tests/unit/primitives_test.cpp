@@ -19,7 +19,9 @@ class Primitive : public testing::TestWithParam<std::string> {
     Mesh mesh = primitive(GetParam()).value();
 };
 
-std::string nameOf(const testing::TestParamInfo<std::string>& info) { return info.param; }
+std::string nameOf(const testing::TestParamInfo<std::string>& info) {
+    return info.param;
+}
 
 INSTANTIATE_TEST_SUITE_P(All, Primitive, testing::ValuesIn(primitiveNames()), nameOf);
 
@@ -98,7 +100,8 @@ double closedShare(const Mesh& mesh) {
 }
 
 TEST(Primitives, Solids_HaveNoHoles) {
-    for (const char* name : {"sphere", "torus", "cube", "cylinder", "cone"}) {
+    for (const char* name :
+         {"sphere", "torus", "cube", "cylinder", "cone", "brilliant", "emeraldcut"}) {
         EXPECT_EQ(closedShare(primitive(name).value()), 1.0) << name;
     }
 }
@@ -140,7 +143,9 @@ TEST(BuiltinMesh, UnknownName_NamesTheKnownOnes) {
     EXPECT_NE(mesh.error().expected.find("shaderball"), std::string::npos);
 }
 
-TEST(Primitives, UnknownName_GivesNothing) { EXPECT_FALSE(primitive("teapot").has_value()); }
+TEST(Primitives, UnknownName_GivesNothing) {
+    EXPECT_FALSE(primitive("teapot").has_value());
+}
 
 } // namespace
 } // namespace patina::primitives_test

@@ -136,7 +136,8 @@ void RefractionTargets::setFacets(const gl::Program& program, const Placement& p
     }
     setBall(program, placement.ball);
     glUniform1i(program.uniform("refractionFacetCount"), count);
-    glUniform4fv(program.uniform("refractionFacets"), count, glm::value_ptr(planes.front()));
+    glUniform4fv(program.uniform("refractionFacets"), static_cast<int>(planes.size()),
+                 glm::value_ptr(planes.front()));
 }
 
 void RefractionTargets::assignUnits(const gl::Program& program) {

@@ -133,8 +133,8 @@ std::optional<int> countOf(const EnumValue& level) {
 /// Returns the choice whose levels count reflections inside of a body; null where there is none.
 const AccuracyChoice* reflectionChoice(const Block& block) {
     const auto found = std::ranges::find_if(block.accuracy, [](const AccuracyChoice& choice) {
-        return std::ranges::all_of(choice.values,
-                                   [](const EnumValue& level) { return countOf(level); });
+        return std::ranges::all_of(
+            choice.values, [](const EnumValue& level) { return countOf(level).has_value(); });
     });
     return found == block.accuracy.end() ? nullptr : &*found;
 }

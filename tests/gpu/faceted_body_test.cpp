@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pictures of cut stones against rays that are followed in double precision from plane to plane.
+#include <algorithm>
+#include <numeric>
+
+#include <glm/gtc/matrix_inverse.hpp>
+
+#include "catalog/parameter_layout.h"
+#include "measure/error/display_curve.h"
+#include "measure/error/flip.h"
+#include "measure/error/parallel.h"
+#include "reference/reference.h"
+#include "refraction_fixture.h"
+#include "render/lights/placement.h"
+
+namespace patina::faceted_body_test {
+namespace {
+
+constexpr int size = 64;
+constexpr int raysAcross = 14; ///< of a pixel, and as many up
+
+/// Is a plane of a stone in the world: x on it has dot(n, x) = offset, and n points outward.
+struct Plane {
+    glm::dvec3 n;
+    double offset;
+};
+
+std::vector<Plane> planesOf(const Mesh& mesh, const glm::dmat4& world) {
+    std::vector<Plane> planes;
+    const glm::dmat3 turn = glm::inverseTranspose(glm::dmat3(world));
+    const Vertex* last = nullptr;
+    for (const Vertex& vertex : mesh.vertices) {
+        if (last == nullptr || vertex.normal != last->normal) {
+            const glm::dvec3 n = glm::normalize(turn * glm::dvec3(vertex.normal));
+            const glm::dvec3 x(world * glm::dvec4(glm::dvec3(vertex.position), 1.0));
+            planes.push_back({n, glm::dot(n, x)});
+        }
+        last = &vertex;
+    }
+    return planes;
+}
+
+/// Holds a stone and what is around it.
+struct Stone {
+    std::vector<Plane> planes;
+    glm::dvec3 indices; ///< for red, green and blue light
+    int reflections;
+    std::function<glm::dvec3(const glm::dvec3&)> light;
+};
+
+/// Returns the facet through which a ray comes in, and where; null where it misses the stone.
+const Plane* entry(const Stone& stone, const glm::dvec3& origin, const glm::dvec3& d, double& way) {
+    const Plane* first = nullptr;
+    double end = 1e300;
+    way = 0.0;
+    for (const Plane& plane : stone.planes) {
+        const double along = glm::dot(plane.n, d);
+        const double t = (plane.offset - glm::dot(plane.n, origin)) / along;
+        if (along < 0.0 && t > way) {
+            way = t;
+            first = &plane;
+        } else if (along > 0.0) {
+            end = std::min(end, t);
+        }
+    }
+    return way < end ? first : nullptr;
+}
+
+/// Returns the facet that a ray inside meets, and where. Most of the time of a test goes by here,
+/// and tests are compiled as they are written.
+const Plane* exit(const Stone& stone, const glm::dvec3& x, const glm::dvec3& d, double& way) {
+    const Plane* next = nullptr;
+    const double dx = d.x;
+    const double dy = d.y;
+    const double dz = d.z;
+    const double x0 = x.x;
+    const double y0 = x.y;
+    const double z0 = x.z;
+    way = 1e300;
+    const Plane* const end = stone.planes.data() + stone.planes.size();
+    for (const Plane* plane = stone.planes.data(); plane != end; ++plane) {
+        const double along = plane->n.x * dx + plane->n.y * dy + plane->n.z * dz;
+        const double left = plane->offset - plane->n.x * x0 - plane->n.y * y0 - plane->n.z * z0;
+        if (along > 0.0 && left < way * along) {
+            way = left / along;
+            next = plane;
+        }
+    }
+    way = std::max(way, 0.0);
+    return next;
+}
+
+/// Returns the share that is reflected; `onwards` is where the rest goes. n is on the ray's side.
+double split(const glm::dvec3& d, const glm::dvec3& n, double eta, glm::dvec3& onwards) {
+    const double c = std::clamp(-glm::dot(d, n), 0.0, 1.0);
+    const double sine2 = (1.0 - c * c) / (eta * eta);
+    if (sine2 >= 1.0) {
+        return 1.0;
+    }
+    const double beyond = std::sqrt(1.0 - sine2);
+    onwards = (d + (c - eta * beyond) * n) / eta;
+    const double across = (c - eta * beyond) / (c + eta * beyond);
+    const double along = (eta * c - beyond) / (eta * c + beyond);
+    return 0.5 * (across * across + along * along);
+}
+
+/// Returns what a ray sees of one colour that comes in at x through a facet.
+double seen(const Stone& stone, glm::dvec3 x, glm::dvec3 d, const Plane& facet, int channel) {
+    const double index = stone.indices[channel];
+    const auto light = [&](const glm::dvec3& towards) { return stone.light(towards)[channel]; };
+    glm::dvec3 inside(0.0);
+    double share = split(d, facet.n, index, inside);
+    double sum = share * light(glm::reflect(d, facet.n));
+    share = 1.0 - share;
+    d = inside;
+    for (int i = 0; i <= stone.reflections; ++i) {
+        double way = 0.0;
+        const Plane* next = exit(stone, x, d, way);
+        x += way * d;
+        glm::dvec3 out(0.0);
+        const double kept = split(d, -next->n, 1.0 / index, out);
+        sum += kept < 1.0 ? share * (1.0 - kept) * light(out) : 0.0;
+        share *= kept;
+        d = glm::reflect(d, next->n);
+    }
+    return sum + share * light(d);
+}
+
+class FacetedBody : public RefractionTest {
+  protected:
+    void SetUp() override {
+        RefractionTest::SetUp();
+        scene_.objects = {clear("brilliant", "faceted-body", 2.417)};
+        scene_.setPart(kinds::environment, block("environment", "strip-lights"));
+    }
+
+    Object& gem() { return scene_.objects[0]; }
+
+    void follow(int reflections) {
+        gem().material.accuracy["reflections"] = std::to_string(reflections);
+    }
+
+    /// Draws with so many directions that grain does not count.
+    Image stone() {
+        View view = viewOf(scene_, size);
+        view.samples = 1;
+        view.environmentImage = environment_;
+        view.environmentSamples = 1024;
+        auto image = renderer->capture(scene_, view, meshSource(), false);
+        EXPECT_TRUE(image) << (image ? "" : image.error().text());
+        return image ? *image : Image();
+    }
+
+    /// Returns Cauchy's indices at 650, 550 and 450 nm, by the lines d, F and C.
+    glm::dvec3 indices() const {
+        const Values& values = scene_.objects[0].material.parts.at("refraction").parameters;
+        const double index = std::get<double>(values.at("index"));
+        const double spread = 0.05 * std::get<double>(values.at("dispersion")) * (index - 1.0) /
+                              (1.0 / (0.4861 * 0.4861) - 1.0 / (0.6563 * 0.6563));
+        const auto at = [&](double wavelength) {
+            return index + spread * (1.0 / (wavelength * wavelength) - 1.0 / (0.5876 * 0.5876));
+        };
+        return {at(0.65), at(0.55), at(0.45)};
+    }
+
+    Stone exact(int reflections) {
+        const BlockValues& part = *scene_.part(kinds::environment);
+        const reference::Block* sky = reference::findBlock("environment", part.id);
+        std::vector<double> values =
+            packed(*catalog->find(kinds::environment, part.id), part.parameters, {});
+        mesh(gem());
+        const std::string name = gem().mesh.substr(gem().mesh.find(':') + 1);
+        return {planesOf(meshes.at(name), worldMatrix(gem())), indices(), reflections,
+                [sky, values](const glm::dvec3& d) {
+                    return sky->environment(d, glm::dvec3(1.0), values);
+                }};
+    }
+
+    /// Returns the mean of a pixel's rays, all through the facet that its middle shows; what the
+    /// picture has where that misses the stone.
+    glm::dvec3 exactPixel(const Stone& stone, int x, int y, const glm::dvec3& drawn) const {
+        const glm::dvec3 from = eye(scene_.camera);
+        double way = 0.0;
+        const Plane* facet = entry(stone, from, rayThrough(x, y, size), way);
+        if (facet == nullptr) {
+            return drawn;
+        }
+        constexpr int fine = size * raysAcross;
+        glm::dvec3 sum(0.0);
+        for (int i = 0; i < raysAcross * raysAcross; ++i) {
+            const glm::dvec3 d =
+                rayThrough(raysAcross * x + i % raysAcross, raysAcross * y + i / raysAcross, fine);
+            const double to = (facet->offset - glm::dot(facet->n, from)) / glm::dot(facet->n, d);
+            for (int channel = 0; channel < 3; ++channel) {
+                sum[channel] += seen(stone, from + to * d, d, *facet, channel);
+            }
+        }
+        return sum / double(raysAcross * raysAcross);
+    }
+
+    /// Returns the mean FLIP of a picture from rays of so many reflections.
+    double flip(const Image& picture, int reflections) {
+        const Stone stone = exact(reflections);
+        const DisplayCurve curve = DisplayCurve::of(scene_, *catalog);
+        std::vector<glm::dvec3> right;
+        std::vector<glm::dvec3> shown;
+        for (int i = 0; i < size * size; ++i) {
+            shown.emplace_back(pixel(picture, i % size, i / size));
+        }
+        right = shown;
+        inParallel(right.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const int place = static_cast<int>(i);
+                right[i] = exactPixel(stone, place % size, place / size, right[i]);
+            }
+        });
+        for (std::vector<glm::dvec3>* each : {&right, &shown}) {
+            for (glm::dvec3& light : *each) {
+                light = curve.shown(light);
+            }
+        }
+        const std::vector<double> map = Flip({size, size}, right).differences(shown);
+        return std::accumulate(map.begin(), map.end(), 0.0) / double(map.size());
+    }
+};
+
+TEST_F(FacetedBody, FromFiveDirections_IsWhatRaysSee) {
+    set(gem(), "dispersion", 0.36);
+    for (const glm::dvec3& rotation :
+         {glm::dvec3(90.0, 0.0, 0.0), glm::dvec3(70.0, 20.0, 0.0), glm::dvec3(20.0, -35.0, 0.0),
+          glm::dvec3(-60.0, 10.0, 15.0), glm::dvec3(0.0, 80.0, 40.0)}) {
+        gem().rotation = rotation;
+        EXPECT_LT(flip(stone(), 8), 0.02) << rotation.x << ' ' << rotation.y;
+    }
+}
+
+TEST_F(FacetedBody, ThatIsStretched_IsWhatRaysSee) {
+    gem().mesh = "builtin:emeraldcut";
+    gem().rotation = {65.0, 15.0, 30.0};
+    gem().scale = {1.1, 1.6, 0.7};
+    EXPECT_LT(flip(stone(), 8), 0.02);
+}
+
+/// Each level is what its number says, and fewer reflections are farther from eight.
+TEST_F(FacetedBody, OfFewerReflections_IsThoseRaysAndFartherFromAll) {
+    gem().rotation = {75.0, 10.0, 0.0};
+    double last = 0.0;
+    for (const int reflections : {4, 0}) {
+        follow(reflections);
+        const Image image = stone();
+        EXPECT_LT(flip(image, reflections), 0.02) << reflections;
+        const double error = flip(image, 8);
+        EXPECT_GT(error, last) << reflections;
+        last = error;
+    }
+    EXPECT_GT(last, 0.1);
+}
+
+/// All that arrives is 1: neither more nor less leaves, whatever becomes of the rays.
+TEST_F(FacetedBody, InWhiteSurroundings_IsWhite) {
+    surround(true);
+    for (const char* shape : {"brilliant", "emeraldcut", "cube"}) {
+        for (const int reflections : {0, 1, 8}) {
+            for (const double index : {0.6, 1.1, 2.417, 10.0}) {
+                gem() = clear(shape, "faceted-body", index);
+                gem().rotation = {20.0, 30.0, 0.0};
+                follow(reflections);
+                for (const float value : drawn(33).pixels) {
+                    ASSERT_NEAR(value, 1.0f, 2e-3f) << shape << ' ' << reflections << ' ' << index;
+                }
+            }
+        }
+    }
+}
+
+TEST_F(FacetedBody, OfAMeshThatIsNoSuchBody_IsASolidBody) {
+    for (const char* shape : {"torus", "sphere", "shaderball", "plane"}) {
+        gem() = clear(shape, "faceted-body", 1.5);
+        const Image faceted = drawn(33);
+        gem() = clear(shape, "solid-body", 1.5);
+        EXPECT_EQ(faceted.pixels, drawn(33).pixels) << shape;
+    }
+}
+
+TEST_F(FacetedBody, ThatAbsorbs_IsDarkerTheFartherRaysGo) {
+    set(gem(), "absorption.color", glm::dvec3(0.9, 0.5, 0.5));
+    scene_.background = glm::dvec3(0.0);
+    gem().rotation = {75.0, 10.0, 0.0};
+    const auto total = [](const Image& image, std::size_t channel) {
+        double sum = 0.0;
+        for (std::size_t i = channel; i < image.pixels.size();
+             i += static_cast<std::size_t>(image.channels)) {
+            sum += double(image.pixels[i]);
+        }
+        return sum;
+    };
+    const Image image = stone();
+    EXPECT_GT(total(image, 0), 1.3 * total(image, 1));
+}
+
+TEST_F(FacetedBody, OfValuesFromEndToEnd_IsFinite) {
+    for (const double index : {0.1, 1.0, 10.0}) {
+        for (const double dispersion : {0.0, 10.0}) {
+            for (const glm::dvec3& scale :
+                 {glm::dvec3(1.0), glm::dvec3(1e-6, 1.0, 1.0), glm::dvec3(-1.0, 1.0, 1.0),
+                  glm::dvec3(1e4), glm::dvec3(1.0, 0.0, 1.0)}) {
+                gem() = clear("brilliant", "faceted-body", index);
+                gem().scale = scale;
+                set(gem(), "dispersion", dispersion);
+                set(gem(), "absorption.color", glm::dvec3(0.0, 0.5, 1.0));
+                set(gem(), "absorption.distance", 0.0001);
+                for (const float value : drawn(17).pixels) {
+                    ASSERT_TRUE(value >= 0.0f && value <= 65504.0f)
+                        << index << ' ' << dispersion << ' ' << scale.x << ' ' << value;
+                }
+            }
+        }
+    }
+}
+
+TEST_F(FacetedBody, BeforeSomething_ShowsItThroughACube) {
+    scene_.parts.clear();
+    scene_.objects = {clear("cube", "faceted-body", 1.5), glowing({1.0, 0.0, 0.0}, {0, 0, -2})};
+    EXPECT_GT(middle(drawn(33)).r, 0.8f);
+}
+
+} // namespace
+} // namespace patina::faceted_body_test
