@@ -21,7 +21,7 @@ constexpr double closed = 1e-3; ///< of the area, that opposite sides may differ
 
 constexpr double parallel = 0.99; ///< is the least cosine between triangles of a plane
 
-constexpr std::size_t fewestPlanes = 4;
+constexpr std::size_t minPlanes = 4;
 
 struct Triangle {
     std::array<glm::dvec3, 3> corners;
@@ -117,7 +117,7 @@ class FacetFinder {
             }
             planes_.push_back({normal, glm::dot(normal, each.corners[0])});
         }
-        return planes_.size() < fewestPlanes ? "it is not closed" : "";
+        return planes_.size() < minPlanes ? "it is not closed" : "";
     }
 
     bool lies(const Triangle& triangle, const glm::dvec3& normal, const FacetPlane& plane) const {
