@@ -113,8 +113,8 @@ class RefractionTest : public GpuTest {
         return image ? *image : Image();
     }
 
-    /// Returns the unit direction of the ray through a pixel's centre.
-    glm::dvec3 rayThrough(int x, int y, int size) const {
+    /// Returns the unit direction of the ray through a pixel's centre, or a place beside it.
+    glm::dvec3 rayThrough(double x, double y, int size) const {
         const double up = std::tan(0.5 * glm::radians(scene_.camera.fieldOfView));
         const double half = 0.5 * size;
         return glm::normalize(
