@@ -1,0 +1,510 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure/approximation/shader_evaluator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "measure/approximation/shader_builtins.h"
+
+namespace patina {
+namespace {
+
+using Kind = ShaderExpression::Kind;
+using Base = ShaderType::Base;
+
+/// Limits what one case may take; nothing that is drawn for each pixel comes near it.
+constexpr std::size_t maxStepsOfCase = 200000;
+constexpr int maxCallDepth = 64;
+constexpr std::size_t stackNumbers = 1u << 18;
+
+/// Is room for the value of an expression of this size, on the stack where it is small.
+class Room {
+  public:
+    explicit Room(std::size_t size) {
+        if (size > few_.size()) {
+            many_.resize(size);
+        }
+    }
+    double* data() { return many_.empty() ? few_.data() : many_.data(); }
+
+  private:
+    std::array<double, 16> few_{};
+    std::vector<double> many_;
+};
+
+} // namespace
+
+bool ObservedValues::isConstant(std::size_t size) const {
+    for (std::size_t i = 0; i < size; ++i) {
+        if (!(least[i] == most[i])) {
+            return false;
+        }
+    }
+    return count > 0;
+}
+
+ShaderEvaluator::ShaderEvaluator(const ShaderSyntax& syntax, ShaderPrecision precision)
+    : syntax_(syntax), precision_(precision), constants_(syntax.constantNumbers),
+      stack_(stackNumbers) {
+    for (const ShaderConstant& constant : syntax.constants) {
+        evaluate(constant.value, constants_.data() + constant.place);
+    }
+}
+
+void ShaderEvaluator::observe(std::vector<ObservedValues>* values) {
+    observed_ = values;
+    if (values != nullptr) {
+        values->resize(syntax_.expressions.size());
+    }
+}
+
+void ShaderEvaluator::call(int function, std::span<const double> arguments,
+                           std::span<const float> data, std::span<double> result) {
+    const ParsedFunction& called = syntax_.functions[static_cast<std::size_t>(function)];
+    data_ = data;
+    steps_ = 0;
+    isEndless_ = false;
+    depth_ = 0;
+    base_ = 0;
+    top_ = called.frame;
+    std::ranges::copy(arguments, stack_.begin());
+    std::vector<double> whole(called.resultSize);
+    result_ = whole.data();
+    run(called.body);
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        result[i] = isEndless_ || i >= whole.size() ? std::numeric_limits<double>::quiet_NaN()
+                                                    : whole[i];
+    }
+}
+
+ShaderEvaluator::Flow ShaderEvaluator::run(int index) {
+    const ShaderStatement& statement = syntax_.statements[static_cast<std::size_t>(index)];
+    Room ignored(statement.kind == ShaderStatement::Kind::Expression
+                     ? at(statement.expression).size
+                     : 1);
+    switch (statement.kind) {
+    case ShaderStatement::Kind::Group:
+        for (const int next : statement.statements) {
+            if (const Flow flow = run(next); flow != Flow::Next) {
+                return flow;
+            }
+        }
+        return Flow::Next;
+    case ShaderStatement::Kind::Expression:
+        evaluate(statement.expression, ignored.data());
+        return Flow::Next;
+    case ShaderStatement::Kind::If:
+        if (truth(statement.expression)) {
+            return run(statement.statements[0]);
+        }
+        return statement.statements.size() > 1 ? run(statement.statements[1]) : Flow::Next;
+    case ShaderStatement::Kind::Loop:
+        return loop(statement);
+    case ShaderStatement::Kind::Return:
+        if (statement.expression >= 0) {
+            evaluate(statement.expression, result_);
+        }
+        return Flow::Return;
+    case ShaderStatement::Kind::Break:
+        return Flow::Break;
+    default:
+        return Flow::Continue;
+    }
+}
+
+ShaderEvaluator::Flow ShaderEvaluator::loop(const ShaderStatement& statement) {
+    Room ignored(16);
+    while (!isEndless_ && (statement.expression < 0 || truth(statement.expression))) {
+        isEndless_ = ++steps_ > maxStepsOfCase;
+        const Flow flow = run(statement.statements.front());
+        if (flow == Flow::Break || isEndless_) {
+            break;
+        }
+        if (flow == Flow::Return) {
+            return flow;
+        }
+        if (statement.step >= 0) {
+            evaluate(statement.step, ignored.data());
+        }
+    }
+    return isEndless_ ? Flow::Return : Flow::Next;
+}
+
+bool ShaderEvaluator::truth(int index) {
+    double value = 0.0;
+    evaluate(index, &value);
+    return value != 0.0;
+}
+
+void ShaderEvaluator::evaluate(int index, double* out) {
+    const ShaderExpression& expression = at(index);
+    compute(expression, out);
+    if (observed_ == nullptr || expression.size > 4) {
+        return;
+    }
+    ObservedValues& seen = (*observed_)[static_cast<std::size_t>(index)];
+    for (std::size_t i = 0; i < expression.size; ++i) {
+        seen.least[i] = seen.count == 0 ? out[i] : std::min(seen.least[i], out[i]);
+        seen.most[i] = seen.count == 0 ? out[i] : std::max(seen.most[i], out[i]);
+    }
+    ++seen.count;
+}
+
+void ShaderEvaluator::compute(const ShaderExpression& expression, double* out) {
+    switch (expression.kind) {
+    case Kind::Literal:
+        *out = expression.type.base == Base::Float ? rounded(expression.number) : expression.number;
+        return;
+    case Kind::Local:
+        std::copy_n(frame() + expression.place, expression.size, out);
+        return;
+    case Kind::Global:
+        std::copy_n(constants_.data() + expression.place, expression.size, out);
+        return;
+    case Kind::Field:
+        return field(expression, out);
+    case Kind::Swizzle:
+        return swizzle(expression, out);
+    case Kind::Index:
+        return element(expression, out);
+    case Kind::Unary:
+        return unary(expression, out);
+    case Kind::Binary:
+        return binary(expression, out);
+    case Kind::Choice:
+        return evaluate(expression.operands[truth(expression.operands[0]) ? 1 : 2], out);
+    case Kind::Call:
+        return callFunction(expression, out);
+    case Kind::Builtin:
+        return builtin(expression, out);
+    case Kind::Construct:
+        return construct(expression, out);
+    case Kind::Assign:
+        return assign(expression, out);
+    case Kind::Step: {
+        double* const place = placeOf(expression.operands[0]);
+        if (place == nullptr) {
+            return;
+        }
+        const double before = *place;
+        *place += expression.sign == "++" ? 1.0 : -1.0;
+        *out = expression.isPrefix ? *place : before;
+        return;
+    }
+    }
+}
+
+/// Returns where the numbers of a variable, or of a part of one, are; null where it is none.
+double* ShaderEvaluator::placeOf(int index) {
+    const ShaderExpression& expression = at(index);
+    if (expression.kind == Kind::Local) {
+        return frame() + expression.place;
+    }
+    if (expression.kind == Kind::Field) {
+        double* const whole = placeOf(expression.operands[0]);
+        return whole == nullptr ? nullptr : whole + expression.place;
+    }
+    if (expression.kind == Kind::Swizzle && expression.size == 1) {
+        double* const whole = placeOf(expression.operands[0]);
+        return whole == nullptr ? nullptr : whole + expression.components[0];
+    }
+    if (expression.kind == Kind::Index) {
+        double* const whole = placeOf(expression.operands[0]);
+        double place = 0.0;
+        evaluate(expression.operands[1], &place);
+        const std::size_t count = at(expression.operands[0]).size / expression.size;
+        const bool isInside = place >= 0.0 && place < static_cast<double>(count);
+        return whole == nullptr || !isInside
+                   ? nullptr
+                   : whole + static_cast<std::size_t>(place) * expression.size;
+    }
+    return nullptr;
+}
+
+void ShaderEvaluator::field(const ShaderExpression& expression, double* out) {
+    const ShaderExpression& of = at(expression.operands[0]);
+    if (of.kind == Kind::Local || of.kind == Kind::Field) {
+        if (const double* whole = placeOf(expression.operands[0])) {
+            std::copy_n(whole + expression.place, expression.size, out);
+            return;
+        }
+    }
+    Room whole(of.size);
+    evaluate(expression.operands[0], whole.data());
+    std::copy_n(whole.data() + expression.place, expression.size, out);
+}
+
+void ShaderEvaluator::swizzle(const ShaderExpression& expression, double* out) {
+    std::array<double, 16> whole{};
+    evaluate(expression.operands[0], whole.data());
+    for (std::size_t i = 0; i < expression.size; ++i) {
+        out[i] = whole[static_cast<std::size_t>(expression.components[i])];
+    }
+}
+
+void ShaderEvaluator::element(const ShaderExpression& expression, double* out) {
+    const std::size_t all = at(expression.operands[0]).size;
+    Room whole(all);
+    evaluate(expression.operands[0], whole.data());
+    double place = 0.0;
+    evaluate(expression.operands[1], &place);
+    const double count = static_cast<double>(all / expression.size);
+    const double inside = std::isnan(place) ? 0.0 : std::clamp(place, 0.0, count - 1.0);
+    std::copy_n(whole.data() + static_cast<std::size_t>(inside) * expression.size, expression.size,
+                out);
+}
+
+void ShaderEvaluator::unary(const ShaderExpression& expression, double* out) {
+    evaluate(expression.operands[0], out);
+    for (std::size_t i = 0; i < expression.size; ++i) {
+        if (expression.sign == "-") {
+            out[i] = -out[i];
+        } else if (expression.sign == "!") {
+            out[i] = out[i] == 0.0 ? 1.0 : 0.0;
+        }
+    }
+}
+
+double ShaderEvaluator::combined(std::string_view sign, Base base, double a, double b) const {
+    switch (sign.front()) {
+    case '+':
+        return rounded(a + b);
+    case '-':
+        return rounded(a - b);
+    case '*':
+        return rounded(a * b);
+    case '%':
+        return b == 0.0 ? 0.0 : std::fmod(a, b);
+    default:
+        return base == Base::Int ? (b == 0.0 ? 0.0 : std::trunc(a / b)) : rounded(a / b);
+    }
+}
+
+void ShaderEvaluator::product(const ShaderExpression& left, const ShaderExpression& right,
+                              const double* a, const double* b, double* out) const {
+    const auto rows = static_cast<std::size_t>(left.type.columns > 1 ? left.type.rows : 1);
+    const auto inner =
+        static_cast<std::size_t>(left.type.columns > 1 ? left.type.columns : left.type.rows);
+    const auto columns = static_cast<std::size_t>(right.type.columns);
+    for (std::size_t column = 0; column < columns; ++column) {
+        for (std::size_t row = 0; row < rows; ++row) {
+            double sum = 0.0;
+            for (std::size_t k = 0; k < inner; ++k) {
+                sum += a[k * rows + row] * b[column * inner + k];
+            }
+            out[column * rows + row] = rounded(sum);
+        }
+    }
+}
+
+void ShaderEvaluator::binary(const ShaderExpression& expression, double* out) {
+    const std::string_view sign = expression.sign;
+    if (sign == "&&" || sign == "||") {
+        const bool left = truth(expression.operands[0]);
+        const bool isDecided = left == (sign == "||");
+        *out = (isDecided ? left : truth(expression.operands[1])) ? 1.0 : 0.0;
+        return;
+    }
+    const ShaderExpression& left = at(expression.operands[0]);
+    const ShaderExpression& right = at(expression.operands[1]);
+    Room leftRoom(left.size);
+    Room rightRoom(right.size);
+    double* const a = leftRoom.data();
+    double* const b = rightRoom.data();
+    evaluate(expression.operands[0], a);
+    evaluate(expression.operands[1], b);
+    if (sign == "==" || sign == "!=") {
+        const bool isSame = std::equal(a, a + left.size, b, b + right.size);
+        *out = isSame == (sign == "==") ? 1.0 : 0.0;
+    } else if (sign == "<") {
+        *out = *a < *b ? 1.0 : 0.0;
+    } else if (sign == ">") {
+        *out = *a > *b ? 1.0 : 0.0;
+    } else if (sign == "<=") {
+        *out = *a <= *b ? 1.0 : 0.0;
+    } else if (sign == ">=") {
+        *out = *a >= *b ? 1.0 : 0.0;
+    } else if (sign == "^^") {
+        *out = (*a != 0.0) != (*b != 0.0) ? 1.0 : 0.0;
+    } else if (sign == "*" && left.size > 1 && right.size > 1 &&
+               (left.type.columns > 1 || right.type.columns > 1)) {
+        product(left, right, a, b, out);
+    } else {
+        for (std::size_t i = 0; i < expression.size; ++i) {
+            out[i] = combined(sign, expression.type.base, a[left.size == 1 ? 0 : i],
+                              b[right.size == 1 ? 0 : i]);
+        }
+    }
+}
+
+void ShaderEvaluator::builtin(const ShaderExpression& expression, double* out) {
+    const ShaderBuiltin& builtin = *expression.builtin;
+    if (builtin.form != ShaderBuiltin::Form::Numbers &&
+        builtin.form != ShaderBuiltin::Form::Compared) {
+        return vectorBuiltin(expression, out);
+    }
+    std::array<std::array<double, 4>, 3> values{};
+    std::array<std::size_t, 3> last{}; // is 0 where one number serves all components
+    for (std::size_t k = 0; k < expression.operands.size(); ++k) {
+        evaluate(expression.operands[k], values[k].data());
+        last[k] = at(expression.operands[k]).size - 1;
+    }
+    for (std::size_t i = 0; i < expression.size; ++i) {
+        const double a = values[0][std::min(i, last[0])];
+        const double b = values[1][std::min(i, last[1])];
+        const double c = values[2][std::min(i, last[2])];
+        out[i] = rounded(builtin.one != nullptr   ? builtin.one(a)
+                         : builtin.two != nullptr ? builtin.two(a, b)
+                                                  : builtin.three(a, b, c));
+    }
+}
+
+void ShaderEvaluator::vectorBuiltin(const ShaderExpression& expression, double* out) {
+    using Form = ShaderBuiltin::Form;
+    std::array<double, 4> a{};
+    std::array<double, 4> b{};
+    evaluate(expression.operands[0], a.data());
+    if (expression.operands.size() > 1) {
+        evaluate(expression.operands[1], b.data());
+    }
+    const auto dot = [](const std::array<double, 4>& x, const std::array<double, 4>& y) {
+        return x[0] * y[0] + x[1] * y[1] + x[2] * y[2] + x[3] * y[3];
+    };
+    const std::size_t size = at(expression.operands[0]).size;
+    switch (expression.builtin->form) {
+    case Form::Length:
+        *out = rounded(std::sqrt(dot(a, a)));
+        return;
+    case Form::Dot:
+        *out = rounded(dot(a, b));
+        return;
+    case Form::Distance:
+        for (std::size_t i = 0; i < 4; ++i) {
+            a[i] -= b[i];
+        }
+        *out = rounded(std::sqrt(dot(a, a)));
+        return;
+    case Form::Normalize:
+        for (std::size_t i = 0; i < size; ++i) {
+            out[i] = rounded(a[i] / std::sqrt(dot(a, a)));
+        }
+        return;
+    case Form::Cross:
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t j = (i + 1) % 3;
+            const std::size_t k = (i + 2) % 3;
+            out[i] = rounded(a[j] * b[k] - a[k] * b[j]);
+        }
+        return;
+    case Form::Reflect:
+        for (std::size_t i = 0; i < size; ++i) {
+            out[i] = rounded(a[i] - 2.0 * dot(a, b) * b[i]);
+        }
+        return;
+    case Form::Any:
+        *out = std::any_of(a.begin(), a.end(), [](double x) { return x != 0.0; }) ? 1.0 : 0.0;
+        return;
+    case Form::All:
+        *out = std::all_of(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(size),
+                           [](double x) { return x != 0.0; })
+                   ? 1.0
+                   : 0.0;
+        return;
+    case Form::Inverted:
+        for (std::size_t i = 0; i < size; ++i) {
+            out[i] = a[i] == 0.0 ? 1.0 : 0.0;
+        }
+        return;
+    default: // the case's own data
+        for (std::size_t i = 0; i < 4; ++i) {
+            const std::size_t place = 4 * static_cast<std::size_t>(std::max(a[0], 0.0)) + i;
+            out[i] = place < data_.size() ? static_cast<double>(data_[place]) : 0.0;
+        }
+    }
+}
+
+void ShaderEvaluator::construct(const ShaderExpression& expression, double* out) {
+    std::size_t filled = 0;
+    const bool isFloat = expression.type.base == Base::Float;
+    for (const int operand : expression.operands) {
+        const std::size_t size = at(operand).size;
+        Room room(size);
+        evaluate(operand, room.data());
+        for (std::size_t i = 0; i < size && filled < expression.size; ++i) {
+            const double x = room.data()[i];
+            out[filled++] = expression.type.base == Base::Bool  ? (x != 0.0 ? 1.0 : 0.0)
+                            : expression.type.base == Base::Int ? std::trunc(x)
+                            : isFloat                           ? rounded(x)
+                                                                : x;
+        }
+    }
+    if (filled == 1 && expression.size > 1) {
+        const double only = out[0];
+        const auto rows = static_cast<std::size_t>(expression.type.rows);
+        for (std::size_t i = 0; i < expression.size; ++i) {
+            const bool isDiagonal = i / rows == i % rows;
+            out[i] = expression.type.columns > 1 && !isDiagonal ? 0.0 : only;
+        }
+    }
+}
+
+void ShaderEvaluator::assign(const ShaderExpression& expression, double* out) {
+    const ShaderExpression& target = at(expression.operands[0]);
+    const ShaderExpression& source = at(expression.operands[1]);
+    Room room(std::max(source.size, target.size));
+    evaluate(expression.operands[1], room.data());
+    if (source.size == 1) {
+        std::fill_n(room.data(), target.size, room.data()[0]);
+    }
+    const bool isSpread = target.kind == Kind::Swizzle && target.size > 1;
+    double* const place = placeOf(isSpread ? target.operands[0] : expression.operands[0]);
+    if (place == nullptr) {
+        return;
+    }
+    for (std::size_t i = 0; i < target.size; ++i) {
+        double& number = place[isSpread ? static_cast<std::size_t>(target.components[i]) : i];
+        number = expression.sign == "="
+                     ? room.data()[i]
+                     : combined(expression.sign, target.type.base, number, room.data()[i]);
+        out[i] = number;
+    }
+}
+
+void ShaderEvaluator::callFunction(const ShaderExpression& expression, double* out) {
+    const ParsedFunction& called =
+        syntax_.functions[static_cast<std::size_t>(expression.function)];
+    isEndless_ = isEndless_ || ++steps_ > maxStepsOfCase || depth_ >= maxCallDepth ||
+                 top_ + called.frame + 64 > stack_.size();
+    if (isEndless_ || called.body < 0) {
+        std::fill_n(out, expression.size, 0.0);
+        return;
+    }
+    const std::size_t callee = top_;
+    const std::size_t caller = base_;
+    top_ += called.frame;
+    for (std::size_t i = 0; i < called.arguments.size(); ++i) {
+        const ShaderVariable& argument = called.arguments[i];
+        if (!argument.isOut) {
+            evaluate(expression.operands[i], stack_.data() + callee + argument.place);
+        }
+    }
+    double* const outer = result_;
+    base_ = callee;
+    result_ = out;
+    ++depth_;
+    run(called.body);
+    --depth_;
+    result_ = outer;
+    base_ = caller;
+    for (std::size_t i = 0; i < called.arguments.size(); ++i) {
+        const ShaderVariable& argument = called.arguments[i];
+        double* const place = argument.isOut ? placeOf(expression.operands[i]) : nullptr;
+        if (place != nullptr) {
+            std::copy_n(stack_.data() + callee + argument.place, argument.size, place);
+        }
+    }
+    top_ = callee;
+}
+
+} // namespace patina

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "measure/approximation/shader_syntax.h"
+
+namespace patina {
+
+/// Says how numbers are rounded between two operations.
+enum class ShaderPrecision { Double, Float };
+
+/// Holds what the values of an expression were in all cases so far; of a vector each component.
+struct ObservedValues {
+    std::size_t count = 0;
+    std::array<double, 4> least{};
+    std::array<double, 4> most{};
+
+    bool isConstant(std::size_t size) const;
+};
+
+/// Evaluates functions of a parsed shader on the CPU. What a device rounds differently, as its
+/// powers and roots, is rounded to the nearest float here.
+class ShaderEvaluator {
+  public:
+    /// `syntax` must outlive it.
+    ShaderEvaluator(const ShaderSyntax& syntax, ShaderPrecision precision);
+
+    /// Calls a function of the syntax with the numbers of its arguments, one after the other, and
+    /// returns those of its result. They are NaN where it does not end. `data` are the vec4s of the
+    /// case, which caseData() reads.
+    void call(int function, std::span<const double> arguments, std::span<const float> data,
+              std::span<double> result);
+
+    /// Keeps the values of expressions from now on, in the order of ShaderSyntax::expressions;
+    /// null: no longer.
+    void observe(std::vector<ObservedValues>* values);
+
+  private:
+    enum class Flow { Next, Break, Continue, Return };
+
+    double rounded(double x) const {
+        return precision_ == ShaderPrecision::Float ? static_cast<double>(static_cast<float>(x))
+                                                    : x;
+    }
+    const ShaderExpression& at(int index) const {
+        return syntax_.expressions[static_cast<std::size_t>(index)];
+    }
+    double* frame() { return stack_.data() + base_; }
+    Flow run(int statement);
+    Flow loop(const ShaderStatement& statement);
+    void evaluate(int index, double* out);
+    void compute(const ShaderExpression& expression, double* out);
+    double* placeOf(int index);
+    void field(const ShaderExpression& expression, double* out);
+    void swizzle(const ShaderExpression& expression, double* out);
+    void element(const ShaderExpression& expression, double* out);
+    void unary(const ShaderExpression& expression, double* out);
+    void binary(const ShaderExpression& expression, double* out);
+    void product(const ShaderExpression& left, const ShaderExpression& right, const double* a,
+                 const double* b, double* out) const;
+    double combined(std::string_view sign, ShaderType::Base base, double a, double b) const;
+    void builtin(const ShaderExpression& expression, double* out);
+    void vectorBuiltin(const ShaderExpression& expression, double* out);
+    void construct(const ShaderExpression& expression, double* out);
+    void assign(const ShaderExpression& expression, double* out);
+    void callFunction(const ShaderExpression& expression, double* out);
+    bool truth(int index);
+
+    const ShaderSyntax& syntax_;
+    ShaderPrecision precision_;
+    std::vector<double> constants_;
+    std::vector<double> stack_;
+    std::size_t base_ = 0;
+    std::size_t top_ = 0;
+    int depth_ = 0;
+    std::size_t steps_ = 0; ///< counts rounds of loops and calls in this case
+    bool isEndless_ = false;
+    double* result_ = nullptr;
+    std::span<const float> data_;
+    std::vector<ObservedValues>* observed_ = nullptr;
+};
+
+} // namespace patina
