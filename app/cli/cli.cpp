@@ -18,9 +18,9 @@
 namespace patina {
 namespace {
 
-constexpr std::array<AddCommand, 14> commands{
-    addRender, addCompare, addEffects, addCost, addEval,  addValidate, addModels,
-    addCheck,  addExport,  addImport,  addLobe, addMatch, addSheet,    addTable};
+constexpr std::array<AddCommand, 15> commands{
+    addRender, addCompare, addEffects, addCost,  addEval,  addValidate, addModels,     addCheck,
+    addExport, addImport,  addLobe,    addMatch, addSheet, addTable,    addApproximate};
 
 void addCommands(CLI::App& program, int& status) {
     program.description("Patina edits lighting models. Without a command it opens the editor:\n"

@@ -14,6 +14,7 @@ namespace patina {
 using AddCommand = void (*)(CLI::App& program, int& status);
 
 // Each command has a file of its own name.
+void addApproximate(CLI::App& program, int& status);
 void addCheck(CLI::App& program, int& status);
 void addCompare(CLI::App& program, int& status);
 void addCost(CLI::App& program, int& status);

@@ -10,8 +10,8 @@
 namespace patina {
 namespace {
 
-using Kind = ShaderExpression::Kind;
-using Base = ShaderType::Base;
+using NodeKind = ShaderExpression::Kind;
+using BaseType = ShaderType::Base;
 
 /// Limits what one case may take; nothing that is drawn for each pixel comes near it.
 constexpr std::size_t maxStepsOfCase = 200000;
@@ -153,36 +153,36 @@ void ShaderEvaluator::evaluate(int index, double* out) {
 
 void ShaderEvaluator::compute(const ShaderExpression& expression, double* out) {
     switch (expression.kind) {
-    case Kind::Literal:
-        *out = expression.type.base == Base::Float ? rounded(expression.number) : expression.number;
+    case NodeKind::Literal:
+        *out = expression.type.base == BaseType::Float ? rounded(expression.number) : expression.number;
         return;
-    case Kind::Local:
+    case NodeKind::Local:
         std::copy_n(frame() + expression.place, expression.size, out);
         return;
-    case Kind::Global:
+    case NodeKind::Global:
         std::copy_n(constants_.data() + expression.place, expression.size, out);
         return;
-    case Kind::Field:
+    case NodeKind::Field:
         return field(expression, out);
-    case Kind::Swizzle:
+    case NodeKind::Swizzle:
         return swizzle(expression, out);
-    case Kind::Index:
+    case NodeKind::Index:
         return element(expression, out);
-    case Kind::Unary:
+    case NodeKind::Unary:
         return unary(expression, out);
-    case Kind::Binary:
+    case NodeKind::Binary:
         return binary(expression, out);
-    case Kind::Choice:
+    case NodeKind::Choice:
         return evaluate(expression.operands[truth(expression.operands[0]) ? 1 : 2], out);
-    case Kind::Call:
+    case NodeKind::Call:
         return callFunction(expression, out);
-    case Kind::Builtin:
+    case NodeKind::Builtin:
         return builtin(expression, out);
-    case Kind::Construct:
+    case NodeKind::Construct:
         return construct(expression, out);
-    case Kind::Assign:
+    case NodeKind::Assign:
         return assign(expression, out);
-    case Kind::Step: {
+    case NodeKind::Step: {
         double* const place = placeOf(expression.operands[0]);
         if (place == nullptr) {
             return;
@@ -198,18 +198,18 @@ void ShaderEvaluator::compute(const ShaderExpression& expression, double* out) {
 /// Returns where the numbers of a variable, or of a part of one, are; null where it is none.
 double* ShaderEvaluator::placeOf(int index) {
     const ShaderExpression& expression = at(index);
-    if (expression.kind == Kind::Local) {
+    if (expression.kind == NodeKind::Local) {
         return frame() + expression.place;
     }
-    if (expression.kind == Kind::Field) {
+    if (expression.kind == NodeKind::Field) {
         double* const whole = placeOf(expression.operands[0]);
         return whole == nullptr ? nullptr : whole + expression.place;
     }
-    if (expression.kind == Kind::Swizzle && expression.size == 1) {
+    if (expression.kind == NodeKind::Swizzle && expression.size == 1) {
         double* const whole = placeOf(expression.operands[0]);
         return whole == nullptr ? nullptr : whole + expression.components[0];
     }
-    if (expression.kind == Kind::Index) {
+    if (expression.kind == NodeKind::Index) {
         double* const whole = placeOf(expression.operands[0]);
         double place = 0.0;
         evaluate(expression.operands[1], &place);
@@ -224,7 +224,7 @@ double* ShaderEvaluator::placeOf(int index) {
 
 void ShaderEvaluator::field(const ShaderExpression& expression, double* out) {
     const ShaderExpression& of = at(expression.operands[0]);
-    if (of.kind == Kind::Local || of.kind == Kind::Field) {
+    if (of.kind == NodeKind::Local || of.kind == NodeKind::Field) {
         if (const double* whole = placeOf(expression.operands[0])) {
             std::copy_n(whole + expression.place, expression.size, out);
             return;
@@ -266,7 +266,7 @@ void ShaderEvaluator::unary(const ShaderExpression& expression, double* out) {
     }
 }
 
-double ShaderEvaluator::combined(std::string_view sign, Base base, double a, double b) const {
+double ShaderEvaluator::combined(std::string_view sign, BaseType base, double a, double b) const {
     switch (sign.front()) {
     case '+':
         return rounded(a + b);
@@ -277,7 +277,7 @@ double ShaderEvaluator::combined(std::string_view sign, Base base, double a, dou
     case '%':
         return b == 0.0 ? 0.0 : std::fmod(a, b);
     default:
-        return base == Base::Int ? (b == 0.0 ? 0.0 : std::trunc(a / b)) : rounded(a / b);
+        return base == BaseType::Int ? (b == 0.0 ? 0.0 : std::trunc(a / b)) : rounded(a / b);
     }
 }
 
@@ -426,15 +426,15 @@ void ShaderEvaluator::vectorBuiltin(const ShaderExpression& expression, double* 
 
 void ShaderEvaluator::construct(const ShaderExpression& expression, double* out) {
     std::size_t filled = 0;
-    const bool isFloat = expression.type.base == Base::Float;
+    const bool isFloat = expression.type.base == BaseType::Float;
     for (const int operand : expression.operands) {
         const std::size_t size = at(operand).size;
         Room room(size);
         evaluate(operand, room.data());
         for (std::size_t i = 0; i < size && filled < expression.size; ++i) {
             const double x = room.data()[i];
-            out[filled++] = expression.type.base == Base::Bool  ? (x != 0.0 ? 1.0 : 0.0)
-                            : expression.type.base == Base::Int ? std::trunc(x)
+            out[filled++] = expression.type.base == BaseType::Bool  ? (x != 0.0 ? 1.0 : 0.0)
+                            : expression.type.base == BaseType::Int ? std::trunc(x)
                             : isFloat                           ? rounded(x)
                                                                 : x;
         }
@@ -457,7 +457,7 @@ void ShaderEvaluator::assign(const ShaderExpression& expression, double* out) {
     if (source.size == 1) {
         std::fill_n(room.data(), target.size, room.data()[0]);
     }
-    const bool isSpread = target.kind == Kind::Swizzle && target.size > 1;
+    const bool isSpread = target.kind == NodeKind::Swizzle && target.size > 1;
     double* const place = placeOf(isSpread ? target.operands[0] : expression.operands[0]);
     if (place == nullptr) {
         return;

@@ -16,26 +16,26 @@
 namespace patina {
 namespace {
 
-using Base = ShaderType::Base;
-using Kind = ShaderExpression::Kind;
+using BaseType = ShaderType::Base;
+using NodeKind = ShaderExpression::Kind;
 
 /// Limits how deep an expression or a statement may lie in others.
 constexpr int maxDepth = 200;
 
-constexpr ShaderType typeOf(Base base, int rows = 1, int columns = 1) {
+constexpr ShaderType typeOf(BaseType base, int rows = 1, int columns = 1) {
     return {base, rows, columns, -1, 0};
 }
 
 const std::map<std::string_view, ShaderType>& namedTypes() {
     static const std::map<std::string_view, ShaderType> types{
-        {"void", typeOf(Base::Void)},         {"bool", typeOf(Base::Bool)},
-        {"int", typeOf(Base::Int)},           {"float", typeOf(Base::Float)},
-        {"vec2", typeOf(Base::Float, 2)},     {"vec3", typeOf(Base::Float, 3)},
-        {"vec4", typeOf(Base::Float, 4)},     {"ivec2", typeOf(Base::Int, 2)},
-        {"ivec3", typeOf(Base::Int, 3)},      {"ivec4", typeOf(Base::Int, 4)},
-        {"bvec2", typeOf(Base::Bool, 2)},     {"bvec3", typeOf(Base::Bool, 3)},
-        {"bvec4", typeOf(Base::Bool, 4)},     {"mat2", typeOf(Base::Float, 2, 2)},
-        {"mat3", typeOf(Base::Float, 3, 3)},  {"mat4", typeOf(Base::Float, 4, 4)}};
+        {"void", typeOf(BaseType::Void)},         {"bool", typeOf(BaseType::Bool)},
+        {"int", typeOf(BaseType::Int)},           {"float", typeOf(BaseType::Float)},
+        {"vec2", typeOf(BaseType::Float, 2)},     {"vec3", typeOf(BaseType::Float, 3)},
+        {"vec4", typeOf(BaseType::Float, 4)},     {"ivec2", typeOf(BaseType::Int, 2)},
+        {"ivec3", typeOf(BaseType::Int, 3)},      {"ivec4", typeOf(BaseType::Int, 4)},
+        {"bvec2", typeOf(BaseType::Bool, 2)},     {"bvec3", typeOf(BaseType::Bool, 3)},
+        {"bvec4", typeOf(BaseType::Bool, 4)},     {"mat2", typeOf(BaseType::Float, 2, 2)},
+        {"mat3", typeOf(BaseType::Float, 3, 3)},  {"mat4", typeOf(BaseType::Float, 4, 4)}};
     return types;
 }
 
@@ -132,7 +132,7 @@ class Parser {
         }
         for (std::size_t i = 0; i < syntax_.structs.size(); ++i) {
             if (syntax_.structs[i].name == name) {
-                return ShaderType{Base::Struct, 1, 1, static_cast<int>(i), 0};
+                return ShaderType{BaseType::Struct, 1, 1, static_cast<int>(i), 0};
             }
         }
         return std::nullopt;
@@ -140,7 +140,7 @@ class Parser {
 
     std::size_t sizeOf(const ShaderType& type) const {
         const std::size_t one =
-            type.base == Base::Struct
+            type.base == BaseType::Struct
                 ? syntax_.structs[static_cast<std::size_t>(type.structure)].size
                 : static_cast<std::size_t>(type.rows) * static_cast<std::size_t>(type.columns);
         return one * static_cast<std::size_t>(std::max(type.length, 1));
@@ -466,12 +466,12 @@ class Parser {
                     return -1;
                 }
                 scopes_.back().push_back(made);
-                ShaderExpression target{.kind = Kind::Local, .type = made.type, .size = made.size};
+                ShaderExpression target{.kind = NodeKind::Local, .type = made.type, .size = made.size};
                 target.sign = made.name;
                 target.place = made.place;
                 target.owner = owner_;
                 target.first = target.last = name.first;
-                ShaderExpression assign{.kind = Kind::Assign, .type = made.type, .size = made.size};
+                ShaderExpression assign{.kind = NodeKind::Assign, .type = made.type, .size = made.size};
                 assign.sign = "=";
                 assign.operands = {addExpression(std::move(target)), value};
                 assign.owner = owner_;
@@ -526,7 +526,7 @@ class Parser {
         if (problem_ || !isAssignment(word())) {
             return target;
         }
-        ShaderExpression made{.kind = Kind::Assign};
+        ShaderExpression made{.kind = NodeKind::Assign};
         made.sign = word();
         ++at_;
         const int value = expression();
@@ -550,9 +550,9 @@ class Parser {
         if (problem_) {
             return -1;
         }
-        ShaderExpression made{.kind = Kind::Choice};
+        ShaderExpression made{.kind = NodeKind::Choice};
         made.type = at(yes).type;
-        if (at(no).type.base == Base::Float) {
+        if (at(no).type.base == BaseType::Float) {
             made.type = at(no).type;
         }
         made.operands = {condition, yes, no};
@@ -569,7 +569,7 @@ class Parser {
             if (problem_) {
                 return -1;
             }
-            ShaderExpression made{.kind = Kind::Binary};
+            ShaderExpression made{.kind = NodeKind::Binary};
             made.sign = sign;
             made.type = resultOf(sign, at(left).type, at(right).type);
             made.operands = {left, right};
@@ -581,13 +581,13 @@ class Parser {
     ShaderType resultOf(std::string_view sign, const ShaderType& a, const ShaderType& b) {
         const int strength = strengthOf(sign);
         if (strength <= 5) {
-            return typeOf(Base::Bool);
+            return typeOf(BaseType::Bool);
         }
-        if (a.base == Base::Struct || b.base == Base::Struct || a.length > 0 || b.length > 0 ||
-            a.base == Base::Bool || b.base == Base::Bool) {
+        if (a.base == BaseType::Struct || b.base == BaseType::Struct || a.length > 0 || b.length > 0 ||
+            a.base == BaseType::Bool || b.base == BaseType::Bool) {
             complain(fmt::format("{} has no meaning between these", sign));
         }
-        const Base base = a.base == Base::Int && b.base == Base::Int ? Base::Int : Base::Float;
+        const BaseType base = a.base == BaseType::Int && b.base == BaseType::Int ? BaseType::Int : BaseType::Float;
         if (sign == "*" && a.columns > 1 && b.columns == 1 && b.rows > 1) {
             return typeOf(base, a.rows);
         }
@@ -616,9 +616,9 @@ class Parser {
             if (problem_) {
                 return -1;
             }
-            ShaderExpression made{.kind = Kind::Unary};
+            ShaderExpression made{.kind = NodeKind::Unary};
             made.sign = sign;
-            made.type = sign == "!" ? typeOf(Base::Bool) : at(operand).type;
+            made.type = sign == "!" ? typeOf(BaseType::Bool) : at(operand).type;
             made.operands = {operand};
             return finish(std::move(made), start);
         }
@@ -631,7 +631,7 @@ class Parser {
     }
 
     int step(int operand, std::string_view sign, bool isPrefix, std::size_t start) {
-        ShaderExpression made{.kind = Kind::Step};
+        ShaderExpression made{.kind = NodeKind::Step};
         made.sign = sign;
         made.type = at(operand).type;
         made.operands = {operand};
@@ -660,10 +660,10 @@ class Parser {
 
     int member(int of, std::size_t start) {
         const ShaderType type = at(of).type;
-        ShaderExpression made{.kind = Kind::Field};
+        ShaderExpression made{.kind = NodeKind::Field};
         made.sign = word();
         made.operands = {of};
-        if (type.base == Base::Struct && type.length == 0) {
+        if (type.base == BaseType::Struct && type.length == 0) {
             const auto& fields = syntax_.structs[static_cast<std::size_t>(type.structure)].fields;
             const auto found = std::ranges::find(fields, word(), &ShaderVariable::name);
             if (found == fields.end()) {
@@ -673,7 +673,7 @@ class Parser {
             made.type = found->type;
             made.place = found->place;
         } else {
-            made.kind = Kind::Swizzle;
+            made.kind = NodeKind::Swizzle;
             const auto places = swizzle(word(), type);
             if (places.empty() || places.size() > 4) {
                 complain(fmt::format("there is no component {}", word()));
@@ -708,7 +708,7 @@ class Parser {
         if (problem_) {
             return -1;
         }
-        ShaderExpression made{.kind = Kind::Index};
+        ShaderExpression made{.kind = NodeKind::Index};
         made.type = at(of).type;
         if (made.type.length > 0) {
             made.type.length = 0;
@@ -743,7 +743,7 @@ class Parser {
             return literal();
         }
         if (word() == "true" || word() == "false") {
-            ShaderExpression made{.kind = Kind::Literal, .type = typeOf(Base::Bool)};
+            ShaderExpression made{.kind = NodeKind::Literal, .type = typeOf(BaseType::Bool)};
             made.number = word() == "true" ? 1.0 : 0.0;
             ++at_;
             return finish(std::move(made), start);
@@ -757,12 +757,12 @@ class Parser {
     int literal() {
         const std::size_t start = at_;
         const std::string_view text = word();
-        ShaderExpression made{.kind = Kind::Literal};
+        ShaderExpression made{.kind = NodeKind::Literal};
         const bool isFloat = text.find_first_of(".eE") != std::string_view::npos;
         if (text.find_first_of("uUxX") != std::string_view::npos) {
             complain(fmt::format("{} is an unsigned number, which is not evaluated", text));
         }
-        made.type = typeOf(isFloat ? Base::Float : Base::Int);
+        made.type = typeOf(isFloat ? BaseType::Float : BaseType::Int);
         std::from_chars(text.data(), text.data() + text.size(), made.number);
         ++at_;
         return finish(std::move(made), start);
@@ -774,7 +774,7 @@ class Parser {
         for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope) {
             for (auto it = scope->rbegin(); it != scope->rend() && owner_ >= 0; ++it) {
                 if (it->name == name) {
-                    ShaderExpression made{.kind = Kind::Local, .type = it->type};
+                    ShaderExpression made{.kind = NodeKind::Local, .type = it->type};
                     made.sign = name;
                     made.place = it->place;
                     ++at_;
@@ -787,7 +787,7 @@ class Parser {
             complain(fmt::format("\"{}\" is nothing that can be evaluated", name));
             return -1;
         }
-        ShaderExpression made{.kind = Kind::Global, .type = found->type};
+        ShaderExpression made{.kind = NodeKind::Global, .type = found->type};
         made.sign = name;
         made.place = found->place;
         ++at_;
@@ -812,11 +812,11 @@ class Parser {
         made.sign = name;
         made.operands = arguments;
         if (const auto type = typeNamed(name)) {
-            made.kind = Kind::Construct;
+            made.kind = NodeKind::Construct;
             made.type = *type;
             checkConstructor(made);
         } else if (const int function = overload(name, arguments); function >= 0) {
-            made.kind = Kind::Call;
+            made.kind = NodeKind::Call;
             made.function = function;
             made.type = syntax_.functions[static_cast<std::size_t>(function)].result;
             if (owner_ >= 0) {
@@ -827,7 +827,7 @@ class Parser {
             }
             wanted_.push_back(function);
         } else if (const auto* builtin = findShaderBuiltin(name, arguments.size())) {
-            made.kind = Kind::Builtin;
+            made.kind = NodeKind::Builtin;
             made.builtin = builtin;
             made.type = resultOf(*builtin, arguments);
         } else {
@@ -842,7 +842,7 @@ class Parser {
             given += at(argument).size;
         }
         const bool isDiagonal = made.type.columns > 1 && given == 1;
-        const bool spreads = given == 1 && made.type.base != Base::Struct;
+        const bool spreads = given == 1 && made.type.base != BaseType::Struct;
         if (given < sizeOf(made.type) && !isDiagonal && !spreads) {
             complain(fmt::format("{}() has too few numbers", made.sign));
         }
@@ -853,31 +853,31 @@ class Parser {
         ShaderType largest = arguments.empty() ? ShaderType() : at(arguments.front()).type;
         for (const int argument : arguments) {
             const ShaderType& type = at(argument).type;
-            if (type.base == Base::Struct || type.length > 0 || type.base == Base::Void ||
+            if (type.base == BaseType::Struct || type.length > 0 || type.base == BaseType::Void ||
                 type.columns > 1) {
                 complain(fmt::format("{}() cannot be evaluated on these", builtin.name));
             }
             if (type.rows > largest.rows) {
                 largest.rows = type.rows;
             }
-            if (type.base == Base::Float) {
-                largest.base = Base::Float;
+            if (type.base == BaseType::Float) {
+                largest.base = BaseType::Float;
             }
         }
         switch (builtin.form) {
         case Form::Length:
         case Form::Dot:
         case Form::Distance:
-            return typeOf(Base::Float);
+            return typeOf(BaseType::Float);
         case Form::Any:
         case Form::All:
-            return typeOf(Base::Bool);
+            return typeOf(BaseType::Bool);
         case Form::Compared:
         case Form::Inverted:
-            largest.base = Base::Bool;
+            largest.base = BaseType::Bool;
             return largest;
         case Form::CaseData:
-            return typeOf(Base::Float, 4);
+            return typeOf(BaseType::Float, 4);
         default:
             return largest;
         }
@@ -895,8 +895,8 @@ class Parser {
                     function.name == name && function.arguments.size() == arguments.size();
                 for (std::size_t k = 0; fits && k < arguments.size(); ++k) {
                     ShaderType given = at(arguments[k]).type;
-                    if (converts && given.base == Base::Int) {
-                        given.base = Base::Float;
+                    if (converts && given.base == BaseType::Int) {
+                        given.base = BaseType::Float;
                     }
                     fits = given == function.arguments[k].type;
                 }

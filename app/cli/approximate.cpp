@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <system_error>
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "catalog/json_text.h"
+#include "catalog/suggestion.h"
+#include "cli/command.h"
+#include "cli/long_work.h"
+#include "cli/option_families.h"
+#include "gl/headless_context.h"
+#include "material/preset_file.h"
+#include "measure/approximation/level_check.h"
+#include "measure/stability/sweep_cases.h"
+
+namespace patina {
+namespace {
+
+struct ApproximateRequest {
+    std::string subject;
+    std::vector<const GpuFamily*> families;
+    double seconds = 120.0;
+    double budgetError = 0.25;
+    std::size_t levels = 5;
+    std::size_t cases = 10000;
+    bool json = false;
+    std::string output;
+};
+
+/// Is what cheaper ways are searched for, with the blocks that it refers to.
+struct ApproximateSubject {
+    std::shared_ptr<const Catalog> catalog;
+    EvalCase subject;
+    bool ofValues = false;
+};
+
+/// Makes a folder that is removed with it.
+class ScratchFolder {
+  public:
+    ScratchFolder() {
+        std::error_code none;
+        std::string name = (std::filesystem::temp_directory_path(none) / "patina-XXXXXX").string();
+        const char* const made = mkdtemp(name.data());
+        path_ = made == nullptr ? std::filesystem::path() : std::filesystem::path(made);
+    }
+    ~ScratchFolder() {
+        std::error_code none;
+        if (!path_.empty()) {
+            std::filesystem::remove_all(path_, none);
+        }
+    }
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+
+  private:
+    std::filesystem::path path_;
+};
+
+/// Returns the block with its defaults, for its first function that a case can hold.
+Checked<EvalCase> caseOfBlock(const Catalog& catalog, const Block& block) {
+    if (block.kind == kinds::models) {
+        return sweepVariant(catalog, defaultMaterial(block)).map_error(oneError);
+    }
+    const auto functions = evaluatedFunctions(block);
+    if (functions.empty()) {
+        return tl::unexpected(oneError(
+            failure(fmt::format("\"{}\" gives no single values", block.id),
+                    "a preset, or a block of a kind that `patina eval` takes")
+                .value()));
+    }
+    EvalCase made;
+    made.subject = *subjectOf(*functions.front());
+    made.called = functions.front();
+    made.block.block = &block;
+    for (const Parameter& parameter : block.parameters) {
+        made.block.values.emplace(parameter.id, roundedToFloat(parameter.defaultValue));
+    }
+    return made;
+}
+
+Checked<ApproximateSubject> subjectOfBlock(std::shared_ptr<const Catalog> catalog,
+                                           const Block& block) {
+    auto made = caseOfBlock(*catalog, block);
+    if (!made) {
+        return tl::unexpected(made.error());
+    }
+    return ApproximateSubject{std::move(catalog), std::move(*made), false};
+}
+
+bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
+    std::error_code missing;
+    return std::filesystem::equivalent(a, b, missing) && !missing;
+}
+
+/// Reads a GLSL file with the descriptor beside it.
+Checked<ApproximateSubject> subjectOfShader(const std::filesystem::path& file) {
+    std::vector<BlockRoot> roots = standardBlockRoots();
+    const std::filesystem::path whole = std::filesystem::absolute(file).lexically_normal();
+    const std::filesystem::path folder = whole.parent_path();
+    if (findKind(folder.filename().string()) == nullptr) {
+        return tl::unexpected(oneError({file.string(), 0, 0,
+                                        "the folder is not named after a kind of block",
+                                        "a file such as models/my-model.glsl"}));
+    }
+    for (const bool isAdded : {false, true}) {
+        if (isAdded) {
+            roots.push_back({folder.parent_path(), false});
+        }
+        auto catalog = std::make_shared<const Catalog>(loadCatalog(roots));
+        for (const Block& block : catalog->blocks) {
+            if (isSameFile(block.shaderFile, whole)) {
+                return subjectOfBlock(catalog, block);
+            }
+        }
+        if (isAdded) {
+            Errors errors;
+            for (const Error& error : catalog->errors) {
+                if (std::filesystem::path(error.file).stem() == file.stem()) {
+                    errors.push_back(error);
+                }
+            }
+            return tl::unexpected(
+                errors.empty()
+                    ? oneError({file.string(), 0, 0, "there is no block in this file",
+                                "a GLSL file with a descriptor of its name beside it"})
+                    : errors);
+        }
+    }
+    return tl::unexpected(Errors());
+}
+
+Checked<ApproximateSubject> subjectOfPreset(const std::string& file) {
+    auto catalog = std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()));
+    report(catalog->errors);
+    const auto reading = readPreset(file, *catalog);
+    if (!reading) {
+        return tl::unexpected(reading.error());
+    }
+    report(reading->notes);
+    auto made = sweepVariant(*catalog, reading->material);
+    if (!made) {
+        return tl::unexpected(oneError(made.error()));
+    }
+    if (!reading->material.textures.empty()) {
+        report({{file, 0, 0, "its images are left out: where one drives a value, the ways that are "
+                             "for the values of the preset do not hold", {}}});
+    }
+    return ApproximateSubject{std::move(catalog), std::move(*made), true};
+}
+
+Checked<ApproximateSubject> subjectNamed(const std::string& name) {
+    auto catalog = std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()));
+    report(catalog->errors);
+    std::vector<std::string> ids;
+    for (const Block* model : catalog->ofKind(kinds::models)) {
+        ids.push_back(model->id);
+    }
+    const Block* found = catalog->find(kinds::models, name);
+    for (const Block& block : catalog->blocks) {
+        const bool isNamed = block.kind + '/' + block.id == name || block.id == name;
+        found = found == nullptr && isNamed ? &block : found;
+    }
+    if (found == nullptr) {
+        return tl::unexpected(oneError(
+            failure(fmt::format("\"{}\" is neither a preset, a GLSL file nor a block", name),
+                    oneOf(name, ids))
+                .value()));
+    }
+    return subjectOfBlock(catalog, *found);
+}
+
+Checked<ApproximateSubject> subjectOf(const std::string& name) {
+    if (name.ends_with(".glsl")) {
+        return subjectOfShader(name);
+    }
+    std::error_code ignored; // a path that cannot be examined is not a file
+    const bool isFile =
+        std::filesystem::is_regular_file(name, ignored) || name.ends_with(".json");
+    return isFile ? subjectOfPreset(name) : subjectNamed(name);
+}
+
+nlohmann::json waysJson(const CheaperWays& ways, const ApproximateSubject& subject) {
+    nlohmann::json json{{"block", subject.subject.block.block->id},
+                        {"kind", subject.subject.block.block->kind},
+                        {"unit", ways.unit},
+                        {"exact", {{"cost", ways.exact.cost}, {"error", ways.exact.error}}},
+                        {"ways", nlohmann::json::array()},
+                        {"changes", ways.moves},
+                        {"tried", ways.tried},
+                        {"unseenCases", ways.heldOut},
+                        {"finished", !ways.isStopped}};
+    for (std::size_t i = 0; i < ways.ways.size(); ++i) {
+        const CheaperWay& way = ways.ways[i];
+        json["ways"].push_back({{"level", foundLevelId(i)},
+                                {"cost", way.cost},
+                                {"error", way.error},
+                                {"atMost", statedError(way)},
+                                {"meanError", way.meanError},
+                                {"forValues", way.isForValues},
+                                {"does", way.words}});
+    }
+    for (const Error& note : ways.notes) {
+        json["notes"].push_back(note.text());
+    }
+    return json;
+}
+
+std::string waysText(const CheaperWays& ways, const ApproximateSubject& subject) {
+    std::string text = fmt::format("{}: {:.0f} {} (predicted)\n",
+                                   subject.subject.block.block->id, ways.exact.cost, ways.unit);
+    if (ways.ways.empty()) {
+        return text + "nothing cheaper was found\n";
+    }
+    text += "   cost  of exact  at most off  on the mean  what is done\n";
+    for (const CheaperWay& way : ways.ways) {
+        text += fmt::format("{:7.0f}  {:6.0f} %  {:11.2g}  {:11.2g}  ", way.cost,
+                            100.0 * way.cost / ways.exact.cost, statedError(way), way.meanError);
+        for (std::size_t i = 0; i < way.words.size(); ++i) {
+            text += (i == 0 ? "" : "\n" + std::string(46, ' ')) + way.words[i];
+        }
+        text += '\n';
+    }
+    return text + fmt::format("{} changes, {} texts compiled; errors where white is 1, on {} cases "
+                              "that the search did not see\n",
+                              ways.moves, ways.tried, ways.heldOut);
+}
+
+/// Tries the ways on the graphics device, where there is one.
+void checkOnDevice(const ApproximateSubject& subject, CheaperWays& ways,
+                   const CheaperSearchOptions& options, LongWork& work) {
+    const auto context = gl::HeadlessContext::create();
+    const ScratchFolder scratch;
+    if (!context || scratch.path().empty()) {
+        ways.notes.push_back({{}, 0, 0, "not checked on the graphics device: there is none", {}});
+        return;
+    }
+    const std::function<bool()> isStopped = [&work] {
+        work.tell("checking on the graphics device ");
+        return work.isStopped();
+    };
+    const auto count =
+        checkedOnDevice(subject.subject, ways, subject.catalog->roots.front().folder,
+                        scratch.path(), options, isStopped);
+    if (!count) {
+        ways.notes.insert(ways.notes.end(), count.error().begin(), count.error().end());
+    }
+}
+
+/// Returns the exit status.
+Checked<int> approximate(const ApproximateRequest& request) {
+    const auto subject = subjectOf(request.subject);
+    if (!subject) {
+        return tl::unexpected(subject.error());
+    }
+    CheaperSearchOptions options;
+    options.family = request.families.empty() ? *gpuFamiliesIn("rdna2").map([](const auto& found) {
+        return found.front();
+    })
+                                              : request.families.front();
+    options.seconds = request.seconds;
+    options.maxError = request.budgetError;
+    options.ways = request.levels;
+    options.heldOut = request.cases;
+    options.ofValues = subject->ofValues;
+    LongWork work;
+    const auto progress = [&work](double share, const CheaperWays& soFar) {
+        work.tell(fmt::format("{:3.0f} %  {} changes, {} tried, {} cheaper ways ", 100.0 * share,
+                              soFar.moves, soFar.tried, soFar.ways.size()));
+        return !work.isStopped();
+    };
+    auto ways = cheaperWays(subject->subject, subject->catalog->roots.front().folder, options,
+                            progress);
+    if (!ways) {
+        return tl::unexpected(ways.error());
+    }
+    if (!ways->ways.empty()) {
+        checkOnDevice(*subject, *ways, options, work);
+    }
+    work.tell({});
+    report(ways->notes);
+    std::cout << (request.json ? writeJson(waysJson(*ways, *subject)) : waysText(*ways, *subject));
+    if (!request.output.empty() && !ways->ways.empty()) {
+        const auto made = approximatedBlock(subject->subject, *ways);
+        const auto done = made ? writeApproximatedBlock(*made, request.output)
+                               : Result<void>(tl::unexpected(made.error()));
+        if (!done) {
+            return tl::unexpected(oneError(done.error()));
+        }
+    }
+    return ways->isStopped || work.isStopped() ? LongWork::stoppedStatus : 0;
+}
+
+} // namespace
+
+void addApproximate(CLI::App& program, int& status) {
+    CLI::App* command = program.add_subcommand(
+        "approximate",
+        "Search for cheaper ways to compute a model or other block: terms left out, powers, roots\n"
+        "and angles by something simpler, terms of one number by polynomials. Each is finite in the\n"
+        "edge cases, with its largest error on cases that the search did not see. Ctrl-C ends the\n"
+        "search with what it has found");
+    auto options = std::make_shared<ApproximateRequest>();
+    command
+        ->add_option("subject", options->subject,
+                     "The id of a model or other block, a preset, whose values then count as given,\n"
+                     "or a .glsl file with its descriptor beside it")
+        ->required();
+    addFamiliesOption(*command, options->families);
+    command->add_option("--seconds", options->seconds, "About how long to search; 120 without this")
+        ->check(CLI::Range(1.0, 600.0));
+    command
+        ->add_option("--budget-error", options->budgetError,
+                     "Leave out what is farther off than this, where white is 1; 0.25 without this")
+        ->check(CLI::Range(0.0, 1.0));
+    command->add_option("--levels", options->levels, "Keep at most so many ways; 5 without this")
+        ->check(CLI::Range(1UL, 20UL));
+    command
+        ->add_option("--cases", options->cases,
+                     "Judge the found ways on so many cases; 10000 without this")
+        ->check(CLI::Range(1000UL, 10000000UL));
+    command->add_flag("--json", options->json, "Print JSON");
+    command->add_option("-o,--output", options->output,
+                        "Write the block with the found ways as an accuracy choice into this folder:\n"
+                        "its GLSL file and its descriptor, ready for your folder of shaders");
+    command->callback([options, &status] {
+        const Checked<int> ended = approximate(*options);
+        status = ended.value_or(1);
+        if (!ended) {
+            report(ended.error());
+        }
+    });
+}
+
+} // namespace patina

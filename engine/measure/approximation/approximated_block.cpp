@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure/approximation/approximated_block.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "catalog/function_source.h"
+#include "catalog/json_text.h"
+#include "catalog/parameter_layout.h"
+#include "core/text.h"
+#include "shading/glsl/glsl_declarations.h"
+#include "shading/glsl/shader_file.h"
+#include "shading/glsl/tokens.h"
+
+namespace patina {
+namespace {
+
+/// Returns the names with the right letter first: "blinn-phong" -> "BlinnPhong".
+std::string pascalCase(std::string_view id) {
+    std::string name;
+    bool isFirst = true;
+    for (const char c : id) {
+        if (c == '-') {
+            isFirst = true;
+            continue;
+        }
+        name += isFirst ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+        isFirst = false;
+    }
+    return name;
+}
+
+/// Returns a text with names replaced.
+std::string renamed(std::string_view text, const std::map<std::string, std::string>& names) {
+    const std::string code = withoutComments(text);
+    std::string out;
+    std::size_t done = 0;
+    for (const GlslToken& token : opened(glslTokens(code))) {
+        const auto found = names.find(std::string(token.text));
+        if (found != names.end()) {
+            const auto first = static_cast<std::size_t>(token.text.data() - code.data());
+            out += text.substr(done, first - done);
+            out += found->second;
+            done = first + token.text.size();
+        }
+    }
+    return out.append(text.substr(done));
+}
+
+/// Leaves out the lines that say where a text came from.
+std::string withoutPlaces(std::string_view text) {
+    std::string out;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size() - 1);
+        if (!text.starts_with("#line")) {
+            out += text.substr(0, end + 1);
+        }
+        text.remove_prefix(end + 1);
+    }
+    return out;
+}
+
+/// Breaks words into lines of a comment.
+std::string commented(std::string_view words) {
+    constexpr std::size_t width = 96;
+    std::string out = "//";
+    std::size_t column = 2;
+    while (!words.empty()) {
+        const std::size_t end = std::min(words.find(' '), words.size());
+        if (column + 1 + end > width) {
+            out += "\n//";
+            column = 2;
+        }
+        out += ' ';
+        out += words.substr(0, end);
+        column += 1 + end;
+        words.remove_prefix(std::min(end + 1, words.size()));
+    }
+    return out + '\n';
+}
+
+/// Writes the GLSL of the levels.
+class LevelWriter {
+  public:
+    LevelWriter(const EvalCase& subject, const CheaperWays& ways, std::string choiceField)
+        : subject_(subject), ways_(ways), block_(*subject.block.block),
+          syntax_(ways.text->syntax()), source_(ways.text->source()),
+          main_(functionName(block_) + std::string(calledFunction(subject).suffix)),
+          choiceField_(std::move(choiceField)) {}
+
+    /// Returns the block's text with the levels beside its function.
+    std::string written(const std::string& glsl) const {
+        const std::string code = withoutComments(glsl);
+        const GlslTokens tokens = glslTokens(code);
+        const std::vector<GlslFunction> functions = functionsIn(tokens);
+        const auto main = std::ranges::find_if(
+            functions, [this](const GlslFunction& f) { return f.name.text == main_; });
+        if (main == functions.end()) {
+            return glsl;
+        }
+        const auto name = static_cast<std::size_t>(main->name.text.data() - code.data());
+        const std::size_t end = endOfBody(code, name);
+        std::string out = glsl.substr(0, name) + main_ + "Exact" +
+                          glsl.substr(name + main_.size(), end - name - main_.size());
+        out += "\n\n" + helpers();
+        for (std::size_t i = 0; i < ways_.ways.size(); ++i) {
+            out += level(i);
+        }
+        return out + dispatcher(*main) + glsl.substr(std::min(end + 1, glsl.size()));
+    }
+
+  private:
+    static std::size_t endOfBody(std::string_view code, std::size_t from) {
+        int open = 0;
+        for (std::size_t i = code.find('{', from); i < code.size(); ++i) {
+            open += code[i] == '{' ? 1 : code[i] == '}' ? -1 : 0;
+            if (open == 0) {
+                return i + 1;
+            }
+        }
+        return code.size();
+    }
+
+    std::string helpers() const {
+        std::vector<ShaderEdit> edits;
+        for (const CheaperWay& way : ways_.ways) {
+            edits.insert(edits.end(), way.edits.begin(), way.edits.end());
+        }
+        const std::string all = helpersOf(edits);
+        return all.empty() ? all : all + '\n';
+    }
+
+    /// Tells whether a function is edited, or calls one that is.
+    bool isChanged(int function, const std::set<int>& edited) const {
+        if (!ways_.text->ownFunctions().contains(function)) {
+            return false;
+        }
+        return edited.contains(function) ||
+               std::ranges::any_of(
+                   syntax_.functions[static_cast<std::size_t>(function)].calls,
+                   [&](int called) { return isChanged(called, edited); });
+    }
+
+    std::string level(std::size_t index) const {
+        const CheaperWay& way = ways_.ways[index];
+        std::set<int> edited;
+        for (const ShaderEdit& edit : way.edits) {
+            edited.insert(edit.function);
+        }
+        std::vector<const ParsedFunction*> copies;
+        std::map<std::string, std::string> names;
+        for (std::size_t i = 0; i < syntax_.functions.size(); ++i) {
+            if (isChanged(static_cast<int>(i), edited)) {
+                const ParsedFunction& function = syntax_.functions[i];
+                copies.push_back(&function);
+                names[std::string(function.name)] =
+                    fmt::format("{}Found{}", function.name, index + 1);
+            }
+        }
+        std::ranges::sort(copies, {}, &ParsedFunction::first);
+        std::string out = commented(foundLevelDoc(ways_, index));
+        for (const ParsedFunction* function : copies) {
+            const std::string text =
+                editedPart(source_.text, function->first, function->last, way.edits);
+            out += renamed(withoutPlaces(text), names) + "\n\n";
+        }
+        return out;
+    }
+
+    /// Returns the condition under which the search holds; empty where it always does.
+    std::string condition() const {
+        std::string all;
+        const auto add = [&all](const std::string& one) {
+            all += (all.empty() ? "" : "\n        && ") + one;
+        };
+        for (const ParameterField& field : layoutOf(block_).fields) {
+            const std::string prefix = constantCase(structName(block_)) + '_' +
+                                       constantCase(field.name) + '_';
+            if (field.choice != nullptr) {
+                const auto level = subject_.block.accuracy.find(field.choice->id);
+                add(fmt::format("p.{} == {}{}", field.name, prefix,
+                                constantCase(level == subject_.block.accuracy.end()
+                                                 ? field.choice->values.front().id
+                                                 : level->second)));
+            } else if (field.parameter->compiled == Compiled::Yes) {
+                addCompiled(field, prefix, add);
+            }
+        }
+        return all;
+    }
+
+    template <class Add>
+    void addCompiled(const ParameterField& field, const std::string& prefix, const Add& add) const {
+        const auto given = subject_.block.values.find(field.parameter->id);
+        const Value& value = given == subject_.block.values.end() ? field.parameter->defaultValue
+                                                                  : given->second;
+        if (const auto* word = std::get_if<std::string>(&value);
+            word != nullptr && !field.parameter->values.empty()) {
+            add(fmt::format("p.{} == {}{}", field.name, prefix, constantCase(*word)));
+        } else if (const auto* flag = std::get_if<bool>(&value)) {
+            add(fmt::format("{}p.{}", *flag ? "" : "!", field.name));
+        } else if (const std::string plain = plainField(field); !plain.empty()) {
+            add("p." + plain);
+        }
+    }
+
+    std::string dispatcher(const GlslFunction& main) const {
+        std::string arguments;
+        std::string given;
+        for (const GlslVariable& argument : main.arguments) {
+            arguments += fmt::format("{}{} {}", arguments.empty() ? "" : ", ", argument.type,
+                                     argument.name);
+            given += fmt::format("{}{}", given.empty() ? "" : ", ", argument.name);
+        }
+        const std::string values(main.arguments.empty() ? "p" : main.arguments.back().name);
+        const std::string prefix =
+            constantCase(structName(block_)) + '_' + constantCase(choiceField_) + '_';
+        std::string out = fmt::format("{} {}({}) {{\n", main.result, main_, arguments);
+        std::string searched = condition();
+        if (!searched.empty()) {
+            std::map<std::string, std::string> names{{"p", values}};
+            out += fmt::format("    bool isSearched = {};\n", renamed(searched, names));
+        }
+        for (std::size_t i = 0; i < ways_.ways.size(); ++i) {
+            out += fmt::format("    if ({}{}.{} == {}{}) {{\n        return {}Found{}({});\n    }}\n",
+                               searched.empty() ? "" : "isSearched && ", values, choiceField_,
+                               prefix, constantCase(foundLevelId(i)), main_, i + 1, given);
+        }
+        return out + fmt::format("    return {}Exact({});\n}}\n", main_, given);
+    }
+
+    const EvalCase& subject_;
+    const CheaperWays& ways_;
+    const Block& block_;
+    const ShaderSyntax& syntax_;
+    const ShaderSource& source_;
+    std::string main_;
+    std::string choiceField_;
+};
+
+/// Maps the names of a block's own functions, struct and constants to those of a block with
+/// another id.
+std::map<std::string, std::string> ownNames(const Block& block, const Block& copy,
+                                            std::string_view glsl) {
+    const std::string from = structName(block);
+    const std::string to = structName(copy);
+    std::map<std::string, std::string> names{{from, to}};
+    const std::string code = withoutComments(glsl);
+    for (const GlslFunction& function : functionsIn(glslTokens(code))) {
+        const std::string name(function.name.text);
+        if (name.starts_with(functionName(block))) {
+            names[name] = functionName(copy) + name.substr(functionName(block).size());
+        }
+    }
+    for (const ParameterField& field : layoutOf(copy).fields) {
+        const auto& values = field.parameter == nullptr ? field.choice->values
+                                                        : field.parameter->values;
+        for (const EnumValue& value : values) {
+            const std::string rest =
+                '_' + constantCase(field.name) + '_' + constantCase(value.id);
+            names[constantCase(from) + rest] = constantCase(to) + rest;
+        }
+        if (functionOf(field) != nullptr) {
+            names[functionOfField(block, field.name)] = functionOfField(copy, field.name);
+        }
+    }
+    return names;
+}
+
+nlohmann::json choiceJson(const CheaperWays& ways, const std::string& id) {
+    nlohmann::json levels = nlohmann::json::array();
+    levels.push_back({{"id", "exact"},
+                      {"label", "Exact"},
+                      {"doc", "As the block computes it."},
+                      {"exact", true}});
+    for (std::size_t i = 0; i < ways.ways.size(); ++i) {
+        levels.push_back({{"id", foundLevelId(i)},
+                          {"label", fmt::format("At most {:.2g} off", statedError(ways.ways[i]))},
+                          {"doc", foundLevelDoc(ways, i)}});
+    }
+    return {{"id", id},
+            {"label", "Cheaper ways"},
+            {"doc", "Ways to compute it that were found by a search."},
+            {"values", std::move(levels)}};
+}
+
+std::string joinedWords(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& each : words) {
+        text += (text.empty() ? "" : "; ") + each;
+    }
+    return text.empty() ? text : capitalised(text);
+}
+
+} // namespace
+
+std::string foundLevelId(std::size_t way) {
+    return fmt::format("found-{}", way + 1);
+}
+
+double statedError(const CheaperWay& way) {
+    const double error = std::max(1.25 * way.error, 1e-7);
+    const double digit = std::pow(10.0, std::floor(std::log10(error)) - 1.0);
+    return std::ceil(error / digit) * digit;
+}
+
+std::string foundLevelDoc(const CheaperWays& ways, std::size_t index) {
+    const CheaperWay& way = ways.ways[index];
+    return fmt::format("{}. At most {:.2g} off where white is 1, {:.2g} on the mean, for light and "
+                       "viewer 3 degrees or more above the surface{}. {:.0f} in place of {:.0f} {} "
+                       "(predicted).",
+                       joinedWords(way.words), statedError(way), way.meanError,
+                       way.isForValues ? ", and for the values of its preset only" : "", way.cost,
+                       ways.exact.cost, ways.unit);
+}
+
+Result<ApproximatedBlock> approximatedBlock(const EvalCase& subject, const CheaperWays& ways) {
+    const Block& block = *subject.block.block;
+    const auto glsl = readShaderFile(block.shaderFile);
+    if (!glsl) {
+        return tl::unexpected(glsl.error());
+    }
+    auto descriptor = readJson(block.descriptorFile);
+    if (!descriptor) {
+        return tl::unexpected(descriptor.error());
+    }
+    ApproximatedBlock made;
+    made.choice = "cheaper." + [&block] {
+        std::string name = pascalCase(block.id);
+        name.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
+        return name;
+    }();
+    made.id = block.id;
+    made.glsl = LevelWriter(subject, ways, fieldName(made.choice)).written(*glsl);
+    made.descriptor = std::move(descriptor->value);
+    made.descriptor["accuracy"].push_back(choiceJson(ways, made.choice));
+    if (!block.shipped) {
+        return made;
+    }
+    made.id += "-cheaper";
+    Block copy = block;
+    copy.id = made.id;
+    Block withChoice = block;
+    AccuracyChoice choice{made.choice, {}, {}, {{"exact", {}, {}}}};
+    for (std::size_t i = 0; i < ways.ways.size(); ++i) {
+        choice.values.push_back({foundLevelId(i), {}, {}});
+    }
+    copy.accuracy.push_back(std::move(choice));
+    made.glsl = renamed(made.glsl, ownNames(block, copy, made.glsl));
+    made.descriptor["id"] = made.id;
+    made.descriptor["label"] = block.label + " (cheaper ways)";
+    made.descriptor.erase("formerIds");
+    return made;
+}
+
+} // namespace patina

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "measure/approximation/cheaper_ways.h"
+
+namespace patina {
+
+/// Are the two files of a block with an accuracy choice whose levels are found ways.
+struct ApproximatedBlock {
+    std::string id;
+    std::string glsl;
+    nlohmann::json descriptor;
+
+    /// Is the id of the choice.
+    std::string choice;
+};
+
+/// Returns the id of the level of a way, "found-1" for the first.
+std::string foundLevelId(std::size_t way);
+
+/// Returns an error that holds for the way also where it was not measured: rounded up to two digits,
+/// and a quarter more.
+double statedError(const CheaperWay& way);
+
+/// Returns what a level is, in plain words, with its error and its cost.
+std::string foundLevelDoc(const CheaperWays& ways, std::size_t way);
+
+/// Writes the block of a case with the ways that were found for it. The ways are functions beside the
+/// block's own, which stays as it is under another name; what the program was not searched for, such
+/// as another choice of a compiled enum, is computed exactly. A block that ships gets an id of its
+/// own, because a user's block may not have that of another one. It is an error where a file of the
+/// block cannot be read.
+Result<ApproximatedBlock> approximatedBlock(const EvalCase& subject, const CheaperWays& ways);
+
+} // namespace patina

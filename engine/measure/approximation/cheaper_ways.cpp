@@ -1,0 +1,401 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure/approximation/cheaper_ways.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+
+#include "measure/approximation/cheap_moves.h"
+#include "measure/approximation/fitted_terms.h"
+#include "measure/approximation/shader_price.h"
+#include "measure/error/parallel.h"
+
+namespace patina {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t quickCases = 96;    ///< tell most of what is too far off
+constexpr std::size_t hardCaseCount = 3000;
+constexpr std::size_t lastHardCases = 20000;
+constexpr std::size_t rowsOfSearch = 48;
+constexpr std::uint32_t searchSeed = 1;
+constexpr std::uint32_t heldOutSeed = 2;
+constexpr std::size_t batchSize = 16; ///< counts the texts that are compiled between two reports
+constexpr std::size_t beamWidth = 10;
+constexpr std::size_t triedPerRound = 48;
+constexpr double worthwhile = 0.995; ///< is the cost, over another one, that is a gain
+constexpr double secondsOfSollya = 60.0;
+constexpr double shareOfTrials = 0.9; ///< of the time; the rest is for what was found
+
+/// Is a set of moves with what is known of it.
+struct TriedWay {
+    std::vector<std::size_t> moves; ///< are sorted
+    TextError error;
+    std::optional<double> cost;
+    double guess = 0.0; ///< is the cost as the single moves let expect
+};
+
+bool isBetter(const TriedWay& a, const TriedWay& b) {
+    return a.error.worst <= b.error.worst && *a.cost <= *b.cost &&
+           (a.error.worst < b.error.worst || *a.cost < *b.cost);
+}
+
+class CheaperSearch {
+  public:
+    CheaperSearch(const EvalCase& subject, const CheaperSearchOptions& options,
+                  const CheaperProgress& progress, std::shared_ptr<const MeasuredText> text)
+        : subject_(subject), options_(options), progress_(progress), text_(std::move(text)),
+          price_(subject, text_->source(), text_->syntax(), *options.family) {
+        found_.text = text_;
+    }
+
+    Checked<CheaperWays> run() {
+        prepareCases();
+        if (!priceExact()) {
+            return tl::unexpected(oneError(
+                Error{{}, 0, 0, "the block's program does not compile", "one that draws"}));
+        }
+        findMoves();
+        trySingles(0);
+        addPolynomials();
+        tryTogether();
+        finish();
+        return std::move(found_);
+    }
+
+  private:
+    double secondsGone() const {
+        return std::chrono::duration<double>(Clock::now() - began_).count();
+    }
+
+    bool isOver() const {
+        return found_.isStopped || secondsGone() > shareOfTrials * options_.seconds;
+    }
+
+    /// Reports, and keeps the wish to stop.
+    void tell() {
+        const double share = std::min(secondsGone() / options_.seconds, 1.0);
+        if (!found_.isStopped && !progress_(share, found_)) {
+            found_.isStopped = true;
+        }
+    }
+
+    void prepareCases() {
+        const CaseWish wish{options_.cases, searchSeed, 0, rowsOfSearch, options_.ofValues};
+        cases_ = text_->judged(texelsOfCases(commonCases(subject_, wish)));
+        hard_ = text_->judged(
+            texelsOfCases(hardCases(subject_, hardCaseCount, options_.ofValues)));
+        quick_.texels.assign(cases_.texels.begin(),
+                             cases_.texels.begin() +
+                                 static_cast<std::ptrdiff_t>(std::min(quickCases, cases_.texels.size())));
+        quick_.exact.assign(cases_.exact.begin(),
+                            cases_.exact.begin() + static_cast<std::ptrdiff_t>(
+                                                       quick_.texels.size() * text_->results()));
+        observed_ = text_->observed(cases_.texels);
+    }
+
+    bool priceExact() {
+        const auto prices = price_.of({{}}, [] { return false; });
+        if (!price_.note().empty()) {
+            found_.notes.push_back({{}, 0, 0, "costs are instructions: " + price_.note(),
+                                    "apt-get install mesa-vulkan-drivers"});
+        }
+        found_.unit = price_.unit();
+        if (!prices.front()) {
+            return false;
+        }
+        const TextError own = text_->error({}, cases_, std::numeric_limits<double>::infinity());
+        found_.exact = {{}, {}, own.worst, own.mean, *prices.front(), false};
+        return true;
+    }
+
+    ObservedShader shader() const {
+        return {text_->syntax(), observed_, text_->ownFunctions()};
+    }
+
+    void addMoves(std::vector<CheapMove> moves) {
+        for (CheapMove& move : moves) {
+            moves_.push_back(std::move(move));
+        }
+        found_.moves = moves_.size();
+    }
+
+    void findMoves() {
+        addMoves(knownSwaps(shader()));
+        if (options_.ofValues) {
+            addMoves(foldedValues(shader()));
+        }
+        addMoves(droppedTerms(shader()));
+    }
+
+    void addPolynomials() {
+        if (isOver()) {
+            return;
+        }
+        const auto terms = oneVariableTerms(text_->source(), shader());
+        if (terms.empty()) {
+            return;
+        }
+        auto moves = polynomialMoves(shader(), terms,
+                                     std::min(secondsOfSollya, 0.3 * options_.seconds));
+        if (!moves) {
+            found_.notes.push_back(moves.error());
+            return;
+        }
+        const std::size_t first = moves_.size();
+        addMoves(std::move(*moves));
+        trySingles(first);
+    }
+
+    std::vector<ShaderEdit> editsFor(const std::vector<std::size_t>& moves) const {
+        std::vector<const CheapMove*> chosen;
+        for (const std::size_t move : moves) {
+            chosen.push_back(&moves_[move]);
+        }
+        return editsOf(chosen);
+    }
+
+    /// Judges ways on all cores, and leaves out those that are too far off or break.
+    void judge(std::vector<TriedWay>& ways) {
+        inParallel(ways.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const std::vector<ShaderEdit> edits = editsFor(ways[i].moves);
+                ways[i].error = text_->error(edits, quick_, options_.maxError);
+                if (ways[i].error.isWithin(options_.maxError)) {
+                    ways[i].error = text_->error(edits, cases_, options_.maxError);
+                }
+                if (ways[i].error.isWithin(options_.maxError)) {
+                    ways[i].error.isSafe = text_->isSafe(edits, hard_);
+                }
+            }
+        });
+        std::erase_if(ways, [this](const TriedWay& way) {
+            return !way.error.isWithin(options_.maxError);
+        });
+    }
+
+    /// Compiles ways, puts them into the front, and returns those that have a cost.
+    std::vector<TriedWay> priced(std::vector<TriedWay> ways) {
+        std::vector<TriedWay> done;
+        for (std::size_t first = 0; first < ways.size() && !isOver(); first += batchSize) {
+            const std::size_t last = std::min(first + batchSize, ways.size());
+            std::vector<std::vector<ShaderEdit>> edits;
+            for (std::size_t i = first; i < last; ++i) {
+                edits.push_back(editsFor(ways[i].moves));
+            }
+            const auto costs = price_.of(edits, [this] { return stopsNow(); });
+            for (std::size_t i = first; i < last; ++i) {
+                ways[i].cost = costs[i - first];
+                if (ways[i].cost) {
+                    ++found_.tried;
+                    enter(ways[i]);
+                    done.push_back(ways[i]);
+                }
+            }
+            tell();
+        }
+        return done;
+    }
+
+    bool stopsNow() {
+        tell();
+        return isOver();
+    }
+
+    /// Puts a way into the front where none is better.
+    void enter(const TriedWay& way) {
+        const bool isGain = *way.cost < worthwhile * found_.exact.cost;
+        if (!isGain || std::ranges::any_of(front_, [&way](const TriedWay& other) {
+                return isBetter(other, way) || (other.error.worst == way.error.worst &&
+                                                *other.cost == *way.cost);
+            })) {
+            return;
+        }
+        std::erase_if(front_, [&way](const TriedWay& other) { return isBetter(way, other); });
+        front_.push_back(way);
+        std::ranges::sort(front_, {}, [](const TriedWay& each) { return each.error.worst; });
+        publish(front_);
+    }
+
+    void publish(const std::vector<TriedWay>& front) {
+        found_.ways.clear();
+        for (const TriedWay& way : front) {
+            CheaperWay shown{editsFor(way.moves), {}, way.error.worst, way.error.mean, *way.cost,
+                             false};
+            for (const std::size_t move : way.moves) {
+                shown.isForValues = shown.isForValues || moves_[move].isForValues;
+                if (std::ranges::find(shown.words, moves_[move].words) == shown.words.end()) {
+                    shown.words.push_back(moves_[move].words);
+                }
+            }
+            found_.ways.push_back(std::move(shown));
+        }
+    }
+
+    void trySingles(std::size_t firstMove) {
+        constexpr std::size_t judgedAtOnce = 64;
+        for (std::size_t first = firstMove; first < moves_.size() && !isOver();
+             first += judgedAtOnce) {
+            std::vector<TriedWay> ways;
+            for (std::size_t i = first; i < std::min(first + judgedAtOnce, moves_.size()); ++i) {
+                ways.push_back({{i}, {}, {}, 0.0});
+            }
+            judge(ways);
+            tell();
+            for (const TriedWay& way : priced(std::move(ways))) {
+                if (*way.cost < worthwhile * found_.exact.cost) {
+                    useful_.push_back(way);
+                }
+            }
+        }
+    }
+
+    /// Returns the way with one more move; nothing where the moves change the same text, or it was
+    /// tried.
+    std::optional<TriedWay> extended(const TriedWay& way, const TriedWay& single) {
+        const std::size_t move = single.moves.front();
+        TriedWay more{way.moves, {}, {}, *way.cost - (found_.exact.cost - *single.cost)};
+        for (const std::size_t other : way.moves) {
+            if (other == move || !areCompatible(moves_[other], moves_[move])) {
+                return std::nullopt;
+            }
+        }
+        more.moves.push_back(move);
+        std::ranges::sort(more.moves);
+        more.error.worst = way.error.worst + single.error.worst;
+        return known_.insert(more.moves).second ? std::optional(more) : std::nullopt;
+    }
+
+    /// Tells whether the front has what is as cheap as a way is expected to be, and more exact.
+    bool isHopeless(const TriedWay& way) const {
+        return std::ranges::any_of(front_, [&way](const TriedWay& other) {
+            return other.error.worst <= way.error.worst && *other.cost <= way.guess;
+        });
+    }
+
+    void tryTogether() {
+        std::ranges::sort(useful_, {}, [](const TriedWay& way) { return *way.cost; });
+        while (!isOver()) {
+            std::vector<TriedWay> next;
+            for (const TriedWay& way : beam()) {
+                for (const TriedWay& single : useful_) {
+                    if (auto more = extended(way, single)) {
+                        next.push_back(std::move(*more));
+                    }
+                }
+            }
+            if (next.empty()) {
+                return;
+            }
+            std::ranges::sort(next, {}, &TriedWay::guess);
+            const std::vector<TriedWay> before = front_;
+            for (std::size_t first = 0; first < next.size() && !isOver(); first += triedPerRound) {
+                std::vector<TriedWay> some(
+                    next.begin() + static_cast<std::ptrdiff_t>(first),
+                    next.begin() +
+                        static_cast<std::ptrdiff_t>(std::min(first + triedPerRound, next.size())));
+                judge(some);
+                std::erase_if(some, [this](const TriedWay& way) { return isHopeless(way); });
+                priced(std::move(some));
+            }
+        }
+    }
+
+    /// Returns the ways that are extended: the front, thinned out evenly.
+    std::vector<TriedWay> beam() const {
+        std::vector<TriedWay> some;
+        const std::size_t count = std::min(beamWidth, front_.size());
+        for (std::size_t i = 0; i < count; ++i) {
+            some.push_back(front_[i * front_.size() / count]);
+        }
+        return some;
+    }
+
+    /// Keeps few ways of the front, with their errors on cases that the search has not seen.
+    void finish() {
+        CaseWish wish{options_.heldOut, heldOutSeed, rowsOfSearch,
+                      std::max<std::size_t>(options_.heldOut / 32, 1), options_.ofValues};
+        const JudgedCases unseen = text_->judged(texelsOfCases(commonCases(subject_, wish)));
+        const JudgedCases hard = text_->judged(
+            texelsOfCases(hardCases(subject_, lastHardCases, options_.ofValues)));
+        std::vector<TriedWay> kept = front_;
+        inParallel(kept.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const std::vector<ShaderEdit> edits = editsFor(kept[i].moves);
+                const TextError last =
+                    text_->error(edits, unseen, std::numeric_limits<double>::infinity());
+                kept[i].error.isSafe = last.isSafe && text_->isSafe(edits, hard);
+                kept[i].error.worst = std::max(kept[i].error.worst, last.worst);
+                kept[i].error.mean = last.mean;
+            }
+        });
+        std::erase_if(kept, [this](const TriedWay& way) {
+            return !way.error.isWithin(2.0 * options_.maxError);
+        });
+        front_.clear();
+        for (const TriedWay& way : kept) {
+            enter(way);
+        }
+        thin();
+        publish(front_);
+        found_.heldOut = unseen.texels.size();
+        const TextError own = text_->error({}, unseen, std::numeric_limits<double>::infinity());
+        found_.exact.error = std::max(found_.exact.error, own.worst);
+        found_.exact.meanError = own.mean;
+    }
+
+    /// Leaves out, one after the other, the way that its neighbours replace best.
+    void thin() {
+        while (front_.size() > options_.ways) {
+            std::size_t least = 0;
+            double smallest = std::numeric_limits<double>::infinity();
+            for (std::size_t i = 0; i + 1 < front_.size(); ++i) {
+                const double before = i == 0 ? found_.exact.cost : *front_[i - 1].cost;
+                const double gain = std::log(before / *front_[i].cost) *
+                                    std::log(std::max(front_[i + 1].error.worst, 1e-9) /
+                                             std::max(front_[i].error.worst, 1e-9));
+                if (gain < smallest) {
+                    smallest = gain;
+                    least = i;
+                }
+            }
+            front_.erase(front_.begin() + static_cast<std::ptrdiff_t>(least));
+        }
+    }
+
+    const EvalCase& subject_;
+    const CheaperSearchOptions& options_;
+    const CheaperProgress& progress_;
+    std::shared_ptr<const MeasuredText> text_;
+    ShaderPrice price_;
+    Clock::time_point began_ = Clock::now();
+    JudgedCases cases_;
+    JudgedCases quick_;
+    JudgedCases hard_;
+    std::vector<ObservedValues> observed_;
+    std::vector<CheapMove> moves_;
+    std::vector<TriedWay> useful_; ///< are single moves that gain something
+    std::vector<TriedWay> front_;  ///< is sorted by error
+    std::set<std::vector<std::size_t>> known_;
+    CheaperWays found_;
+};
+
+} // namespace
+
+Checked<CheaperWays> cheaperWays(const EvalCase& subject, const std::filesystem::path& shaders,
+                                 const CheaperSearchOptions& options,
+                                 const CheaperProgress& progress) {
+    auto text = MeasuredText::of(subject, shaders);
+    if (!text) {
+        return tl::unexpected(text.error());
+    }
+    return CheaperSearch(subject, options, progress,
+                         std::make_shared<const MeasuredText>(std::move(*text)))
+        .run();
+}
+
+} // namespace patina

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "measure/approximation/measured_text.h"
+#include "predict/gpu_family.h"
+
+namespace patina {
+
+/// Says how a search for cheaper ways is made.
+struct CheaperSearchOptions {
+    const GpuFamily* family = nullptr; ///< is the one that costs are predicted for
+    double seconds = 120.0;            ///< after so many nothing new is begun
+    double maxError = 0.25;            ///< leaves out what is farther off
+    std::size_t cases = 1024;          ///< counts those that the search judges by
+    std::size_t heldOut = 10000;       ///< counts those on which the found ways are judged at last
+    std::size_t ways = 5;              ///< limits those that are kept of the front
+    bool ofValues = false;             ///< judges the subject's own values only, and folds them
+};
+
+/// Is a way to compute a block more cheaply.
+struct CheaperWay {
+    std::vector<ShaderEdit> edits; ///< are in the order of the text; empty: it is the exact one
+    std::vector<std::string> words; ///< say what each of its moves does
+    double error = 0.0;     ///< is the largest in any case, as TextError
+    double meanError = 0.0;
+    double cost = 0.0;
+    bool isForValues = false;
+};
+
+/// Is what a search has found: the front of error and cost.
+struct CheaperWays {
+    std::shared_ptr<const MeasuredText> text;
+    CheaperWay exact;
+    std::vector<CheaperWay> ways; ///< are from the most exact to the cheapest
+    std::string unit;             ///< is what costs are counted in
+    std::size_t moves = 0;        ///< counts the changes that there are to make
+    std::size_t tried = 0;        ///< counts the texts that were compiled
+    std::size_t heldOut = 0;      ///< counts the cases, unknown to the search, that errors are of
+    bool isStopped = false;
+    Errors notes; ///< say what could not be used, and what to install
+};
+
+/// Is told how far a search is; it returns false to end it.
+using CheaperProgress = std::function<bool(double share, const CheaperWays& soFar)>;
+
+/// Searches for ways to compute the function of a case more cheaply. Moves are tried by themselves,
+/// then together, beginning with what is best so far. Errors are those of float against double
+/// precision, costs are predicted. Every way is finite and not negative on hard cases, and its error
+/// is the largest on cases that the search did not see. It is an error where the text does not
+/// compile or cannot be evaluated in double precision.
+Checked<CheaperWays> cheaperWays(const EvalCase& subject, const std::filesystem::path& shaders,
+                                 const CheaperSearchOptions& options,
+                                 const CheaperProgress& progress);
+
+} // namespace patina

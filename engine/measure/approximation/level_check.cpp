@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure/approximation/level_check.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "catalog/json_text.h"
+#include "core/atomic_file.h"
+#include "measure/eval/eval_program.h"
+#include "measure/stability/stability_sweep.h"
+#include "measure/stability/sweep_cases.h"
+
+namespace patina {
+namespace {
+
+constexpr std::uint32_t seedOfDevice = 3;
+constexpr std::size_t firstRowOfDevice = 4096; ///< is behind the sets of values of the search
+constexpr std::size_t sweptCases = 60000;
+
+/// Is a block that was written, read again.
+struct WrittenBlock {
+    Catalog catalog;
+    const Block* block = nullptr;
+    std::string choice;
+};
+
+Checked<WrittenBlock> writtenBlock(const EvalCase& subject, const CheaperWays& ways,
+                                   const std::filesystem::path& shaders,
+                                   const std::filesystem::path& folder) {
+    const auto made = approximatedBlock(subject, ways);
+    if (!made) {
+        return tl::unexpected(oneError(made.error()));
+    }
+    const std::string& kind = subject.block.block->kind;
+    if (const auto done = writeApproximatedBlock(*made, folder / kind); !done) {
+        return tl::unexpected(oneError(done.error()));
+    }
+    const std::array roots{BlockRoot{shaders, true}, BlockRoot{folder, false}};
+    WrittenBlock written{loadCatalog(roots), nullptr, made->choice};
+    written.block = written.catalog.find(kind, made->id);
+    if (written.block == nullptr) {
+        return tl::unexpected(written.catalog.errors);
+    }
+    return written;
+}
+
+/// Tells whether a sweep found what no level may give; what the claims of the exact block are not
+/// those of its levels.
+bool isBroken(const SweepReport& report) {
+    return std::ranges::any_of(report.defects, [](const auto& each) {
+        const Defect defect = each.first.defect;
+        return defect == Defect::NotANumber || defect == Defect::Infinite ||
+               defect == Defect::Negative;
+    });
+}
+
+class DeviceCheck {
+  public:
+    DeviceCheck(const EvalCase& subject, CheaperWays& ways, const WrittenBlock& written,
+                const std::filesystem::path& shaders, const CheaperSearchOptions& options,
+                const std::function<bool()>& isStopped)
+        : subject_(subject), ways_(ways), written_(written), shaders_(shaders), options_(options),
+          isStopped_(isStopped) {}
+
+    Checked<std::size_t> run() {
+        const CaseWish wish{options_.heldOut, seedOfDevice, firstRowOfDevice,
+                            std::max<std::size_t>(options_.heldOut / 32, 1), options_.ofValues};
+        cases_ = commonCases(subject_, wish);
+        exact_ = ways_.text->judged(texelsOfCases(cases_));
+        std::vector<CheaperWay> kept;
+        for (std::size_t i = 0; i < ways_.ways.size(); ++i) {
+            auto way = tried(i);
+            if (!way) {
+                return tl::unexpected(oneError(way.error()));
+            }
+            if (*way) {
+                kept.push_back(std::move(**way));
+            }
+        }
+        ways_.ways = std::move(kept);
+        return count_;
+    }
+
+  private:
+    std::string level(std::size_t index) const { return foundLevelId(index); }
+
+    /// Returns the way with its error on the device; nothing where it breaks there.
+    Result<std::optional<CheaperWay>> tried(std::size_t index) {
+        CheaperWay way = ways_.ways[index];
+        if (isStopped_()) {
+            return way;
+        }
+        const auto worst = worstOnDevice(index);
+        if (!worst) {
+            return tl::unexpected(worst.error());
+        }
+        way.error = std::max(way.error, *worst);
+        return isSwept(index) ? std::optional(way) : std::nullopt;
+    }
+
+    Result<double> worstOnDevice(std::size_t index) {
+        EvalCase own = subject_;
+        own.block.block = written_.block;
+        own.block.accuracy[written_.choice] = level(index);
+        const auto program = EvalProgram::link(own, shaders_);
+        if (!program) {
+            return tl::unexpected(program.error());
+        }
+        double worst = 0.0;
+        const std::size_t results = program->shape().results;
+        for (std::size_t first = 0; first < cases_.size(); first += EvalProgram::largestDraw) {
+            const std::size_t size = std::min(EvalProgram::largestDraw, cases_.size() - first);
+            const auto drawn = program->draw(texels(own, first, size, *program), size);
+            if (!drawn) {
+                return tl::unexpected(drawn.error());
+            }
+            for (std::size_t i = 0; i < size; ++i) {
+                const std::vector<double> got(
+                    drawn->begin() + static_cast<std::ptrdiff_t>(i * results),
+                    drawn->begin() + static_cast<std::ptrdiff_t>((i + 1) * results));
+                const auto right =
+                    std::span(exact_.exact).subspan((first + i) * results, results);
+                worst = std::max(worst, ways_.text->errorOf(right, got));
+            }
+        }
+        count_ += cases_.size();
+        return worst;
+    }
+
+    /// Returns the cases as the program of the written block reads them.
+    std::vector<float> texels(const EvalCase& own, std::size_t first, std::size_t size,
+                              const EvalProgram& program) const {
+        std::vector<EvalCase> some(cases_.begin() + static_cast<std::ptrdiff_t>(first),
+                                   cases_.begin() + static_cast<std::ptrdiff_t>(first + size));
+        std::vector<float> all;
+        for (EvalCase& each : some) {
+            each.block.block = own.block.block;
+            each.block.accuracy = own.block.accuracy;
+        }
+        const auto numbers = static_cast<std::size_t>(program.shape().caseTexels) * 4;
+        for (const std::vector<float>& each : texelsOfCases(some)) {
+            all.insert(all.end(), each.begin(), each.end());
+            all.resize(all.size() + numbers - each.size());
+        }
+        return all;
+    }
+
+    /// Sweeps the programs of a level.
+    bool isSwept(std::size_t index) {
+        std::vector<EvalCase> variants;
+        for (EvalCase& variant : sweepVariants(written_.catalog, *written_.block)) {
+            const auto found = variant.block.accuracy.find(written_.choice);
+            if (found != variant.block.accuracy.end() && found->second == level(index)) {
+                variants.push_back(std::move(variant));
+            }
+        }
+        EvalCase own = subject_;
+        own.block.block = written_.block;
+        own.block.accuracy[written_.choice] = level(index);
+        variants.push_back(own);
+        SweepOptions how;
+        how.cpu = false;
+        how.error = false;
+        how.cases = sweptCases;
+        how.isWhole = false;
+        how.shaders = shaders_;
+        StabilitySweep sweep(std::move(variants), how);
+        while (!sweep.finished() && !isStopped_()) {
+            sweep.step();
+        }
+        count_ += sweep.report().cases;
+        return !isBroken(sweep.report());
+    }
+
+    const EvalCase& subject_;
+    CheaperWays& ways_;
+    const WrittenBlock& written_;
+    const std::filesystem::path& shaders_;
+    const CheaperSearchOptions& options_;
+    const std::function<bool()>& isStopped_;
+    std::vector<EvalCase> cases_;
+    JudgedCases exact_;
+    std::size_t count_ = 0;
+};
+
+} // namespace
+
+Result<void> writeApproximatedBlock(const ApproximatedBlock& block,
+                                    const std::filesystem::path& folder) {
+    std::error_code failed;
+    std::filesystem::create_directories(folder, failed);
+    if (failed) {
+        return tl::unexpected(
+            Error{folder.string(), 0, 0, "cannot be made: " + failed.message(), {}});
+    }
+    if (auto done = writeFileAtomically(folder / (block.id + ".glsl"), block.glsl); !done) {
+        return done;
+    }
+    return writeFileAtomically(folder / (block.id + ".json"), writeJson(block.descriptor));
+}
+
+Checked<std::size_t> checkedOnDevice(const EvalCase& subject, CheaperWays& ways,
+                                     const std::filesystem::path& shaders,
+                                     const std::filesystem::path& folder,
+                                     const CheaperSearchOptions& options,
+                                     const std::function<bool()>& isStopped) {
+    const auto written = writtenBlock(subject, ways, shaders, folder);
+    if (!written) {
+        return tl::unexpected(written.error());
+    }
+    return DeviceCheck(subject, ways, *written, shaders, options, isStopped).run();
+}
+
+} // namespace patina

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "measure/approximation/shader_syntax.h"
+#include "shading/glsl/shader_source.h"
+
+namespace patina {
+
+/// Replaces a part of a shader's text.
+struct ShaderEdit {
+    std::size_t first = 0; ///< are the offsets in the text before all edits
+    std::size_t last = 0;
+    std::string replacement;
+    std::string helper{}; ///< is a function that the replacement calls, with its name in front
+    int function = -1;    ///< is that in which the place is
+};
+
+/// Is one way to compute a part of a block more cheaply: edits that belong together.
+struct CheapMove {
+    std::vector<ShaderEdit> edits;
+    std::string words; ///< say what it does, as "exponential by a polynomial of degree 4"
+    bool isForValues = false; ///< holds for the values of a preset only
+};
+
+/// Tells whether two moves change nothing in common.
+bool areCompatible(const CheapMove& a, const CheapMove& b);
+
+/// Returns the edits of several moves, in the order of the text.
+std::vector<ShaderEdit> editsOf(std::span<const CheapMove* const> moves);
+
+/// Returns a stretch of a text, from offset `first` to before `last`, with the edits within it,
+/// which are in the order of the text. Helpers are left out.
+std::string editedPart(std::string_view text, std::size_t first, std::size_t last,
+                       std::span<const ShaderEdit> edits);
+
+/// Returns the helpers of edits, each once.
+std::string helpersOf(std::span<const ShaderEdit> edits);
+
+/// Returns the source with edits; their helpers precede the functions that are edited.
+ShaderSource editedSource(const ShaderSource& source, const ShaderSyntax& syntax,
+                          std::span<const ShaderEdit> edits);
+
+/// Returns a number as GLSL writes it, to the nearest float: "0.25", "-1.0", "1e-30".
+std::string floatText(double x);
+
+} // namespace patina

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "measure/approximation/shader_edit.h"
+#include "measure/eval/eval_case.h"
+#include "predict/compile_request.h"
+#include "predict/gpu_family.h"
+
+namespace patina {
+
+/// Predicts what a block's function costs with edits: cycles of a family of graphics cards for 64
+/// pixels, or, where the driver that predicts them is missing, instructions, of which one that takes
+/// longer counts four times. The geometry of light and viewer is in every price.
+class ShaderPrice {
+  public:
+    /// What it refers to must outlive it.
+    ShaderPrice(const EvalCase& subject, const ShaderSource& source, const ShaderSyntax& syntax,
+                const GpuFamily& family);
+
+    /// Returns the price with each of these edits; nothing where that does not compile.
+    std::vector<std::optional<double>> of(const std::vector<std::vector<ShaderEdit>>& ways,
+                                          const std::function<bool()>& isStopped);
+
+    /// Says what is counted: "cycles of RDNA 2 for 64 pixels" or "instructions".
+    std::string unit() const;
+
+    /// Says why instructions are counted instead of cycles; empty where they are not.
+    const std::string& note() const { return note_; }
+
+  private:
+    ProgramText programOf(const std::vector<ShaderEdit>& edits) const;
+
+    const ShaderSource& source_;
+    const ShaderSyntax& syntax_;
+    const GpuFamily& family_;
+    std::size_t places_ = 1; ///< counts the vec4s of a case's arguments
+    std::size_t values_ = 1; ///< counts those of its values
+    std::vector<ShaderEdit> frame_;
+    bool counts_ = false;
+    std::string note_;
+};
+
+} // namespace patina
