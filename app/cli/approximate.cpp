@@ -157,6 +157,10 @@ Checked<ApproximateSubject> subjectOfPreset(const std::string& file) {
     return ApproximateSubject{std::move(catalog), std::move(*made), true};
 }
 
+bool isNamed(const Block& block, std::string_view name) {
+    return name == block.id || name == fmt::format("{}/{}", block.kind, block.id);
+}
+
 Checked<ApproximateSubject> subjectNamed(const std::string& name) {
     auto catalog = std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()));
     report(catalog->errors);
@@ -166,8 +170,9 @@ Checked<ApproximateSubject> subjectNamed(const std::string& name) {
     }
     const Block* found = catalog->find(kinds::models, name);
     for (const Block& block : catalog->blocks) {
-        const bool isNamed = block.kind + '/' + block.id == name || block.id == name;
-        found = found == nullptr && isNamed ? &block : found;
+        if (found == nullptr && isNamed(block, name)) {
+            found = &block;
+        }
     }
     if (found == nullptr) {
         return tl::unexpected(oneError(

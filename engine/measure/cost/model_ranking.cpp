@@ -18,14 +18,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr glm::ivec2 sizeOnCpu{256, 256};
-constexpr glm::ivec2 sizeOnDevice{1024, 1024};
+constexpr glm::ivec2 rankedSizeOnCpu{256, 256};
+constexpr glm::ivec2 rankedSizeOnDevice{1024, 1024};
 
 glm::ivec2 chosenSize(glm::ivec2 wanted) {
     if (wanted.x > 0 && wanted.y > 0) {
         return wanted;
     }
-    return gl::isSoftware() ? sizeOnCpu : sizeOnDevice;
+    return gl::isSoftware() ? rankedSizeOnCpu : rankedSizeOnDevice;
 }
 
 /// Is the number of pairs of a model in each round. It is small, so that other load of the machine,

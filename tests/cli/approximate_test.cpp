@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `patina approximate` finds cheaper ways to compute blocks that it has never seen, says how far off
+// they are, and writes them as blocks that work.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/patina_program.h"
+#include "measure/approximation/measured_text.h"
+#include "measure/approximation/shader_parser.h"
+#include "measure/eval/eval_reference.h"
+#include "measure/stability/edge_case_directions.h"
+#include "measure/stability/edge_case_fields.h"
+#include "measure/stability/sweep_cases.h"
+
+namespace patina::tests::approximate_test {
+namespace {
+
+/// The parts of a descriptor that all models here share.
+std::string descriptorOf(const std::string& id, const std::string& parameters) {
+    return R"({"id": ")" + id + R"(", "version": 1, "label": "Tried", "summary": "A model to try.",
+  "applications": "Tests.", "source": "See the shader.", "parameters": [)" +
+           parameters + R"(],
+  "claims": ["finite", "non_negative"], "exemptions": {
+    "reciprocal": "It is as printed.", "energy_conserving": "It is as printed.",
+    "isotropic": "It has a grain.", "zero_below_horizon": "It is as printed."}})";
+}
+
+constexpr const char* colors = R"(
+  {"id": "diffuse.color", "label": "Diffuse", "doc": "Its colour.", "type": "color",
+   "default": [0.5, 0.4, 0.3]},
+  {"id": "specular.color", "label": "Highlight", "doc": "Its colour.", "type": "color",
+   "default": [0.5, 0.5, 0.5]},
+  {"id": "shininess", "label": "Shininess", "doc": "How sharp.", "type": "float", "default": 20,
+   "min": 1, "max": 200, "softMin": 4, "softMax": 60})";
+
+struct Paper {
+    std::string id;
+    std::string glsl;
+    std::string parameters;
+};
+
+// J. Kajiya and T. Kay, Rendering Fur with Three Dimensional Textures, SIGGRAPH 1989.
+const Paper hair{"kajiya-kay", R"(// SPDX-License-Identifier: MIT-0
+#include "lib/directions.glsl"
+
+// A thread along t: sin(t, l), and the cone about it, cos^p of the angle to it.
+vec3 kajiyaKay(Directions d, KajiyaKay p) {
+    float lightAngle = acos(clamp(d.lt, -1.0, 1.0));
+    float viewAngle = acos(clamp(-d.vt, -1.0, 1.0));
+    float lobe = pow(max(cos(lightAngle - viewAngle), 0.0), p.shininess);
+    return p.diffuseColor * sin(lightAngle) + p.specularColor * lobe;
+}
+)",
+                 colors};
+
+// D. Banks, Illumination in Diverse Codimensions, SIGGRAPH 1994.
+const Paper banks{"banks", R"(// SPDX-License-Identifier: MIT-0
+#include "lib/directions.glsl"
+
+// The excess brightness of a thread is taken back by the power 4.8.
+vec3 banks(Directions d, Banks p) {
+    float sineLight = sqrt(max(1.0 - d.lt * d.lt, 0.0));
+    float sineView = sqrt(max(1.0 - d.vt * d.vt, 0.0));
+    float matte = pow(sineLight, 4.8);
+    float lobe = pow(max(sineLight * sineView - d.lt * d.vt, 0.0), p.shininess);
+    return (p.diffuseColor * matte + p.specularColor * lobe) * d.nl;
+}
+)",
+                  colors};
+
+// D. Edwards et al., The Halfway Vector Disk for BRDF Modeling, ACM TOG 25(1), 2006.
+const Paper disc{"edwards", R"(// SPDX-License-Identifier: MIT-0
+#include "lib/directions.glsl"
+
+// A density on the disc that half vectors fall on, and Fresnel's reflectance by Schlick.
+vec3 edwards(Directions d, Edwards p) {
+    float r2 = d.sin2h / (d.sin2h + d.cos2h);
+    float density = (p.shininess + 1.0) * pow(max(1.0 - r2, 0.0), p.shininess);
+    float share = 0.04 + 0.96 * pow(max(1.0 - d.lh, 0.0), 5.0);
+    float lobe = share * density * d.nh / (4.0 * max(d.lh, 0.0001)) / max(max(d.nl, d.nv), 0.0001);
+    return p.diffuseColor * d.nl + p.specularColor * (lobe * d.nl);
+}
+)",
+                 colors};
+
+void writePaper(const Paper& paper, const std::filesystem::path& shaders) {
+    writeFile(shaders / "models" / (paper.id + ".glsl"), paper.glsl);
+    writeFile(shaders / "models" / (paper.id + ".json"), descriptorOf(paper.id, paper.parameters));
+}
+
+Outcome approximated(std::vector<std::string> arguments,
+                     std::map<std::string, std::string> environment = {}) {
+    arguments.insert(arguments.begin(), "approximate");
+    return patina(Start{.arguments = std::move(arguments),
+                        .environment = std::move(environment),
+                        .input = {},
+                        .timeLimitSeconds = 240.0});
+}
+
+/// The case of a block of a folder with its defaults.
+EvalCase caseOf(const Catalog& catalog, const std::string& id) {
+    return *sweepVariant(catalog, defaultMaterial(*catalog.find(kinds::models, id)));
+}
+
+Catalog catalogWith(const std::filesystem::path& own) {
+    const std::array roots{BlockRoot{shipped("shaders"), true}, BlockRoot{own, false}};
+    return loadCatalog(roots);
+}
+
+class OfAPaper : public testing::TestWithParam<const Paper*> {};
+
+TEST_P(OfAPaper, FrontHasTwoUsefulWaysThatKeepTheirErrorOnUnseenCases) {
+    const Paper& paper = *GetParam();
+    const TemporaryFolder folder;
+    writePaper(paper, folder / "before");
+    const Outcome outcome =
+        approximated({(folder / "before/models" / (paper.id + ".glsl")).string(), "--seconds", "20",
+                      "--json", "-o", (folder / "after/models").string()});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const auto json = nlohmann::json::parse(outcome.out);
+    const auto& ways = json.at("ways");
+    ASSERT_GE(ways.size(), 2u) << outcome.out;
+    EXPECT_GE(json.at("unseenCases"), 10000);
+
+    const Catalog before = catalogWith(folder / "before");
+    const Catalog after = catalogWith(folder / "after");
+    ASSERT_EQ(after.errors, Errors());
+    const EvalCase exact = caseOf(before, paper.id);
+    const auto text = MeasuredText::of(exact, shipped("shaders"));
+    ASSERT_TRUE(text) << patina::text(text.error());
+    const auto unseen =
+        commonCases(exact, {.count = 10000, .seed = 77, .firstRow = 9000, .rows = 300});
+    const JudgedCases judged = text->judged(texelsOfCases(unseen));
+    double costBefore = json.at("exact").at("cost");
+    double errorBefore = 0.0;
+    for (const auto& way : ways) {
+        EXPECT_LT(way.at("cost"), costBefore);
+        EXPECT_GT(way.at("error"), errorBefore);
+        costBefore = way.at("cost");
+        errorBefore = way.at("error");
+        EvalCase level = caseOf(after, paper.id);
+        level.block.accuracy[level.block.block->accuracy.front().id] = way.at("level");
+        const auto cheaper = MeasuredText::of(level, shipped("shaders"));
+        ASSERT_TRUE(cheaper) << patina::text(cheaper.error());
+        std::vector<EvalCase> cases = unseen;
+        for (EvalCase& each : cases) {
+            each.block.block = level.block.block;
+            each.block.accuracy = level.block.accuracy;
+        }
+        const JudgedCases same{texelsOfCases(cases), judged.exact};
+        const TextError error = cheaper->error({}, same, 10.0);
+        EXPECT_TRUE(error.isSafe) << way.dump();
+        EXPECT_LE(error.worst, way.at("atMost").get<double>()) << way.dump();
+    }
+    EXPECT_LT(ways.back().at("cost").get<double>(),
+              0.95 * json.at("exact").at("cost").get<double>());
+}
+
+INSTANTIATE_TEST_SUITE_P(Approximate, OfAPaper, testing::Values(&hair, &banks, &disc),
+                         [](const auto& info) {
+                             return std::string(info.param == &hair    ? "KajiyaKay"
+                                                : info.param == &banks ? "Banks"
+                                                                       : "Edwards");
+                         });
+
+TEST(Approximate, WrittenBlock_IsValidAndPassesTheSweep) {
+    const TemporaryFolder folder;
+    writePaper(banks, folder / "before");
+    const Outcome outcome =
+        approximated({(folder / "before/models/banks.glsl").string(), "--seconds", "10", "-o",
+                      (folder / "data/patina/shaders/models").string()});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("power"), std::string::npos) << outcome.out;
+    const std::map<std::string, std::string> own{{"XDG_DATA_HOME", folder / "data"}};
+    const Outcome valid =
+        patina(Start{.arguments = {"validate",
+                                   (folder / "data/patina/shaders/models/banks.json").string()},
+                     .environment = own,
+                     .input = {}});
+    EXPECT_EQ(valid.exitCode, 0) << valid.err;
+    const Outcome checked = patina(Start{.arguments = {"check", "banks", "--json"},
+                                         .environment = own,
+                                         .input = {},
+                                         .timeLimitSeconds = 120.0});
+    for (const auto& defect : nlohmann::json::parse(checked.out).at("defects")) {
+        const std::string text = defect.dump();
+        for (const char* broken : {"not a number", "infinite", "negative"}) {
+            EXPECT_EQ(text.find(broken), std::string::npos) << text;
+        }
+    }
+}
+
+TEST(Approximate, ShippedBlock_GetsAnIdOfItsOwn) {
+    const TemporaryFolder folder;
+    const Outcome outcome = approximated({"phong", "--seconds", "8", "-o", folder / "models"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const Catalog catalog = catalogWith(folder.path());
+    EXPECT_EQ(catalog.errors, Errors());
+    EXPECT_NE(catalog.find(kinds::models, "phong-cheaper"), nullptr);
+}
+
+TEST(Approximate, Preset_HasItsValuesFolded) {
+    const Outcome outcome = approximated({gold, "--seconds", "10", "--json"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const auto ways = nlohmann::json::parse(outcome.out).at("ways");
+    EXPECT_TRUE(std::ranges::any_of(ways, [](const auto& way) { return way.at("forValues"); }))
+        << outcome.out;
+}
+
+TEST(Approximate, TextThatDoesNotCompile_IsTheMistakeAtItsLine) {
+    const TemporaryFolder folder;
+    Paper wrong = banks;
+    wrong.glsl.replace(wrong.glsl.find("* d.nl"), 6, "* d.missing");
+    writePaper(wrong, folder.path());
+    const Outcome outcome = approximated({(folder / "models/banks.glsl").string()});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.err.find("banks.glsl:10"), std::string::npos) << outcome.err;
+}
+
+TEST(Approximate, FunctionWithNothingToLeaveOut_SaysSo) {
+    const TemporaryFolder folder;
+    Paper plain = banks;
+    plain.glsl = "#include \"lib/directions.glsl\"\nvec3 banks(Directions d, Banks p) {\n"
+                 "    return p.diffuseColor;\n}\n";
+    writePaper(plain, folder.path());
+    const Outcome outcome =
+        approximated({(folder / "models/banks.glsl").string(), "--seconds", "5"});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("nothing cheaper was found"), std::string::npos) << outcome.out;
+}
+
+TEST(Approximate, DeepAndEndlessTexts_EndWithAMessage) {
+    const TemporaryFolder folder;
+    Paper deep = banks;
+    deep.glsl = "#include \"lib/directions.glsl\"\nvec3 banks(Directions d, Banks p) {\n    return "
+                "p.diffuseColor * " +
+                std::string(5000, '(') + "d.nl" + std::string(5000, ')') + ";\n}\n";
+    writePaper(deep, folder.path());
+    const Outcome outcome =
+        approximated({(folder / "models/banks.glsl").string(), "--seconds", "5"});
+    EXPECT_LE(outcome.exitCode, 1) << outcome.err;
+    Paper large = banks;
+    large.glsl += std::string(std::size_t(2) << 20, '\n');
+    writePaper(large, folder.path());
+    EXPECT_EQ(approximated({(folder / "models/banks.glsl").string()}).exitCode, 1);
+}
+
+TEST(Approximate, WithoutSollyaAndDriver_SaysWhatToInstallAndCountsInstructions) {
+    const TemporaryFolder folder;
+    writePaper(hair, folder.path());
+    const Outcome outcome =
+        approximated({(folder / "models/kajiya-kay.glsl").string(), "--seconds", "8", "--json"},
+                     {{"PATH", "/nowhere"}, {"VK_DRIVER_FILES", "/nowhere.json"}});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("apt-get install sollya"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("mesa-vulkan-drivers"), std::string::npos) << outcome.err;
+    const auto json = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(json.at("unit"), "instructions");
+    EXPECT_GE(json.at("ways").size(), 2u) << outcome.out;
+}
+
+TEST(Approximate, Interrupted_PrintsWhatItHasFound) {
+    const Outcome outcome = interrupted({"approximate", "oren-nayar", "--json"});
+    EXPECT_EQ(outcome.exitCode, 130) << outcome.err;
+    EXPECT_EQ(nlohmann::json::parse(outcome.out).at("finished"), false);
+}
+
+TEST(Approximate, UnknownName_SaysWhatIsExpected) {
+    const Outcome outcome = approximated({"blinn-fong"});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.err.find("blinn-phong"), std::string::npos) << outcome.err;
+    const TemporaryFolder folder;
+    writeFile(folder / "elsewhere/banks.glsl", banks.glsl);
+    EXPECT_NE(approximated({(folder / "elsewhere/banks.glsl").string()}).err.find("models/"),
+              std::string::npos);
+}
+
+std::vector<EvalPlace> placesOf(const EvalCase& variant, std::size_t count) {
+    auto places = variant.subject == EvalCase::Subject::Fields
+                      ? ordinaryFields(fieldsOf(variant), count)
+                      : ordinaryPlaces(variant.subject, count);
+    return places.empty() ? std::vector<EvalPlace>(1) : places;
+}
+
+/// The largest difference between what the parsed text and the compiled code of a variant give.
+double largestDifference(const EvalCase& variant) {
+    const auto text = MeasuredText::of(variant, shipped("shaders"));
+    EXPECT_TRUE(text) << evalJson(variant) << patina::text(text ? Errors() : text.error());
+    std::vector<EvalCase> cases;
+    for (EvalCase& row : ordinaryRows(variant, 4)) {
+        for (const EvalPlace& place : placesOf(variant, 12)) {
+            static_cast<EvalPlace&>(row) = place;
+            cases.push_back(row);
+        }
+    }
+    if (!text) {
+        return 0.0;
+    }
+    const JudgedCases judged = text->judged(texelsOfCases(cases));
+    double worst = 0.0;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        const auto compiled = evaluatedInDouble(cases[i]);
+        const auto parsed = std::span(judged.exact).subspan(i * text->results(), text->results());
+        worst = std::max(worst, compiled ? text->errorOf(*compiled, parsed) : INFINITY);
+    }
+    return worst;
+}
+
+// The two differ by the fits of lib/elementary.glsl, whose relative errors are up to 6e-6, and by the
+// rounding of values to floats.
+TEST(ShaderEvaluator, EveryShippedBlock_GivesWhatItsCompiledCodeGives) {
+    const Catalog catalog = catalogWith({});
+    std::size_t tried = 0;
+    for (const Block& block : catalog.blocks) {
+        const std::vector<EvalCase> variants = sweepVariants(catalog, block);
+        const bool readsFile = std::ranges::any_of(block.parameters, [](const Parameter& each) {
+            return infoOf(each.type).isTable;
+        });
+        for (std::size_t i = 0; i < std::min<std::size_t>(variants.size(), 3) && !readsFile; ++i) {
+            EXPECT_LE(largestDifference(variants[i]), 2e-5) << block.kind << '/' << block.id;
+            ++tried;
+        }
+    }
+    EXPECT_GT(tried, 60u);
+}
+
+TEST(ShaderEvaluator, FloatPrecision_RoundsEachOperation) {
+    const ShaderSource source{"float f(float x) {\n    return (1.0 + x) - 1.0;\n}\n", {"generated"},
+                              {}};
+    const auto syntax = parsedShader(source, "f");
+    ASSERT_TRUE(syntax);
+    const double x = 1e-9;
+    double inFloat = -1.0;
+    double inDouble = -1.0;
+    ShaderEvaluator(*syntax, ShaderPrecision::Float).call(0, {&x, 1}, {}, {&inFloat, 1});
+    ShaderEvaluator(*syntax, ShaderPrecision::Double).call(0, {&x, 1}, {}, {&inDouble, 1});
+    EXPECT_EQ(inFloat, 0.0);
+    EXPECT_NEAR(inDouble, 1e-9, 1e-16);
+}
+
+TEST(ShaderEvaluator, LoopWithoutAnEnd_GivesNoNumber) {
+    const ShaderSource source{"float f(float x) {\n    while (true) {\n        x += 1.0;\n    }\n"
+                              "    return x;\n}\n",
+                              {"generated"},
+                              {}};
+    const auto syntax = parsedShader(source, "f");
+    ASSERT_TRUE(syntax);
+    const double x = 0.0;
+    double y = 0.0;
+    ShaderEvaluator(*syntax, ShaderPrecision::Double).call(0, {&x, 1}, {}, {&y, 1});
+    EXPECT_TRUE(std::isnan(y));
+}
+
+} // namespace
+} // namespace patina::tests::approximate_test
