@@ -72,10 +72,10 @@ Checked<EvalCase> caseOfBlock(const Catalog& catalog, const Block& block) {
     }
     const auto functions = evaluatedFunctions(block);
     if (functions.empty()) {
-        return tl::unexpected(oneError(
-            failure(fmt::format("\"{}\" gives no single values", block.id),
-                    "a preset, or a block of a kind that `patina eval` takes")
-                .value()));
+        return tl::unexpected(
+            oneError(failure(fmt::format("\"{}\" gives no single values", block.id),
+                             "a preset, or a block of a kind that `patina eval` takes")
+                         .value()));
     }
     EvalCase made;
     made.subject = *subjectOf(*functions.front());
@@ -107,9 +107,9 @@ Checked<ApproximateSubject> subjectOfShader(const std::filesystem::path& file) {
     const std::filesystem::path whole = std::filesystem::absolute(file).lexically_normal();
     const std::filesystem::path folder = whole.parent_path();
     if (findKind(folder.filename().string()) == nullptr) {
-        return tl::unexpected(oneError({file.string(), 0, 0,
-                                        "the folder is not named after a kind of block",
-                                        "a file such as models/my-model.glsl"}));
+        return tl::unexpected(
+            oneError({file.string(), 0, 0, "the folder is not named after a kind of block",
+                      "a file such as models/my-model.glsl"}));
     }
     for (const bool isAdded : {false, true}) {
         if (isAdded) {
@@ -129,10 +129,9 @@ Checked<ApproximateSubject> subjectOfShader(const std::filesystem::path& file) {
                 }
             }
             return tl::unexpected(
-                errors.empty()
-                    ? oneError({file.string(), 0, 0, "there is no block in this file",
-                                "a GLSL file with a descriptor of its name beside it"})
-                    : errors);
+                errors.empty() ? oneError({file.string(), 0, 0, "there is no block in this file",
+                                           "a GLSL file with a descriptor of its name beside it"})
+                               : errors);
         }
     }
     return tl::unexpected(Errors());
@@ -151,8 +150,12 @@ Checked<ApproximateSubject> subjectOfPreset(const std::string& file) {
         return tl::unexpected(oneError(made.error()));
     }
     if (!reading->material.textures.empty()) {
-        report({{file, 0, 0, "its images are left out: where one drives a value, the ways that are "
-                             "for the values of the preset do not hold", {}}});
+        report({{file,
+                 0,
+                 0,
+                 "its images are left out: where one drives a value, the ways that are "
+                 "for the values of the preset do not hold",
+                 {}}});
     }
     return ApproximateSubject{std::move(catalog), std::move(*made), true};
 }
@@ -188,8 +191,7 @@ Checked<ApproximateSubject> subjectOf(const std::string& name) {
         return subjectOfShader(name);
     }
     std::error_code ignored; // a path that cannot be examined is not a file
-    const bool isFile =
-        std::filesystem::is_regular_file(name, ignored) || name.ends_with(".json");
+    const bool isFile = std::filesystem::is_regular_file(name, ignored) || name.ends_with(".json");
     return isFile ? subjectOfPreset(name) : subjectNamed(name);
 }
 
@@ -220,8 +222,8 @@ nlohmann::json waysJson(const CheaperWays& ways, const ApproximateSubject& subje
 }
 
 std::string waysText(const CheaperWays& ways, const ApproximateSubject& subject) {
-    std::string text = fmt::format("{}: {:.0f} {} (predicted)\n",
-                                   subject.subject.block.block->id, ways.exact.cost, ways.unit);
+    std::string text = fmt::format("{}: {:.0f} {} (predicted)\n", subject.subject.block.block->id,
+                                   ways.exact.cost, ways.unit);
     if (ways.ways.empty()) {
         return text + "nothing cheaper was found\n";
     }
@@ -252,9 +254,8 @@ void checkOnDevice(const ApproximateSubject& subject, CheaperWays& ways,
         work.tell("checking on the graphics device ");
         return work.isStopped();
     };
-    const auto count =
-        checkedOnDevice(subject.subject, ways, subject.catalog->roots.front().folder,
-                        scratch.path(), options, isStopped);
+    const auto count = checkedOnDevice(subject.subject, ways, subject.catalog->roots.front().folder,
+                                       scratch.path(), options, isStopped);
     if (!count) {
         ways.notes.insert(ways.notes.end(), count.error().begin(), count.error().end());
     }
@@ -267,10 +268,7 @@ Checked<int> approximate(const ApproximateRequest& request) {
         return tl::unexpected(subject.error());
     }
     CheaperSearchOptions options;
-    options.family = request.families.empty() ? *gpuFamiliesIn("rdna2").map([](const auto& found) {
-        return found.front();
-    })
-                                              : request.families.front();
+    options.family = request.families.empty() ? &gpuFamilies().front() : request.families.front();
     options.seconds = request.seconds;
     options.maxError = request.budgetError;
     options.ways = request.levels;
@@ -282,8 +280,8 @@ Checked<int> approximate(const ApproximateRequest& request) {
                               soFar.moves, soFar.tried, soFar.ways.size()));
         return !work.isStopped();
     };
-    auto ways = cheaperWays(subject->subject, subject->catalog->roots.front().folder, options,
-                            progress);
+    auto ways =
+        cheaperWays(subject->subject, subject->catalog->roots.front().folder, options, progress);
     if (!ways) {
         return tl::unexpected(ways.error());
     }
@@ -310,14 +308,16 @@ void addApproximate(CLI::App& program, int& status) {
     CLI::App* command = program.add_subcommand(
         "approximate",
         "Search for cheaper ways to compute a model or other block: terms left out, powers, roots\n"
-        "and angles by something simpler, terms of one number by polynomials. Each is finite in the\n"
+        "and angles by something simpler, terms of one number by polynomials. Each is finite in "
+        "the\n"
         "edge cases, with its largest error on cases that the search did not see. Ctrl-C ends the\n"
         "search with what it has found");
     auto options = std::make_shared<ApproximateRequest>();
     command
-        ->add_option("subject", options->subject,
-                     "The id of a model or other block, a preset, whose values then count as given,\n"
-                     "or a .glsl file with its descriptor beside it")
+        ->add_option(
+            "subject", options->subject,
+            "The id of a model or other block, a preset, whose values then count as given,\n"
+            "or a .glsl file with its descriptor beside it")
         ->required();
     addFamiliesOption(*command, options->families);
     command->add_option("--seconds", options->seconds, "About how long to search; 120 without this")
@@ -333,9 +333,10 @@ void addApproximate(CLI::App& program, int& status) {
                      "Judge the found ways on so many cases; 10000 without this")
         ->check(CLI::Range(1000UL, 10000000UL));
     command->add_flag("--json", options->json, "Print JSON");
-    command->add_option("-o,--output", options->output,
-                        "Write the block with the found ways as an accuracy choice into this folder:\n"
-                        "its GLSL file and its descriptor, ready for your folder of shaders");
+    command->add_option(
+        "-o,--output", options->output,
+        "Write the block with the found ways as an accuracy choice into this folder:\n"
+        "its GLSL file and its descriptor, ready for your folder of shaders");
     command->callback([options, &status] {
         const Checked<int> ended = approximate(*options);
         status = ended.value_or(1);

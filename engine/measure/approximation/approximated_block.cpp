@@ -140,9 +140,8 @@ class LevelWriter {
             return false;
         }
         return edited.contains(function) ||
-               std::ranges::any_of(
-                   syntax_.functions[static_cast<std::size_t>(function)].calls,
-                   [&](int called) { return isChanged(called, edited); });
+               std::ranges::any_of(syntax_.functions[static_cast<std::size_t>(function)].calls,
+                                   [&](int called) { return isChanged(called, edited); });
     }
 
     std::string level(std::size_t index) const {
@@ -178,8 +177,8 @@ class LevelWriter {
             all += (all.empty() ? "" : "\n        && ") + one;
         };
         for (const ParameterField& field : layoutOf(block_).fields) {
-            const std::string prefix = constantCase(structName(block_)) + '_' +
-                                       constantCase(field.name) + '_';
+            const std::string prefix =
+                constantCase(structName(block_)) + '_' + constantCase(field.name) + '_';
             if (field.choice != nullptr) {
                 const auto level = subject_.block.accuracy.find(field.choice->id);
                 add(fmt::format("p.{} == {}{}", field.name, prefix,
@@ -196,8 +195,8 @@ class LevelWriter {
     template <class Add>
     void addCompiled(const ParameterField& field, const std::string& prefix, const Add& add) const {
         const auto given = subject_.block.values.find(field.parameter->id);
-        const Value& value = given == subject_.block.values.end() ? field.parameter->defaultValue
-                                                                  : given->second;
+        const Value& value =
+            given == subject_.block.values.end() ? field.parameter->defaultValue : given->second;
         if (const auto* word = std::get_if<std::string>(&value);
             word != nullptr && !field.parameter->values.empty()) {
             add(fmt::format("p.{} == {}{}", field.name, prefix, constantCase(*word)));
@@ -212,8 +211,8 @@ class LevelWriter {
         std::string arguments;
         std::string given;
         for (const GlslVariable& argument : main.arguments) {
-            arguments += fmt::format("{}{} {}", arguments.empty() ? "" : ", ", argument.type,
-                                     argument.name);
+            arguments +=
+                fmt::format("{}{} {}", arguments.empty() ? "" : ", ", argument.type, argument.name);
             given += fmt::format("{}{}", given.empty() ? "" : ", ", argument.name);
         }
         const std::string values(main.arguments.empty() ? "p" : main.arguments.back().name);
@@ -226,9 +225,10 @@ class LevelWriter {
             out += fmt::format("    bool isSearched = {};\n", renamed(searched, names));
         }
         for (std::size_t i = 0; i < ways_.ways.size(); ++i) {
-            out += fmt::format("    if ({}{}.{} == {}{}) {{\n        return {}Found{}({});\n    }}\n",
-                               searched.empty() ? "" : "isSearched && ", values, choiceField_,
-                               prefix, constantCase(foundLevelId(i)), main_, i + 1, given);
+            out +=
+                fmt::format("    if ({}{}.{} == {}{}) {{\n        return {}Found{}({});\n    }}\n",
+                            searched.empty() ? "" : "isSearched && ", values, choiceField_, prefix,
+                            constantCase(foundLevelId(i)), main_, i + 1, given);
         }
         return out + fmt::format("    return {}Exact({});\n}}\n", main_, given);
     }
@@ -257,11 +257,10 @@ std::map<std::string, std::string> ownNames(const Block& block, const Block& cop
         }
     }
     for (const ParameterField& field : layoutOf(copy).fields) {
-        const auto& values = field.parameter == nullptr ? field.choice->values
-                                                        : field.parameter->values;
+        const auto& values =
+            field.parameter == nullptr ? field.choice->values : field.parameter->values;
         for (const EnumValue& value : values) {
-            const std::string rest =
-                '_' + constantCase(field.name) + '_' + constantCase(value.id);
+            const std::string rest = '_' + constantCase(field.name) + '_' + constantCase(value.id);
             names[constantCase(from) + rest] = constantCase(to) + rest;
         }
         if (functionOf(field) != nullptr) {
@@ -288,15 +287,15 @@ nlohmann::json choiceJson(const CheaperWays& ways, const std::string& id) {
             {"values", std::move(levels)}};
 }
 
-std::string joinedWords(const std::vector<std::string>& words) {
+} // namespace
+
+std::string wordsOf(const CheaperWay& way) {
     std::string text;
-    for (const std::string& each : words) {
+    for (const std::string& each : way.words) {
         text += (text.empty() ? "" : "; ") + each;
     }
-    return text.empty() ? text : capitalised(text);
+    return text;
 }
-
-} // namespace
 
 std::string foundLevelId(std::size_t way) {
     return fmt::format("found-{}", way + 1);
@@ -313,7 +312,7 @@ std::string foundLevelDoc(const CheaperWays& ways, std::size_t index) {
     return fmt::format("{}. At most {:.2g} off where white is 1, {:.2g} on the mean, for light and "
                        "viewer 3 degrees or more above the surface{}. {:.0f} in place of {:.0f} {} "
                        "(predicted).",
-                       joinedWords(way.words), statedError(way), way.meanError,
+                       capitalised(wordsOf(way)), statedError(way), way.meanError,
                        way.isForValues ? ", and for the values of its preset only" : "", way.cost,
                        ways.exact.cost, ways.unit);
 }

@@ -22,18 +22,21 @@ struct ApproximatedBlock {
 /// Returns the id of the level of a way, "found-1" for the first.
 std::string foundLevelId(std::size_t way);
 
-/// Returns an error that holds for the way also where it was not measured: rounded up to two digits,
-/// and a quarter more.
+/// Returns what the moves of a way do, one after the other.
+std::string wordsOf(const CheaperWay& way);
+
+/// Returns an error that holds for the way also where it was not measured: rounded up to two
+/// digits, and a quarter more.
 double statedError(const CheaperWay& way);
 
 /// Returns what a level is, in plain words, with its error and its cost.
 std::string foundLevelDoc(const CheaperWays& ways, std::size_t way);
 
-/// Writes the block of a case with the ways that were found for it. The ways are functions beside the
-/// block's own, which stays as it is under another name; what the program was not searched for, such
-/// as another choice of a compiled enum, is computed exactly. A block that ships gets an id of its
-/// own, because a user's block may not have that of another one. It is an error where a file of the
-/// block cannot be read.
+/// Writes the block of a case with the ways that were found for it. The ways are functions beside
+/// the block's own, which stays as it is under another name; what the program was not searched for,
+/// such as another choice of a compiled enum, is computed exactly. A block that ships gets an id of
+/// its own, because a user's block may not have that of another one. It is an error where a file of
+/// the block cannot be read.
 Result<ApproximatedBlock> approximatedBlock(const EvalCase& subject, const CheaperWays& ways);
 
 } // namespace patina

@@ -17,7 +17,7 @@ namespace patina {
 namespace {
 
 /// Is the least cosine of light and viewer: lower is in the surface itself.
-constexpr double leastCosine = 0.05;
+constexpr double minCosine = 0.05;
 
 glm::dvec3 floatVector(const glm::dvec3& v) {
     return glm::dvec3(glm::vec3(v));
@@ -33,7 +33,7 @@ class DirectionDraw {
     }
 
     glm::dvec3 above() {
-        const double c = uniform(leastCosine, 1.0);
+        const double c = uniform(minCosine, 1.0);
         const double phi = uniform(0.0, 2.0 * std::numbers::pi);
         const double s = std::sqrt(1.0 - c * c);
         return floatVector({s * std::cos(phi), s * std::sin(phi), c});
@@ -43,7 +43,7 @@ class DirectionDraw {
         const double reach = std::pow(10.0, uniform(-3.0, -0.5));
         const glm::dvec3 off{uniform(-reach, reach), uniform(-reach, reach), 0.0};
         glm::dvec3 v = glm::normalize(glm::dvec3(-l.x, -l.y, l.z) + off);
-        v.z = std::max(v.z, leastCosine);
+        v.z = std::max(v.z, minCosine);
         return floatVector(glm::normalize(v));
     }
 
@@ -85,7 +85,7 @@ std::vector<EvalPlace> commonPlaces(const EvalCase& subject, const CaseWish& wis
     return places;
 }
 
-std::vector<EvalPlace> hardPlaces(const EvalCase& subject) {
+std::vector<EvalPlace> edgeCasePlaces(const EvalCase& subject) {
     return subject.subject == EvalCase::Subject::Fields ? edgeCaseFields(fieldsOf(subject))
                                                         : edgeCaseDirections(subject.subject);
 }
@@ -95,8 +95,9 @@ std::vector<EvalPlace> hardPlaces(const EvalCase& subject) {
 std::vector<EvalCase> commonCases(const EvalCase& subject, const CaseWish& wish) {
     const std::vector<EvalPlace> places = commonPlaces(subject, wish);
     std::vector<EvalCase> rows =
-        wish.hasOwnValues ? std::vector<EvalCase>{subject}
-                          : ordinaryRows(subject, wish.firstRow + std::max<std::size_t>(wish.rows, 1));
+        wish.hasOwnValues
+            ? std::vector<EvalCase>{subject}
+            : ordinaryRows(subject, wish.firstRow + std::max<std::size_t>(wish.rows, 1));
     if (!wish.hasOwnValues) {
         rows.erase(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(wish.firstRow));
     }
@@ -109,8 +110,8 @@ std::vector<EvalCase> commonCases(const EvalCase& subject, const CaseWish& wish)
     return cases;
 }
 
-std::vector<EvalCase> hardCases(const EvalCase& subject, std::size_t count, bool hasOwnValues) {
-    const std::vector<EvalPlace> places = hardPlaces(subject);
+std::vector<EvalCase> edgeCases(const EvalCase& subject, std::size_t count, bool hasOwnValues) {
+    const std::vector<EvalPlace> places = edgeCasePlaces(subject);
     const std::vector<EvalCase> rows =
         hasOwnValues ? std::vector<EvalCase>{subject} : sweepRows(subject);
     std::vector<EvalCase> cases;

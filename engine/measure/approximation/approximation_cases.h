@@ -14,10 +14,10 @@ using CaseTexels = std::vector<std::vector<float>>;
 /// Says which cases are made of a subject.
 struct CaseWish {
     std::size_t count = 1024;
-    std::uint32_t seed = 1;     ///< of the directions
-    std::size_t firstRow = 0;   ///< of the sets of values that a slider reaches (ordinaryRows())
-    std::size_t rows = 32;      ///< counts these; every fourth case has the subject's own values
-    bool hasOwnValues = false;  ///< all cases have the subject's own values
+    std::uint32_t seed = 1;    ///< of the directions
+    std::size_t firstRow = 0;  ///< of the sets of values that a slider reaches (ordinaryRows())
+    std::size_t rows = 32;     ///< counts these; every fourth case has the subject's own values
+    bool hasOwnValues = false; ///< all cases have the subject's own values
 };
 
 /// Returns cases with light and viewer anywhere above the surface, a third of them near the mirror
@@ -25,7 +25,7 @@ struct CaseWish {
 std::vector<EvalCase> commonCases(const EvalCase& subject, const CaseWish& wish);
 
 /// Returns about `count` cases where formulas break: those of the stability sweep, thinned out.
-std::vector<EvalCase> hardCases(const EvalCase& subject, std::size_t count, bool hasOwnValues);
+std::vector<EvalCase> edgeCases(const EvalCase& subject, std::size_t count, bool hasOwnValues);
 
 CaseTexels texelsOfCases(const std::vector<EvalCase>& cases);
 

@@ -121,7 +121,8 @@ void addDrops(Replacements& moves, const ObservedShader& shader, int index) {
             without(1, 0, "term");
         } else if (name == "clamp") {
             addOperand(moves, shader, index, 0,
-                       "without the bounds of " + shortCode(textOf(shader, expression.operands[0])));
+                       "without the bounds of " +
+                           shortCode(textOf(shader, expression.operands[0])));
         } else if (name == "mix") {
             without(0, 1, "share of");
             without(1, 0, "share of");
@@ -137,14 +138,15 @@ void addConstant(Replacements& moves, const ObservedShader& shader, int index) {
     const ObservedValues& seen = shader.valuesOf(index);
     const bool isTerm = expression.kind == NodeKind::Call || expression.kind == NodeKind::Builtin ||
                         expression.kind == NodeKind::Binary;
-    const double spread = seen.most[0] - seen.least[0];
+    const double spread = seen.max[0] - seen.min[0];
     if (!isTerm || !expression.type.isNumber() || !(spread > 0.0) || !(spread < maxSpread)) {
         return;
     }
-    const double middle = 0.5 * (seen.least[0] + seen.most[0]);
-    moves.add(index, fmt::format("{:.3g}", middle).find_first_of(".e") == std::string::npos
-                         ? fmt::format("{:.3g}.0", middle)
-                         : fmt::format("{:.3g}", middle),
+    const double middle = 0.5 * (seen.min[0] + seen.max[0]);
+    moves.add(index,
+              fmt::format("{:.3g}", middle).find_first_of(".e") == std::string::npos
+                  ? fmt::format("{:.3g}.0", middle)
+                  : fmt::format("{:.3g}", middle),
               fmt::format("{:.3g} for {}", middle, shortCode(textOf(shader, index))));
 }
 
@@ -294,27 +296,27 @@ void addFunctionSwaps(Replacements& moves, const ObservedShader& shader, int ind
     if (expression.kind == NodeKind::Call) {
         for (const FunctionSwap& swap : functionSwaps) {
             if (expression.sign == swap.callee && expression.operands.size() == swap.arguments) {
-                moves.add(index, callText(shader, expression, swap.helper),
-                          std::string(swap.words), std::string(swap.code));
+                moves.add(index, callText(shader, expression, swap.helper), std::string(swap.words),
+                          std::string(swap.code));
             }
         }
     }
     if (expression.kind == NodeKind::Builtin && expression.type.isNumber()) {
         for (const FunctionSwap& swap : builtinSwaps) {
             if (expression.sign == swap.callee && expression.operands.size() == swap.arguments) {
-                moves.add(index, callText(shader, expression, swap.helper),
-                          std::string(swap.words), std::string(swap.code));
+                moves.add(index, callText(shader, expression, swap.helper), std::string(swap.words),
+                          std::string(swap.code));
             }
         }
     }
 }
 
-/// Returns the exponent that an expression always was; 0 where it is no small whole number.
+/// Returns the whole number next to the exponent that an expression always was; 0 where that is not
+/// small.
 int wholeExponent(const ObservedShader& shader, int index) {
     const ObservedValues& seen = shader.valuesOf(index);
-    const double e = seen.least[0];
-    const bool isWhole = seen.isConstant(1) && e == std::floor(e) && e >= 2.0 && e <= 64.0;
-    return isWhole ? static_cast<int>(e) : 0;
+    const double e = std::round(seen.min[0]);
+    return seen.isConstant(1) && e >= 2.0 && e <= 64.0 ? static_cast<int>(e) : 0;
 }
 
 /// Returns a function that multiplies x with itself.
@@ -343,13 +345,15 @@ void addWholePower(Replacements& moves, const ObservedShader& shader, int index)
         const std::string name = fmt::format("toThe{}", exponent);
         const std::string base = textOf(shader, expression.operands[0]);
         moves.add(index, base.empty() ? "" : fmt::format("{}({})", name, base),
-                  fmt::format("power of {} by products", exponent),
+                  fmt::format("{} by products, as the power of {}",
+                              shortCode(textOf(shader, index)), exponent),
                   powerFunction(name, "float", exponent));
     }
 }
 
 bool isDivision(const ShaderExpression& expression) {
-    return expression.kind == NodeKind::Binary && expression.sign == "/" && expression.type.isFloat();
+    return expression.kind == NodeKind::Binary && expression.sign == "/" &&
+           expression.type.isFloat();
 }
 
 bool isRoot(const ShaderExpression& expression) {
@@ -368,19 +372,21 @@ void addDivisionSwaps(Replacements& moves, const ObservedShader& shader, int ind
         return grouped(shader, of.operands[which]);
     };
     if (isDivision(expression) && isDivision(left) && left.type.isNumber()) {
-        moves.add(index, fmt::format("{} / ({} * {})", text(left, 0), text(left, 1),
-                                     text(expression, 1)),
+        moves.add(index,
+                  fmt::format("{} / ({} * {})", text(left, 0), text(left, 1), text(expression, 1)),
                   "two divisions made one");
     }
     if (expression.sign == "*" && isDivision(left) && isDivision(right) && left.type.isNumber() &&
         right.type.isNumber()) {
-        moves.add(index, fmt::format("{} * {} / ({} * {})", text(left, 0), text(right, 0),
-                                     text(left, 1), text(right, 1)),
+        moves.add(index,
+                  fmt::format("{} * {} / ({} * {})", text(left, 0), text(right, 0), text(left, 1),
+                              text(right, 1)),
                   "two divisions made one");
     }
     if (isDivision(expression) && isRoot(right)) {
-        moves.add(index, fmt::format("{} * inversesqrt({})", text(expression, 0),
-                                     textOf(shader, right.operands[0])),
+        moves.add(index,
+                  fmt::format("{} * inversesqrt({})", text(expression, 0),
+                              textOf(shader, right.operands[0])),
                   "division by a root made an inverse root");
     }
     if (expression.sign == "*" && isRoot(left) && isRoot(right)) {
@@ -410,7 +416,7 @@ bool isFolded(const ObservedShader& shader, int index) {
         return false;
     }
     for (std::size_t i = 0; i < expression.size; ++i) {
-        if (!std::isfinite(shader.valuesOf(index).least[i])) {
+        if (!std::isfinite(shader.valuesOf(index).min[i])) {
             return false;
         }
     }
@@ -421,7 +427,7 @@ std::string foldedText(const ObservedShader& shader, int index) {
     const ShaderExpression& expression = shader.at(index);
     std::string text;
     for (std::size_t i = 0; i < expression.size; ++i) {
-        text += (i > 0 ? ", " : "") + floatText(shader.valuesOf(index).least[i]);
+        text += (i > 0 ? ", " : "") + floatText(shader.valuesOf(index).min[i]);
     }
     return expression.size == 1 ? '(' + text + ')'
                                 : fmt::format("vec{}({})", expression.size, text);
@@ -497,8 +503,8 @@ std::vector<CheapMove> foldedValues(const ObservedShader& shader) {
     CheapMove move{{}, "what only the values decide as numbers", true};
     for (const int index : folded) {
         const ShaderExpression& expression = shader.at(index);
-        move.edits.push_back({expression.first, expression.last, foldedText(shader, index), {},
-                              expression.owner});
+        move.edits.push_back(
+            {expression.first, expression.last, foldedText(shader, index), {}, expression.owner});
     }
     return move.edits.empty() ? std::vector<CheapMove>() : std::vector<CheapMove>{move};
 }

@@ -18,9 +18,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t quickCases = 96;    ///< tell most of what is too far off
-constexpr std::size_t hardCaseCount = 3000;
-constexpr std::size_t lastHardCases = 20000;
+constexpr std::size_t quickCases = 96; ///< tell most of what is too far off
+constexpr std::size_t edgeCaseCount = 3000;
+constexpr std::size_t lastEdgeCases = 20000;
 constexpr std::size_t rowsOfSearch = 48;
 constexpr std::uint32_t searchSeed = 1;
 constexpr std::uint32_t heldOutSeed = 2;
@@ -87,11 +87,10 @@ class CheaperSearch {
     void prepareCases() {
         const CaseWish wish{options_.cases, searchSeed, 0, rowsOfSearch, options_.ofValues};
         cases_ = text_->judged(texelsOfCases(commonCases(subject_, wish)));
-        hard_ = text_->judged(
-            texelsOfCases(hardCases(subject_, hardCaseCount, options_.ofValues)));
+        edgeCases_ = text_->judged(texelsOfCases(edgeCases(subject_, edgeCaseCount, options_.ofValues)));
         quick_.texels.assign(cases_.texels.begin(),
-                             cases_.texels.begin() +
-                                 static_cast<std::ptrdiff_t>(std::min(quickCases, cases_.texels.size())));
+                             cases_.texels.begin() + static_cast<std::ptrdiff_t>(std::min(
+                                                         quickCases, cases_.texels.size())));
         quick_.exact.assign(cases_.exact.begin(),
                             cases_.exact.begin() + static_cast<std::ptrdiff_t>(
                                                        quick_.texels.size() * text_->results()));
@@ -101,7 +100,10 @@ class CheaperSearch {
     bool priceExact() {
         const auto prices = price_.of({{}}, [] { return false; });
         if (!price_.note().empty()) {
-            found_.notes.push_back({{}, 0, 0, "costs are instructions: " + price_.note(),
+            found_.notes.push_back({{},
+                                    0,
+                                    0,
+                                    "costs are instructions: " + price_.note(),
                                     "apt-get install mesa-vulkan-drivers"});
         }
         found_.unit = price_.unit();
@@ -110,12 +112,18 @@ class CheaperSearch {
         }
         const TextError own = text_->error({}, cases_, std::numeric_limits<double>::infinity());
         found_.exact = {{}, {}, own.worst, own.mean, *prices.front(), false};
+        if (!own.isSafe || !text_->isSafe({}, edgeCases_)) {
+            found_.notes.push_back({{},
+                                    0,
+                                    0,
+                                    "the block itself is negative or not finite in edge cases, so "
+                                    "only ways that are not are kept",
+                                    "`patina check` to say where"});
+        }
         return true;
     }
 
-    ObservedShader shader() const {
-        return {text_->syntax(), observed_, text_->ownFunctions()};
-    }
+    ObservedShader shader() const { return {text_->syntax(), observed_, text_->ownFunctions()}; }
 
     void addMoves(std::vector<CheapMove> moves) {
         for (CheapMove& move : moves) {
@@ -140,8 +148,8 @@ class CheaperSearch {
         if (terms.empty()) {
             return;
         }
-        auto moves = polynomialMoves(shader(), terms,
-                                     std::min(secondsOfSollya, 0.3 * options_.seconds));
+        auto moves =
+            polynomialMoves(shader(), terms, std::min(secondsOfSollya, 0.3 * options_.seconds));
         if (!moves) {
             found_.notes.push_back(moves.error());
             return;
@@ -169,13 +177,12 @@ class CheaperSearch {
                     ways[i].error = text_->error(edits, cases_, options_.maxError);
                 }
                 if (ways[i].error.isWithin(options_.maxError)) {
-                    ways[i].error.isSafe = text_->isSafe(edits, hard_);
+                    ways[i].error.isSafe = text_->isSafe(edits, edgeCases_);
                 }
             }
         });
-        std::erase_if(ways, [this](const TriedWay& way) {
-            return !way.error.isWithin(options_.maxError);
-        });
+        std::erase_if(
+            ways, [this](const TriedWay& way) { return !way.error.isWithin(options_.maxError); });
     }
 
     /// Compiles ways, puts them into the front, and returns those that have a cost.
@@ -210,8 +217,8 @@ class CheaperSearch {
     void enter(const TriedWay& way) {
         const bool isGain = *way.cost < worthwhile * found_.exact.cost;
         if (!isGain || std::ranges::any_of(front_, [&way](const TriedWay& other) {
-                return isBetter(other, way) || (other.error.worst == way.error.worst &&
-                                                *other.cost == *way.cost);
+                return isBetter(other, way) ||
+                       (other.error.worst == way.error.worst && *other.cost == *way.cost);
             })) {
             return;
         }
@@ -224,8 +231,8 @@ class CheaperSearch {
     void publish(const std::vector<TriedWay>& front) {
         found_.ways.clear();
         for (const TriedWay& way : front) {
-            CheaperWay shown{editsFor(way.moves), {}, way.error.worst, way.error.mean, *way.cost,
-                             false};
+            CheaperWay shown{editsFor(way.moves), {},        way.error.worst,
+                             way.error.mean,      *way.cost, false};
             for (const std::size_t move : way.moves) {
                 shown.isForValues = shown.isForValues || moves_[move].isForValues;
                 if (std::ranges::find(shown.words, moves_[move].words) == shown.words.end()) {
@@ -294,10 +301,9 @@ class CheaperSearch {
             std::ranges::sort(next, {}, &TriedWay::guess);
             const std::vector<TriedWay> before = front_;
             for (std::size_t first = 0; first < next.size() && !isOver(); first += triedPerRound) {
-                std::vector<TriedWay> some(
-                    next.begin() + static_cast<std::ptrdiff_t>(first),
-                    next.begin() +
-                        static_cast<std::ptrdiff_t>(std::min(first + triedPerRound, next.size())));
+                std::vector<TriedWay> some(next.begin() + static_cast<std::ptrdiff_t>(first),
+                                           next.begin() + static_cast<std::ptrdiff_t>(std::min(
+                                                              first + triedPerRound, next.size())));
                 judge(some);
                 std::erase_if(some, [this](const TriedWay& way) { return isHopeless(way); });
                 priced(std::move(some));
@@ -320,15 +326,15 @@ class CheaperSearch {
         CaseWish wish{options_.heldOut, heldOutSeed, rowsOfSearch,
                       std::max<std::size_t>(options_.heldOut / 32, 1), options_.ofValues};
         const JudgedCases unseen = text_->judged(texelsOfCases(commonCases(subject_, wish)));
-        const JudgedCases hard = text_->judged(
-            texelsOfCases(hardCases(subject_, lastHardCases, options_.ofValues)));
+        const JudgedCases edge =
+            text_->judged(texelsOfCases(edgeCases(subject_, lastEdgeCases, options_.ofValues)));
         std::vector<TriedWay> kept = front_;
         inParallel(kept.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 const std::vector<ShaderEdit> edits = editsFor(kept[i].moves);
                 const TextError last =
                     text_->error(edits, unseen, std::numeric_limits<double>::infinity());
-                kept[i].error.isSafe = last.isSafe && text_->isSafe(edits, hard);
+                kept[i].error.isSafe = last.isSafe && text_->isSafe(edits, edge);
                 kept[i].error.worst = std::max(kept[i].error.worst, last.worst);
                 kept[i].error.mean = last.mean;
             }
@@ -351,7 +357,7 @@ class CheaperSearch {
     /// Leaves out, one after the other, the way that its neighbours replace best.
     void thin() {
         while (front_.size() > options_.ways) {
-            std::size_t least = 0;
+            std::size_t weakest = 0;
             double smallest = std::numeric_limits<double>::infinity();
             for (std::size_t i = 0; i + 1 < front_.size(); ++i) {
                 const double before = i == 0 ? found_.exact.cost : *front_[i - 1].cost;
@@ -360,10 +366,10 @@ class CheaperSearch {
                                              std::max(front_[i].error.worst, 1e-9));
                 if (gain < smallest) {
                     smallest = gain;
-                    least = i;
+                    weakest = i;
                 }
             }
-            front_.erase(front_.begin() + static_cast<std::ptrdiff_t>(least));
+            front_.erase(front_.begin() + static_cast<std::ptrdiff_t>(weakest));
         }
     }
 
@@ -375,7 +381,7 @@ class CheaperSearch {
     Clock::time_point began_ = Clock::now();
     JudgedCases cases_;
     JudgedCases quick_;
-    JudgedCases hard_;
+    JudgedCases edgeCases_;
     std::vector<ObservedValues> observed_;
     std::vector<CheapMove> moves_;
     std::vector<TriedWay> useful_; ///< are single moves that gain something

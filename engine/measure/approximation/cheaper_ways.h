@@ -24,9 +24,9 @@ struct CheaperSearchOptions {
 
 /// Is a way to compute a block more cheaply.
 struct CheaperWay {
-    std::vector<ShaderEdit> edits; ///< are in the order of the text; empty: it is the exact one
+    std::vector<ShaderEdit> edits;  ///< are in the order of the text; empty: it is the exact one
     std::vector<std::string> words; ///< say what each of its moves does
-    double error = 0.0;     ///< is the largest in any case, as TextError
+    double error = 0.0;             ///< is the largest in any case, as TextError
     double meanError = 0.0;
     double cost = 0.0;
     bool isForValues = false;
@@ -50,9 +50,9 @@ using CheaperProgress = std::function<bool(double share, const CheaperWays& soFa
 
 /// Searches for ways to compute the function of a case more cheaply. Moves are tried by themselves,
 /// then together, beginning with what is best so far. Errors are those of float against double
-/// precision, costs are predicted. Every way is finite and not negative on hard cases, and its error
-/// is the largest on cases that the search did not see. It is an error where the text does not
-/// compile or cannot be evaluated in double precision.
+/// precision, costs are predicted. Every way is finite and not negative in edge cases, and its
+/// error is the largest on cases that the search did not see. It is an error where the text does
+/// not compile or cannot be evaluated in double precision.
 Checked<CheaperWays> cheaperWays(const EvalCase& subject, const std::filesystem::path& shaders,
                                  const CheaperSearchOptions& options,
                                  const CheaperProgress& progress);

@@ -22,8 +22,8 @@ using NodeKind = ShaderExpression::Kind;
 constexpr int interpolationDegree = 20;
 constexpr double maxResidual = 1e-5; ///< as a share of the term's range
 constexpr std::size_t maxTerms = 20;
-constexpr int leastDegree = 1;
-constexpr int mostDegree = 6;
+constexpr int minDegree = 1;
+constexpr int maxDegree = 6;
 
 /// Holds the leaves of an expression that vary, and what it is made of besides.
 struct Leaves {
@@ -78,13 +78,17 @@ class TermText {
   private:
     void gather(int index) {
         const ShaderExpression& expression = shader_.at(index);
-        const bool isIt = index == variable_ || (isLeaf(expression) &&
-                                                 shader_.syntax.textOf(expression) == variableText_);
+        const bool isIt =
+            index == variable_ ||
+            (isLeaf(expression) && shader_.syntax.textOf(expression) == variableText_);
         if (isIt) {
             edits_.push_back({expression.first, expression.last, "fittedAt", {}, -1});
         } else if (isLeaf(expression)) {
-            edits_.push_back({expression.first, expression.last,
-                              '(' + floatText(shader_.valuesOf(index).least[0]) + ')', {}, -1});
+            edits_.push_back({expression.first,
+                              expression.last,
+                              '(' + floatText(shader_.valuesOf(index).min[0]) + ')',
+                              {},
+                              -1});
         } else {
             for (const int operand : expression.operands) {
                 gather(operand);
@@ -112,8 +116,7 @@ class TermFunction {
         }
         made.syntax_ = std::make_unique<ShaderSyntax>(std::move(*syntax));
         made.function_ = made.syntax_->functionNamed("fittedTerm");
-        made.evaluator_ =
-            std::make_unique<ShaderEvaluator>(*made.syntax_, ShaderPrecision::Double);
+        made.evaluator_ = std::make_unique<ShaderEvaluator>(*made.syntax_, ShaderPrecision::Double);
         return made;
     }
 
@@ -140,7 +143,7 @@ class Interpolant {
         for (int k = 0; k < n; ++k) {
             values.push_back(f.at(middle_ + half_ * std::cos(std::numbers::pi * (k + 0.5) / n)));
         }
-        std::vector<double> before{1.0};      // T0 in powers of t
+        std::vector<double> before{1.0};       // T0 in powers of t
         std::vector<double> current{0.0, 1.0}; // T1
         powers_.assign(n, 0.0);
         for (int j = 0; j < n; ++j) {
@@ -195,8 +198,13 @@ class Interpolant {
 std::optional<OneVariableTerm> followed(const ShaderSource& source, const ObservedShader& shader,
                                         int index, int variable) {
     const ObservedValues& range = shader.valuesOf(variable);
-    OneVariableTerm term{index, std::string(shader.syntax.textOf(shader.at(variable))),
-                         range.least[0], range.most[0], {}, 0.0};
+    OneVariableTerm term{index,
+                         std::string(shader.syntax.textOf(shader.at(variable))),
+                         range.min[0],
+                         range.max[0],
+                         {},
+                         0.0,
+                         false};
     const bool hasRange = std::isfinite(term.low) && std::isfinite(term.high) &&
                           term.high - term.low > 1e-6 && term.high - term.low < 1e4;
     auto function =
@@ -205,8 +213,8 @@ std::optional<OneVariableTerm> followed(const ShaderSource& source, const Observ
         return std::nullopt;
     }
     const Interpolant near(*function, term.low, term.high);
-    double least = std::numeric_limits<double>::infinity();
-    double most = -least;
+    double min = std::numeric_limits<double>::infinity();
+    double max = -min;
     constexpr int samples = 401;
     for (int i = 0; i < samples; ++i) {
         const double x = term.low + (term.high - term.low) * i / (samples - 1);
@@ -214,13 +222,14 @@ std::optional<OneVariableTerm> followed(const ShaderSource& source, const Observ
         if (!std::isfinite(y)) {
             return std::nullopt;
         }
-        least = std::min(least, y);
-        most = std::max(most, y);
+        min = std::min(min, y);
+        max = std::max(max, y);
         term.residual = std::max(term.residual, std::abs(y - near.at(x)));
     }
-    if (!(term.residual <= maxResidual * std::max(most - least, 1e-9))) {
+    if (!(term.residual <= maxResidual * std::max(max - min, 1e-9))) {
         return std::nullopt;
     }
+    term.isPositive = min >= 0.0;
     term.function = near.text();
     return term;
 }
@@ -254,7 +263,8 @@ std::string polynomialCode(const std::string& name, const OneVariableTerm& term,
     const double middle = 0.5 * (term.high + term.low);
     return fmt::format("float {}(float x) {{\n    float t = clamp({} * x + {}, -1.0, 1.0);\n"
                        "    return {};\n}}\n",
-                       name, floatText(1.0 / half), floatText(-middle / half), y);
+                       name, floatText(1.0 / half), floatText(-middle / half),
+                       term.isPositive ? fmt::format("max({}, 0.0)", y) : y);
 }
 
 } // namespace
@@ -265,7 +275,8 @@ std::vector<OneVariableTerm> oneVariableTerms(const ShaderSource& source,
     for (const int index : changeableExpressions(shader)) {
         const ShaderExpression& expression = shader.at(index);
         const bool isTerm = expression.type.isNumber() && !isLeaf(expression) &&
-                            expression.kind != NodeKind::Literal && expression.kind != NodeKind::Assign &&
+                            expression.kind != NodeKind::Literal &&
+                            expression.kind != NodeKind::Assign &&
                             !shader.valuesOf(index).isConstant(1);
         if (!isTerm || terms.size() >= maxTerms) {
             continue;
@@ -292,7 +303,7 @@ Result<std::vector<CheapMove>> polynomialMoves(const ObservedShader& shader,
                                                double seconds) {
     std::vector<PolynomialWish> wishes;
     for (const OneVariableTerm& term : terms) {
-        for (int degree = leastDegree; degree <= mostDegree; ++degree) {
+        for (int degree = minDegree; degree <= maxDegree; ++degree) {
             wishes.push_back({term.function, -1.0, 1.0, degree});
         }
     }
@@ -300,7 +311,7 @@ Result<std::vector<CheapMove>> polynomialMoves(const ObservedShader& shader,
     if (!fitted) {
         return tl::unexpected(fitted.error());
     }
-    constexpr auto degrees = static_cast<std::size_t>(mostDegree - leastDegree + 1);
+    constexpr auto degrees = static_cast<std::size_t>(maxDegree - minDegree + 1);
     std::vector<CheapMove> moves;
     for (std::size_t i = 0; i < fitted->size(); ++i) {
         if (!(*fitted)[i]) {
@@ -310,12 +321,12 @@ Result<std::vector<CheapMove>> polynomialMoves(const ObservedShader& shader,
         const ShaderExpression& expression = shader.at(term.expression);
         const FittedPolynomial& polynomial = *(*fitted)[i];
         const std::string name = fmt::format("polynomial{}", i + 1);
-        moves.push_back({{{expression.first, expression.last,
-                           fmt::format("{}({})", name, term.variable),
-                           polynomialCode(name, term, polynomial.coefficients), expression.owner}},
-                         fmt::format("{} by a polynomial of degree {}, at most {:.2g} off",
-                                     shortCode(shader.syntax.textOf(expression)), wishes[i].degree,
-                                     polynomial.bound + term.residual)});
+        moves.push_back(
+            {{{expression.first, expression.last, fmt::format("{}({})", name, term.variable),
+               polynomialCode(name, term, polynomial.coefficients), expression.owner}},
+             fmt::format("{} by a polynomial of degree {}, at most {:.2g} off",
+                         shortCode(shader.syntax.textOf(expression)), wishes[i].degree,
+                         polynomial.bound + term.residual)});
     }
     return moves;
 }

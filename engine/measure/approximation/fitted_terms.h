@@ -15,16 +15,17 @@ struct OneVariableTerm {
     double high = 1.0;
     /// Is an expression of Sollya in x = -1 .. 1 along the range: a polynomial through many points.
     std::string function;
-    double residual = 0.0; ///< is how far that may be from the term
+    double residual = 0.0;   ///< is how far that may be from the term
+    bool isPositive = false; ///< is nowhere below 0, as its polynomials must be
 };
 
-/// Finds the terms of one variable. Those that no polynomial follows, because they bend or jump, are
-/// left out.
+/// Finds the terms of one variable. Those that no polynomial follows, because they bend or jump,
+/// are left out.
 std::vector<OneVariableTerm> oneVariableTerms(const ShaderSource& source,
                                               const ObservedShader& shader);
 
-/// Returns moves that put polynomials of several degrees in the place of terms. It is an error where
-/// Sollya is missing.
+/// Returns moves that put polynomials of several degrees in the place of terms. It is an error
+/// where Sollya is missing.
 Result<std::vector<CheapMove>> polynomialMoves(const ObservedShader& shader,
                                                std::span<const OneVariableTerm> terms,
                                                double seconds);

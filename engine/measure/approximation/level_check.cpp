@@ -46,14 +46,16 @@ Checked<WrittenBlock> writtenBlock(const EvalCase& subject, const CheaperWays& w
     return written;
 }
 
-/// Tells whether a sweep found what no level may give; what the claims of the exact block are not
-/// those of its levels.
-bool isBroken(const SweepReport& report) {
-    return std::ranges::any_of(report.defects, [](const auto& each) {
-        const Defect defect = each.first.defect;
-        return defect == Defect::NotANumber || defect == Defect::Infinite ||
-               defect == Defect::Negative;
-    });
+/// Returns what a sweep found that no level may give; null where there is nothing. What the claims
+/// of the exact block are is not asked of its levels.
+const SweepTally* brokenIn(const SweepReport& report) {
+    for (const auto& [key, tally] : report.defects) {
+        if (key.defect == Defect::NotANumber || key.defect == Defect::Infinite ||
+            key.defect == Defect::Negative) {
+            return &tally;
+        }
+    }
+    return nullptr;
 }
 
 class DeviceCheck {
@@ -120,8 +122,7 @@ class DeviceCheck {
                 const std::vector<double> got(
                     drawn->begin() + static_cast<std::ptrdiff_t>(i * results),
                     drawn->begin() + static_cast<std::ptrdiff_t>((i + 1) * results));
-                const auto right =
-                    std::span(exact_.exact).subspan((first + i) * results, results);
+                const auto right = std::span(exact_.exact).subspan((first + i) * results, results);
                 worst = std::max(worst, ways_.text->errorOf(right, got));
             }
         }
@@ -171,7 +172,18 @@ class DeviceCheck {
             sweep.step();
         }
         count_ += sweep.report().cases;
-        return !isBroken(sweep.report());
+        const SweepTally* const broken = brokenIn(sweep.report());
+        if (broken != nullptr) {
+            ways_.notes.push_back(
+                {{},
+                 0,
+                 0,
+                 fmt::format("a way is left out, {}: {} on the graphics device in {} cases, as {}",
+                             wordsOf(ways_.ways[index]), wordsFor(broken->worst.defect),
+                             broken->count, evalJson(broken->worst.request).dump()),
+                 {}});
+        }
+        return broken == nullptr;
     }
 
     const EvalCase& subject_;

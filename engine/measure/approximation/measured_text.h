@@ -22,7 +22,8 @@ struct JudgedCases {
 
 /// Says how far a text is from the exact one.
 struct TextError {
-    double worst = 0.0; ///< of any case, as a share of white, or of the value where that is brighter
+    double worst =
+        0.0; ///< of any case, as a share of white, or of the value where that is brighter
     double mean = 0.0;
     bool isSafe = true; ///< nothing is infinite, not a number, or negative where it was not
 
@@ -33,8 +34,7 @@ struct TextError {
 class MeasuredText {
   public:
     /// Parses the text of a case's program. It is an error where a part of it cannot be evaluated.
-    static Checked<MeasuredText> of(const EvalCase& subject,
-                                    const std::filesystem::path& shaders);
+    static Checked<MeasuredText> of(const EvalCase& subject, const std::filesystem::path& shaders);
 
     const ShaderSource& source() const { return *source_; }
     const ShaderSyntax& syntax() const { return *syntax_; }
@@ -50,10 +50,11 @@ class MeasuredText {
 
     /// Evaluates the text with edits in float and compares it; where `limit` is passed it goes no
     /// further. The error is infinite where the text does not parse.
-    TextError error(std::span<const ShaderEdit> edits, const JudgedCases& cases, double limit) const;
+    TextError error(std::span<const ShaderEdit> edits, const JudgedCases& cases,
+                    double limit) const;
 
-    /// Tells whether all numbers of cases are finite, and none negative that must not be, where that
-    /// holds for the exact text.
+    /// Tells whether all numbers of cases are finite, and none negative that must not be, where
+    /// that holds for the exact text.
     bool isSafe(std::span<const ShaderEdit> edits, const JudgedCases& cases) const;
 
     /// Returns the error of a case's numbers.

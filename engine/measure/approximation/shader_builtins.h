@@ -30,7 +30,8 @@ struct ShaderBuiltin {
     double (*three)(double, double, double) = nullptr;
 };
 
-/// Returns the builtin function of a name with so many arguments; null where the evaluator knows none.
+/// Returns the builtin function of a name with so many arguments; null where the evaluator knows
+/// none.
 const ShaderBuiltin* findShaderBuiltin(std::string_view name, std::size_t arguments);
 
 } // namespace patina

@@ -22,7 +22,7 @@ struct ShaderEdit {
 /// Is one way to compute a part of a block more cheaply: edits that belong together.
 struct CheapMove {
     std::vector<ShaderEdit> edits;
-    std::string words; ///< say what it does, as "exponential by a polynomial of degree 4"
+    std::string words;        ///< say what it does, as "exponential by a polynomial of degree 4"
     bool isForValues = false; ///< holds for the values of a preset only
 };
 

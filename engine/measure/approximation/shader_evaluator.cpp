@@ -37,7 +37,7 @@ class Room {
 
 bool ObservedValues::isConstant(std::size_t size) const {
     for (std::size_t i = 0; i < size; ++i) {
-        if (!(least[i] == most[i])) {
+        if (!(min[i] == max[i])) {
             return false;
         }
     }
@@ -73,16 +73,15 @@ void ShaderEvaluator::call(int function, std::span<const double> arguments,
     result_ = whole.data();
     run(called.body);
     for (std::size_t i = 0; i < result.size(); ++i) {
-        result[i] = isEndless_ || i >= whole.size() ? std::numeric_limits<double>::quiet_NaN()
-                                                    : whole[i];
+        result[i] =
+            isEndless_ || i >= whole.size() ? std::numeric_limits<double>::quiet_NaN() : whole[i];
     }
 }
 
 ShaderEvaluator::Flow ShaderEvaluator::run(int index) {
     const ShaderStatement& statement = syntax_.statements[static_cast<std::size_t>(index)];
-    Room ignored(statement.kind == ShaderStatement::Kind::Expression
-                     ? at(statement.expression).size
-                     : 1);
+    Room ignored(statement.kind == ShaderStatement::Kind::Expression ? at(statement.expression).size
+                                                                     : 1);
     switch (statement.kind) {
     case ShaderStatement::Kind::Group:
         for (const int next : statement.statements) {
@@ -145,8 +144,8 @@ void ShaderEvaluator::evaluate(int index, double* out) {
     }
     ObservedValues& seen = (*observed_)[static_cast<std::size_t>(index)];
     for (std::size_t i = 0; i < expression.size; ++i) {
-        seen.least[i] = seen.count == 0 ? out[i] : std::min(seen.least[i], out[i]);
-        seen.most[i] = seen.count == 0 ? out[i] : std::max(seen.most[i], out[i]);
+        seen.min[i] = seen.count == 0 ? out[i] : std::min(seen.min[i], out[i]);
+        seen.max[i] = seen.count == 0 ? out[i] : std::max(seen.max[i], out[i]);
     }
     ++seen.count;
 }
@@ -154,7 +153,8 @@ void ShaderEvaluator::evaluate(int index, double* out) {
 void ShaderEvaluator::compute(const ShaderExpression& expression, double* out) {
     switch (expression.kind) {
     case NodeKind::Literal:
-        *out = expression.type.base == BaseType::Float ? rounded(expression.number) : expression.number;
+        *out = expression.type.base == BaseType::Float ? rounded(expression.number)
+                                                       : expression.number;
         return;
     case NodeKind::Local:
         std::copy_n(frame() + expression.place, expression.size, out);
@@ -435,8 +435,8 @@ void ShaderEvaluator::construct(const ShaderExpression& expression, double* out)
             const double x = room.data()[i];
             out[filled++] = expression.type.base == BaseType::Bool  ? (x != 0.0 ? 1.0 : 0.0)
                             : expression.type.base == BaseType::Int ? std::trunc(x)
-                            : isFloat                           ? rounded(x)
-                                                                : x;
+                            : isFloat                               ? rounded(x)
+                                                                    : x;
         }
     }
     if (filled == 1 && expression.size > 1) {
@@ -472,8 +472,7 @@ void ShaderEvaluator::assign(const ShaderExpression& expression, double* out) {
 }
 
 void ShaderEvaluator::callFunction(const ShaderExpression& expression, double* out) {
-    const ParsedFunction& called =
-        syntax_.functions[static_cast<std::size_t>(expression.function)];
+    const ParsedFunction& called = syntax_.functions[static_cast<std::size_t>(expression.function)];
     isEndless_ = isEndless_ || ++steps_ > maxStepsOfCase || depth_ >= maxCallDepth ||
                  top_ + called.frame + 64 > stack_.size();
     if (isEndless_ || called.body < 0) {

@@ -16,8 +16,8 @@ enum class ShaderPrecision { Double, Float };
 /// Holds what the values of an expression were in all cases so far; of a vector each component.
 struct ObservedValues {
     std::size_t count = 0;
-    std::array<double, 4> least{};
-    std::array<double, 4> most{};
+    std::array<double, 4> min{};
+    std::array<double, 4> max{};
 
     bool isConstant(std::size_t size) const;
 };

@@ -38,8 +38,8 @@ std::size_t numberEnd(std::string_view text, std::size_t first) {
     return last;
 }
 
-constexpr std::array<std::string_view, 16> pairs{"==", "!=", "<=", ">=", "&&", "||", "^^", "+=",
-                                                 "-=", "*=", "/=", "%=", "++", "--", "<<", ">>"};
+constexpr std::array<std::string_view, 16> pairs{
+    "==", "!=", "<=", ">=", "&&", "||", "^^", "+=", "-=", "*=", "/=", "%=", "++", "--", "<<", ">>"};
 
 /// Joins the tokens of one stretch of text, which the scanner gives sign by sign, to lexemes.
 Lexemes joined(std::string_view text, const GlslTokens& tokens, int file) {

@@ -28,14 +28,14 @@ constexpr ShaderType typeOf(BaseType base, int rows = 1, int columns = 1) {
 
 const std::map<std::string_view, ShaderType>& namedTypes() {
     static const std::map<std::string_view, ShaderType> types{
-        {"void", typeOf(BaseType::Void)},         {"bool", typeOf(BaseType::Bool)},
-        {"int", typeOf(BaseType::Int)},           {"float", typeOf(BaseType::Float)},
-        {"vec2", typeOf(BaseType::Float, 2)},     {"vec3", typeOf(BaseType::Float, 3)},
-        {"vec4", typeOf(BaseType::Float, 4)},     {"ivec2", typeOf(BaseType::Int, 2)},
-        {"ivec3", typeOf(BaseType::Int, 3)},      {"ivec4", typeOf(BaseType::Int, 4)},
-        {"bvec2", typeOf(BaseType::Bool, 2)},     {"bvec3", typeOf(BaseType::Bool, 3)},
-        {"bvec4", typeOf(BaseType::Bool, 4)},     {"mat2", typeOf(BaseType::Float, 2, 2)},
-        {"mat3", typeOf(BaseType::Float, 3, 3)},  {"mat4", typeOf(BaseType::Float, 4, 4)}};
+        {"void", typeOf(BaseType::Void)},        {"bool", typeOf(BaseType::Bool)},
+        {"int", typeOf(BaseType::Int)},          {"float", typeOf(BaseType::Float)},
+        {"vec2", typeOf(BaseType::Float, 2)},    {"vec3", typeOf(BaseType::Float, 3)},
+        {"vec4", typeOf(BaseType::Float, 4)},    {"ivec2", typeOf(BaseType::Int, 2)},
+        {"ivec3", typeOf(BaseType::Int, 3)},     {"ivec4", typeOf(BaseType::Int, 4)},
+        {"bvec2", typeOf(BaseType::Bool, 2)},    {"bvec3", typeOf(BaseType::Bool, 3)},
+        {"bvec4", typeOf(BaseType::Bool, 4)},    {"mat2", typeOf(BaseType::Float, 2, 2)},
+        {"mat3", typeOf(BaseType::Float, 3, 3)}, {"mat4", typeOf(BaseType::Float, 4, 4)}};
     return types;
 }
 
@@ -98,8 +98,8 @@ class Parser {
 
     void expect(std::string_view text) {
         if (!take(text)) {
-            complain(fmt::format("{} stands where {} is expected", isEnd() ? "the end" : word(),
-                                 text));
+            complain(
+                fmt::format("{} stands where {} is expected", isEnd() ? "the end" : word(), text));
         }
     }
 
@@ -108,8 +108,11 @@ class Parser {
             return;
         }
         const auto file = static_cast<std::size_t>(here().file);
-        problem_ = Error{file > 0 && file < source_.files.size() ? source_.files[file] : "", 0, 0,
-                         std::move(problem), {}};
+        problem_ = Error{file > 0 && file < source_.files.size() ? source_.files[file] : "",
+                         0,
+                         0,
+                         std::move(problem),
+                         {}};
         at_ = lexemes_.size() - 1;
     }
 
@@ -466,12 +469,14 @@ class Parser {
                     return -1;
                 }
                 scopes_.back().push_back(made);
-                ShaderExpression target{.kind = NodeKind::Local, .type = made.type, .size = made.size};
+                ShaderExpression target{
+                    .kind = NodeKind::Local, .type = made.type, .size = made.size};
                 target.sign = made.name;
                 target.place = made.place;
                 target.owner = owner_;
                 target.first = target.last = name.first;
-                ShaderExpression assign{.kind = NodeKind::Assign, .type = made.type, .size = made.size};
+                ShaderExpression assign{
+                    .kind = NodeKind::Assign, .type = made.type, .size = made.size};
                 assign.sign = "=";
                 assign.operands = {addExpression(std::move(target)), value};
                 assign.owner = owner_;
@@ -494,9 +499,7 @@ class Parser {
         return static_cast<int>(syntax_.expressions.size()) - 1;
     }
 
-    ShaderExpression& at(int index) {
-        return syntax_.expressions[static_cast<std::size_t>(index)];
-    }
+    ShaderExpression& at(int index) { return syntax_.expressions[static_cast<std::size_t>(index)]; }
 
     /// Finishes an expression whose lexemes begin at `start` and end before the current one.
     int finish(ShaderExpression made, std::size_t start) {
@@ -559,10 +562,10 @@ class Parser {
         return finish(std::move(made), start);
     }
 
-    int binary(int least) {
+    int binary(int minStrength) {
         const std::size_t start = at_;
         int left = unary();
-        while (!problem_ && strengthOf(word()) >= least) {
+        while (!problem_ && strengthOf(word()) >= minStrength) {
             const std::string_view sign = word();
             ++at_;
             const int right = binary(strengthOf(sign) + 1);
@@ -583,11 +586,12 @@ class Parser {
         if (strength <= 5) {
             return typeOf(BaseType::Bool);
         }
-        if (a.base == BaseType::Struct || b.base == BaseType::Struct || a.length > 0 || b.length > 0 ||
-            a.base == BaseType::Bool || b.base == BaseType::Bool) {
+        if (a.base == BaseType::Struct || b.base == BaseType::Struct || a.length > 0 ||
+            b.length > 0 || a.base == BaseType::Bool || b.base == BaseType::Bool) {
             complain(fmt::format("{} has no meaning between these", sign));
         }
-        const BaseType base = a.base == BaseType::Int && b.base == BaseType::Int ? BaseType::Int : BaseType::Float;
+        const BaseType base =
+            a.base == BaseType::Int && b.base == BaseType::Int ? BaseType::Int : BaseType::Float;
         if (sign == "*" && a.columns > 1 && b.columns == 1 && b.rows > 1) {
             return typeOf(base, a.rows);
         }
@@ -595,8 +599,8 @@ class Parser {
             return typeOf(base, b.columns);
         }
         const bool isFirst = a.rows * a.columns >= b.rows * b.columns;
-        const bool fits = a.isScalar() || b.isScalar() ||
-                          (a.rows == b.rows && a.columns == b.columns);
+        const bool fits =
+            a.isScalar() || b.isScalar() || (a.rows == b.rows && a.columns == b.columns);
         if (!fits) {
             complain(fmt::format("{} has operands of different sizes", sign));
         }
@@ -891,8 +895,7 @@ class Parser {
         for (const bool converts : {false, true}) {
             for (std::size_t i = 0; i < syntax_.functions.size(); ++i) {
                 const ParsedFunction& function = syntax_.functions[i];
-                bool fits =
-                    function.name == name && function.arguments.size() == arguments.size();
+                bool fits = function.name == name && function.arguments.size() == arguments.size();
                 for (std::size_t k = 0; fits && k < arguments.size(); ++k) {
                     ShaderType given = at(arguments[k]).type;
                     if (converts && given.base == BaseType::Int) {

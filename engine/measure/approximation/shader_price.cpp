@@ -64,6 +64,8 @@ ShaderPrice::ShaderPrice(const EvalCase& subject, const ShaderSource& source,
     replaceFunction(frame_, syntax, "caseData", pricedCaseData(places_, values_));
     replaceFunction(frame_, syntax, "givenUnit",
                     "vec3 givenUnit(vec3 v, vec3 fallback) {\n    return v;\n}\n");
+    replaceFunction(frame_, syntax, "tangentAlong",
+                    "vec3 tangentAlong(vec3 n, vec3 t) {\n    return t;\n}\n");
 }
 
 ProgramText ShaderPrice::programOf(const std::vector<ShaderEdit>& edits) const {
@@ -73,9 +75,8 @@ ProgramText ShaderPrice::programOf(const std::vector<ShaderEdit>& edits) const {
     return {vertexStage(places_), editedSource(source_, syntax_, all).text};
 }
 
-std::vector<std::optional<double>>
-ShaderPrice::of(const std::vector<std::vector<ShaderEdit>>& ways,
-                const std::function<bool()>& isStopped) {
+std::vector<std::optional<double>> ShaderPrice::of(const std::vector<std::vector<ShaderEdit>>& ways,
+                                                   const std::function<bool()>& isStopped) {
     std::vector<ProgramText> programs;
     for (const std::vector<ShaderEdit>& edits : ways) {
         programs.push_back(programOf(edits));

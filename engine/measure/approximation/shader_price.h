@@ -14,8 +14,9 @@
 namespace patina {
 
 /// Predicts what a block's function costs with edits: cycles of a family of graphics cards for 64
-/// pixels, or, where the driver that predicts them is missing, instructions, of which one that takes
-/// longer counts four times. The geometry of light and viewer is in every price.
+/// pixels, or, where the driver that predicts them is missing, instructions, of which one that
+/// takes longer counts four times. The projections of light and viewer (Directions) are in every
+/// price.
 class ShaderPrice {
   public:
     /// What it refers to must outlive it.

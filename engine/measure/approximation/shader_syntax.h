@@ -47,7 +47,7 @@ struct ShaderExpression {
     };
     Kind kind = Kind::Literal;
     ShaderType type{};
-    std::size_t size = 1; ///< counts the numbers of its value
+    std::size_t size = 1;    ///< counts the numbers of its value
     std::string_view sign{}; ///< is the operator, "" or the name of what is read or called
     std::vector<int> operands{};
     double number = 0.0;

@@ -28,8 +28,8 @@ struct FittedPolynomial {
 inline constexpr const char* installSollya = "apt-get install sollya";
 
 /// Fits polynomials by Sollya's fpminimax, and bounds their errors by its supnorm, in a process of
-/// its own. What it finds nothing for is empty. It is an error where Sollya is not installed or does
-/// not answer within `seconds`.
+/// its own. What it finds nothing for is empty. It is an error where Sollya is not installed or
+/// does not answer within `seconds`.
 Result<std::vector<std::optional<FittedPolynomial>>>
 fittedPolynomials(std::span<const PolynomialWish> wishes, double seconds);
 
