@@ -340,7 +340,7 @@ class CheaperSearch {
             }
         });
         std::erase_if(kept, [this](const TriedWay& way) {
-            return !way.error.isWithin(2.0 * options_.maxError);
+            return !way.error.isWithin(options_.maxError);
         });
         front_.clear();
         for (const TriedWay& way : kept) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -22,7 +23,7 @@ using NodeKind = ShaderExpression::Kind;
 constexpr int interpolationDegree = 20;
 constexpr double maxResidual = 1e-5; ///< as a share of the term's range
 constexpr std::size_t maxTerms = 20;
-constexpr int minDegree = 1;
+constexpr int minDegree = 0;
 constexpr int maxDegree = 6;
 
 /// Holds the leaves of an expression that vary, and what it is made of besides.
@@ -136,12 +137,12 @@ class TermFunction {
 /// Is the polynomial through a function's values at Chebyshev's nodes, in powers of t = -1 .. 1.
 class Interpolant {
   public:
-    Interpolant(TermFunction& f, double low, double high)
+    Interpolant(const std::function<double(double)>& f, double low, double high)
         : middle_(0.5 * (low + high)), half_(0.5 * (high - low)) {
         constexpr int n = interpolationDegree + 1;
         std::vector<double> values;
         for (int k = 0; k < n; ++k) {
-            values.push_back(f.at(middle_ + half_ * std::cos(std::numbers::pi * (k + 0.5) / n)));
+            values.push_back(f(middle_ + half_ * std::cos(std::numbers::pi * (k + 0.5) / n)));
         }
         std::vector<double> before{1.0};       // T0 in powers of t
         std::vector<double> current{0.0, 1.0}; // T1
@@ -198,12 +199,9 @@ class Interpolant {
 std::optional<OneVariableTerm> followed(const ShaderSource& source, const ObservedShader& shader,
                                         int index, int variable) {
     const ObservedValues& range = shader.valuesOf(variable);
-    OneVariableTerm term{index,
-                         std::string(shader.syntax.textOf(shader.at(variable))),
-                         range.min[0],
-                         range.max[0],
-                         {},
-                         0.0,
+    OneVariableTerm term{index,        std::string(shader.syntax.textOf(shader.at(variable))),
+                         range.min[0], range.max[0],
+                         {},           0.0,
                          false};
     const bool hasRange = std::isfinite(term.low) && std::isfinite(term.high) &&
                           term.high - term.low > 1e-6 && term.high - term.low < 1e4;
@@ -212,7 +210,11 @@ std::optional<OneVariableTerm> followed(const ShaderSource& source, const Observ
     if (!function) {
         return std::nullopt;
     }
-    const Interpolant near(*function, term.low, term.high);
+    term.isProportional = term.low == 0.0 && std::abs(function->at(0.0)) < 1e-12;
+    const auto factor = [&term, &function](double x) {
+        return term.isProportional ? function->at(x) / x : function->at(x);
+    };
+    const Interpolant near(factor, term.low, term.high);
     double min = std::numeric_limits<double>::infinity();
     double max = -min;
     constexpr int samples = 401;
@@ -224,7 +226,8 @@ std::optional<OneVariableTerm> followed(const ShaderSource& source, const Observ
         }
         min = std::min(min, y);
         max = std::max(max, y);
-        term.residual = std::max(term.residual, std::abs(y - near.at(x)));
+        const double got = term.isProportional ? x * near.at(x) : near.at(x);
+        term.residual = std::max(term.residual, std::abs(y - got));
     }
     if (!(term.residual <= maxResidual * std::max(max - min, 1e-9))) {
         return std::nullopt;
@@ -259,12 +262,30 @@ std::string polynomialCode(const std::string& name, const OneVariableTerm& term,
     for (auto it = coefficients.rbegin(); it != coefficients.rend(); ++it) {
         y = y.empty() ? floatText(*it) : fmt::format("{} + t * ({})", floatText(*it), y);
     }
+    if (term.isProportional) {
+        y = coefficients.size() == 1 ? fmt::format("{} * x", y) : fmt::format("x * ({})", y);
+    }
+    if (term.isPositive) {
+        y = fmt::format("max({}, 0.0)", y);
+    }
+    if (coefficients.size() == 1) {
+        return fmt::format("float {}(float x) {{\n    return {};\n}}\n", name, y);
+    }
     const double half = 0.5 * (term.high - term.low);
     const double middle = 0.5 * (term.high + term.low);
     return fmt::format("float {}(float x) {{\n    float t = clamp({} * x + {}, -1.0, 1.0);\n"
                        "    return {};\n}}\n",
-                       name, floatText(1.0 / half), floatText(-middle / half),
-                       term.isPositive ? fmt::format("max({}, 0.0)", y) : y);
+                       name, floatText(1.0 / half), floatText(-middle / half), y);
+}
+
+/// Says what a polynomial does, with its proved bound: of the term, or of the term over its number.
+std::string polynomialWords(const ObservedShader& shader, const OneVariableTerm& term,
+                            const FittedPolynomial& polynomial, int degree) {
+    const double scale = term.isProportional ? term.high : 1.0;
+    return fmt::format("{} by a polynomial of degree {}, at most {:.2g} off",
+                       shortCode(shader.syntax.textOf(shader.at(term.expression))),
+                       degree + (term.isProportional ? 1 : 0),
+                       scale * polynomial.bound + term.residual);
 }
 
 } // namespace
@@ -324,9 +345,7 @@ Result<std::vector<CheapMove>> polynomialMoves(const ObservedShader& shader,
         moves.push_back(
             {{{expression.first, expression.last, fmt::format("{}({})", name, term.variable),
                polynomialCode(name, term, polynomial.coefficients), expression.owner}},
-             fmt::format("{} by a polynomial of degree {}, at most {:.2g} off",
-                         shortCode(shader.syntax.textOf(expression)), wishes[i].degree,
-                         polynomial.bound + term.residual)});
+             polynomialWords(shader, term, polynomial, wishes[i].degree)});
     }
     return moves;
 }

@@ -15,8 +15,9 @@ struct OneVariableTerm {
     double high = 1.0;
     /// Is an expression of Sollya in x = -1 .. 1 along the range: a polynomial through many points.
     std::string function;
-    double residual = 0.0;   ///< is how far that may be from the term
-    bool isPositive = false; ///< is nowhere below 0, as its polynomials must be
+    double residual = 0.0;       ///< is how far that may be from the term
+    bool isPositive = false;     ///< is nowhere below 0, as its polynomials must be
+    bool isProportional = false; ///< is 0 at 0, and `function` is what it is over the number
 };
 
 /// Finds the terms of one variable. Those that no polynomial follows, because they bend or jump,
