@@ -36,7 +36,8 @@ struct TriedWay {
     std::vector<std::size_t> moves; ///< are sorted
     TextError error;
     std::optional<double> cost;
-    double guess = 0.0; ///< is the cost as the single moves let expect
+    double guess = 0.0;    ///< is the cost as the single moves let expect
+    bool isJudged = false; ///< its error is that on unseen cases
 };
 
 bool isBetter(const TriedWay& a, const TriedWay& b) {
@@ -87,7 +88,8 @@ class CheaperSearch {
     void prepareCases() {
         const CaseWish wish{options_.cases, searchSeed, 0, rowsOfSearch, options_.ofValues};
         cases_ = text_->judged(texelsOfCases(commonCases(subject_, wish)));
-        edgeCases_ = text_->judged(texelsOfCases(edgeCases(subject_, edgeCaseCount, options_.ofValues)));
+        edgeCases_ =
+            text_->judged(texelsOfCases(edgeCases(subject_, edgeCaseCount, options_.ofValues)));
         quick_.texels.assign(cases_.texels.begin(),
                              cases_.texels.begin() + static_cast<std::ptrdiff_t>(std::min(
                                                          quickCases, cases_.texels.size())));
@@ -199,6 +201,7 @@ class CheaperSearch {
                 ways[i].cost = costs[i - first];
                 if (ways[i].cost) {
                     ++found_.tried;
+                    tried_.push_back(ways[i]);
                     enter(ways[i]);
                     done.push_back(ways[i]);
                 }
@@ -249,7 +252,7 @@ class CheaperSearch {
              first += judgedAtOnce) {
             std::vector<TriedWay> ways;
             for (std::size_t i = first; i < std::min(first + judgedAtOnce, moves_.size()); ++i) {
-                ways.push_back({{i}, {}, {}, 0.0});
+                ways.push_back({{i}, {}, {}, 0.0, false});
             }
             judge(ways);
             tell();
@@ -265,7 +268,7 @@ class CheaperSearch {
     /// tried.
     std::optional<TriedWay> extended(const TriedWay& way, const TriedWay& single) {
         const std::size_t move = single.moves.front();
-        TriedWay more{way.moves, {}, {}, *way.cost - (found_.exact.cost - *single.cost)};
+        TriedWay more{way.moves, {}, {}, *way.cost - (found_.exact.cost - *single.cost), false};
         for (const std::size_t other : way.moves) {
             if (other == move || !areCompatible(moves_[other], moves_[move])) {
                 return std::nullopt;
@@ -299,7 +302,6 @@ class CheaperSearch {
                 return;
             }
             std::ranges::sort(next, {}, &TriedWay::guess);
-            const std::vector<TriedWay> before = front_;
             for (std::size_t first = 0; first < next.size() && !isOver(); first += triedPerRound) {
                 std::vector<TriedWay> some(next.begin() + static_cast<std::ptrdiff_t>(first),
                                            next.begin() + static_cast<std::ptrdiff_t>(std::min(
@@ -328,30 +330,46 @@ class CheaperSearch {
         const JudgedCases unseen = text_->judged(texelsOfCases(commonCases(subject_, wish)));
         const JudgedCases edge =
             text_->judged(texelsOfCases(edgeCases(subject_, lastEdgeCases, options_.ofValues)));
-        std::vector<TriedWay> kept = front_;
-        inParallel(kept.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
-                const std::vector<ShaderEdit> edits = editsFor(kept[i].moves);
-                const TextError last =
-                    text_->error(edits, unseen, std::numeric_limits<double>::infinity());
-                kept[i].error.isSafe = last.isSafe && text_->isSafe(edits, edge);
-                kept[i].error.worst = std::max(kept[i].error.worst, last.worst);
-                kept[i].error.mean = last.mean;
+        do {
+            front_.clear();
+            for (const TriedWay& way : tried_) {
+                enter(way);
             }
-        });
-        std::erase_if(kept, [this](const TriedWay& way) {
-            return !way.error.isWithin(options_.maxError);
-        });
-        front_.clear();
-        for (const TriedWay& way : kept) {
-            enter(way);
-        }
+        } while (judgeFront(unseen, edge));
         thin();
         publish(front_);
         found_.heldOut = unseen.texels.size();
         const TextError own = text_->error({}, unseen, std::numeric_limits<double>::infinity());
         found_.exact.error = std::max(found_.exact.error, own.worst);
         found_.exact.meanError = own.mean;
+    }
+
+    /// Judges those of the front on cases that the search has not seen, and forgets what is too far
+    /// off or breaks there; what it was better than may then come back. Returns whether there was
+    /// one to judge.
+    bool judgeFront(const JudgedCases& unseen, const JudgedCases& edge) {
+        std::vector<TriedWay*> open;
+        for (TriedWay& way : tried_) {
+            const bool isShown =
+                std::ranges::find(front_, way.moves, &TriedWay::moves) != front_.end();
+            if (isShown && !way.isJudged) {
+                open.push_back(&way);
+            }
+        }
+        inParallel(open.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const std::vector<ShaderEdit> edits = editsFor(open[i]->moves);
+                const TextError last = text_->error(edits, unseen, options_.maxError);
+                TextError& error = open[i]->error;
+                error.isSafe = last.isSafe && text_->isSafe(edits, edge);
+                error.worst = std::max(error.worst, last.worst);
+                error.mean = last.mean;
+                open[i]->isJudged = true;
+            }
+        });
+        std::erase_if(
+            tried_, [this](const TriedWay& way) { return !way.error.isWithin(options_.maxError); });
+        return !open.empty();
     }
 
     /// Leaves out, one after the other, the way that its neighbours replace best.
@@ -385,6 +403,7 @@ class CheaperSearch {
     std::vector<ObservedValues> observed_;
     std::vector<CheapMove> moves_;
     std::vector<TriedWay> useful_; ///< are single moves that gain something
+    std::vector<TriedWay> tried_;  ///< are all that have a cost
     std::vector<TriedWay> front_;  ///< is sorted by error
     std::set<std::vector<std::size_t>> known_;
     CheaperWays found_;
