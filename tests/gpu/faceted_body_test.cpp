@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_inverse.hpp>
 
 #include "catalog/parameter_layout.h"
+#include "measure/choice/choices.h"
 #include "measure/error/display_curve.h"
 #include "measure/error/flip.h"
 #include "measure/error/parallel.h"
@@ -286,6 +287,13 @@ TEST_F(FacetedBody, OfFewerReflections_IsThoseRaysAndFartherFromAll) {
         last = error;
     }
     EXPECT_GT(last, 0.1);
+}
+
+TEST_F(FacetedBody, Reflections_AreAChoiceOfItsChart) {
+    const std::vector<Choice> choices = materialChoices(scene_, 0, *catalog);
+    const auto found = std::ranges::find(choices, "refraction.reflections", &Choice::id);
+    ASSERT_NE(found, choices.end());
+    EXPECT_EQ(found->levels.size(), 9u);
 }
 
 /// All that arrives is 1: neither more nor less leaves, whatever becomes of the rays.

@@ -2,6 +2,7 @@
 #include "measure/choice/choices.h"
 
 #include <algorithm>
+#include <optional>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -54,8 +55,10 @@ std::vector<Choice> materialChoices(const Scene& scene, std::size_t object,
     for (const BlockUse& slot : set.slots) {
         addBlock(choices, slot.block(), slot.block().kind + '.');
     }
-    if (set.blend) {
-        addBlock(choices, set.blend->block(), set.blend->block().kind + '.');
+    for (const std::optional<BlockUse>& part : {set.blend, set.refraction}) {
+        if (part) {
+            addBlock(choices, part->block(), part->block().kind + '.');
+        }
     }
     return choices;
 }
