@@ -261,11 +261,28 @@ void checkOnDevice(const ApproximateSubject& subject, CheaperWays& ways,
     }
 }
 
+/// Returns why the block could not be written with what is found; empty where it can.
+Errors refusals(const ApproximateRequest& request, const Block& block) {
+    if (block.accuracyChoice(foundChoiceId(block)) != nullptr) {
+        return oneError({block.descriptorFile.string(), 0, 0,
+                         fmt::format("it has found ways already, \"{}\"", foundChoiceId(block)),
+                         "the block without them"});
+    }
+    if (!request.output.empty() && isSameFile(request.output, block.shaderFile.parent_path())) {
+        return oneError({request.output, 0, 0, "the block's own files are there, and would be lost",
+                         "another folder"});
+    }
+    return {};
+}
+
 /// Returns the exit status.
 Checked<int> approximate(const ApproximateRequest& request) {
     const auto subject = subjectOf(request.subject);
     if (!subject) {
         return tl::unexpected(subject.error());
+    }
+    if (const Errors why = refusals(request, *subject->subject.block.block); !why.empty()) {
+        return tl::unexpected(why);
     }
     CheaperSearchOptions options;
     options.family = request.families.empty() ? &gpuFamilies().front() : request.families.front();

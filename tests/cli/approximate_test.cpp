@@ -194,6 +194,16 @@ TEST(Approximate, WrittenBlock_IsValidAndPassesTheSweep) {
     }
 }
 
+TEST(Approximate, FolderOfTheBlockItself_IsRefused) {
+    const TemporaryFolder folder;
+    writePaper(banks, folder.path());
+    const Outcome outcome =
+        approximated({(folder / "models/banks.glsl").string(), "-o", (folder / "models").string()});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.err.find("another folder"), std::string::npos) << outcome.err;
+    EXPECT_EQ(readFile(folder / "models/banks.glsl"), banks.glsl);
+}
+
 TEST(Approximate, ShippedBlock_GetsAnIdOfItsOwn) {
     const TemporaryFolder folder;
     const Outcome outcome = approximated({"phong", "--seconds", "8", "-o", folder / "models"});

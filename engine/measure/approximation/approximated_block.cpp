@@ -297,6 +297,12 @@ std::string wordsOf(const CheaperWay& way) {
     return text;
 }
 
+std::string foundChoiceId(const Block& block) {
+    std::string name = pascalCase(block.id);
+    name.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
+    return "cheaper." + name;
+}
+
 std::string foundLevelId(std::size_t way) {
     return fmt::format("found-{}", way + 1);
 }
@@ -328,11 +334,7 @@ Result<ApproximatedBlock> approximatedBlock(const EvalCase& subject, const Cheap
         return tl::unexpected(descriptor.error());
     }
     ApproximatedBlock made;
-    made.choice = "cheaper." + [&block] {
-        std::string name = pascalCase(block.id);
-        name.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
-        return name;
-    }();
+    made.choice = foundChoiceId(block);
     made.id = block.id;
     made.glsl = LevelWriter(subject, ways, fieldName(made.choice)).written(*glsl);
     made.descriptor = std::move(descriptor->value);

@@ -19,6 +19,9 @@ struct ApproximatedBlock {
     std::string choice;
 };
 
+/// Returns the id of the choice that a block gets, "cheaper.blinnPhong".
+std::string foundChoiceId(const Block& block);
+
 /// Returns the id of the level of a way, "found-1" for the first.
 std::string foundLevelId(std::size_t way);
 
