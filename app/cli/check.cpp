@@ -10,6 +10,7 @@
 #include "catalog/json_text.h"
 #include "catalog/suggestion.h"
 #include "cli/command.h"
+#include "cli/job.h"
 #include "cli/long_work.h"
 #include "gl/headless_context.h"
 #include "material/preset_file.h"
@@ -21,10 +22,11 @@ namespace patina {
 namespace {
 
 struct CheckOptions {
-    std::string subject;
+    std::vector<std::string> subjects;
     /// Means every edge case and at least 300 000 cases where empty.
     std::optional<std::size_t> cases;
     bool json = false;
+    JobOptions job;
 };
 
 /// Returns the blocks of that id, or of that "kind/id"; the same id may be a model and another
@@ -100,13 +102,13 @@ void tellLeftOut(const StabilitySweep& sweep, const SweepOptions& how) {
     }
 }
 
-void runSweep(StabilitySweep& sweep) {
-    LongWork work;
+void runSweep(StabilitySweep& sweep, LongWork& work) {
     while (!sweep.finished() && !work.isStopped()) {
         sweep.step();
         work.tell(
             fmt::format("{:3.0f} %  {} cases ", 100.0 * sweep.progress(), sweep.report().cases));
     }
+    work.tell({});
 }
 
 void printFinding(const SweepKey& key, const SweepTally& tally) {
@@ -129,16 +131,12 @@ void printReport(const SweepReport& report) {
                              limitText(report), report.isClean() ? "nothing breaks" : "see above");
 }
 
-void print(const StabilitySweep& sweep, const CheckOptions& options) {
-    if (!options.json) {
-        printReport(sweep.report());
-        return;
-    }
+nlohmann::json jsonOf(const StabilitySweep& sweep, const std::string& subject) {
     nlohmann::json json = toJson(sweep.report());
-    json["subject"] = options.subject;
+    json["subject"] = subject;
     json["finished"] = sweep.finished();
     json["withoutDouble"] = sweep.withoutReference();
-    std::cout << writeJson(json);
+    return json;
 }
 
 /// Writes to standard error what could not be checked.
@@ -154,11 +152,77 @@ void remark(const StabilitySweep& sweep, const SweepOptions& how) {
     }
 }
 
+/// Checks the presets of a job.
+class CheckWork : public JobWork {
+  public:
+    CheckWork(const Catalog& catalog, const SweepOptions& how, LongWork& longWork)
+        : catalog_(catalog), how_(how), longWork_(longWork) {}
+
+    Checked<nlohmann::json> resultOf(const std::string& subject) override {
+        auto variants = variantsOf(catalog_, subject);
+        if (!variants) {
+            return tl::unexpected(variants.error());
+        }
+        StabilitySweep sweep(std::move(*variants), how_);
+        runSweep(sweep, longWork_);
+        return jsonOf(sweep, subject);
+    }
+
+    bool isGood(const nlohmann::json& result) const override {
+        return result.value("sound", false);
+    }
+
+  private:
+    const Catalog& catalog_;
+    const SweepOptions& how_;
+    LongWork& longWork_;
+};
+
+/// Returns the variants of every subject, so that a mistake in the last one costs no sweep.
+Checked<std::vector<std::vector<EvalCase>>> allVariants(const Catalog& catalog,
+                                                        const std::vector<std::string>& subjects) {
+    std::vector<std::vector<EvalCase>> all;
+    for (const std::string& subject : subjects) {
+        auto variants = variantsOf(catalog, subject);
+        if (!variants) {
+            return tl::unexpected(variants.error());
+        }
+        all.push_back(std::move(*variants));
+    }
+    return all;
+}
+
+/// Checks subjects one after the other and prints what was found; returns the exit status.
+int checkAll(const CheckOptions& options, std::vector<std::vector<EvalCase>> variants,
+             const SweepOptions& how, LongWork& work) {
+    nlohmann::json found = nlohmann::json::array();
+    bool isClean = true;
+    for (std::size_t i = 0; i < variants.size() && (i == 0 || !work.isStopped()); ++i) {
+        const std::string& subject = options.subjects[i];
+        StabilitySweep sweep(std::move(variants[i]), how);
+        tellLeftOut(sweep, how);
+        runSweep(sweep, work);
+        if (options.json) {
+            found.push_back(jsonOf(sweep, subject));
+        } else {
+            std::cout << (variants.size() > 1 ? subject + '\n' : std::string());
+            printReport(sweep.report());
+        }
+        remark(sweep, how);
+        isClean = isClean && sweep.report().isClean();
+    }
+    if (options.json) {
+        std::cout << writeJson(variants.size() > 1 ? found : found.front());
+    }
+    return !isClean ? 1 : work.isStopped() ? LongWork::stoppedStatus : 0;
+}
+
 /// Returns the exit status.
-Checked<int> check(const CheckOptions& options) {
+Checked<int> check(const CLI::App& command, const CheckOptions& options) {
     const Catalog catalog = loadCatalog(standardBlockRoots());
     report(catalog.errors);
-    const auto variants = variantsOf(catalog, options.subject);
+    auto variants = allVariants(catalog, options.job.isWanted() ? std::vector<std::string>()
+                                                                : options.subjects);
     if (!variants) {
         return tl::unexpected(variants.error());
     }
@@ -171,28 +235,24 @@ Checked<int> check(const CheckOptions& options) {
     how.cases = options.cases.value_or(how.cases);
     how.isWhole = !options.cases;
     how.shaders = catalog.roots.front().folder;
-    StabilitySweep sweep(*variants, how);
-    tellLeftOut(sweep, how);
-    runSweep(sweep);
-    print(sweep, options);
-    remark(sweep, how);
-    if (!sweep.report().isClean()) {
-        return 1;
+    LongWork longWork;
+    if (options.job.isWanted()) {
+        CheckWork work(catalog, how, longWork);
+        return runJob({command, options.job, options.subjects, catalog}, work, longWork);
     }
-    return sweep.finished() ? 0 : LongWork::stoppedStatus;
+    return checkAll(options, std::move(*variants), how, longWork);
 }
 
 } // namespace
 
 void addCheck(CLI::App& program, int& status) {
     CLI::App* command = program.add_subcommand(
-        "check", "Evaluate a preset or a block where formulas break, on the graphics device and\n"
+        "check", "Evaluate presets or blocks where formulas break, on the graphics device and\n"
                  "in double precision; the status is 1 when a value is not finite, negative or\n"
                  "inaccurate, and 130 when it was interrupted before one was found. Each finding "
                  "comes as a line for `patina eval`");
     auto options = std::make_shared<CheckOptions>();
-    command
-        ->add_option("subject", options->subject, "A preset, or the id of a model or other block")
+    command->add_option("subjects", options->subjects, "Presets, or ids of models or other blocks")
         ->required();
     command
         ->add_option("--cases", options->cases,
@@ -202,9 +262,10 @@ void addCheck(CLI::App& program, int& status) {
                      "and counted once. Without this every edge-case pair is evaluated, 16 with\n"
                      "each set of edge-case values, and 300000 in all where those are fewer")
         ->check(CLI::Range(1UL, 100000000UL));
-    command->add_flag("--json", options->json, "Print JSON");
-    command->callback([options, &status] {
-        const Checked<int> ended = check(*options);
+    auto* json = command->add_flag("--json", options->json, "Print JSON, an array for several");
+    addJobOptions(*command, options->job)->excludes(json);
+    command->callback([command, options, &status] {
+        const Checked<int> ended = check(*command, *options);
         status = ended.value_or(1);
         if (!ended) {
             report(ended.error());

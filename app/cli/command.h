@@ -24,6 +24,7 @@ void addExport(CLI::App& program, int& status);
 void addImport(CLI::App& program, int& status);
 void addLobe(CLI::App& program, int& status);
 void addMatch(CLI::App& program, int& status);
+void addMerge(CLI::App& program, int& status);
 void addModels(CLI::App& program, int& status);
 void addRender(CLI::App& program, int& status);
 void addSheet(CLI::App& program, int& status);

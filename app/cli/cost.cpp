@@ -188,8 +188,45 @@ Checked<bool> chart(const CostRequest& options, const Tools& tools) {
     return met;
 }
 
+/// Measures the charts of a job's presets.
+class CostWork : public JobWork {
+  public:
+    CostWork(const CostRequest& options, const Tools& tools) : options_(options), tools_(tools) {}
+
+    Checked<nlohmann::json> resultOf(const std::string& preset) override {
+        const auto subject = prepared(preset, options_.picture, *tools_.catalog, tools_.files);
+        if (!subject) {
+            return tl::unexpected(subject.error());
+        }
+        auto sweep = withSubject(*subject, options_, tools_, swept);
+        if (!sweep) {
+            return tl::unexpected(sweep.error());
+        }
+        return jsonOf({preset, std::move(sweep->chart), {}, {}}, options_);
+    }
+
+    bool isGood(const nlohmann::json& result) const override {
+        const auto budget = result.find("budget");
+        return budget == result.end() || !budget->is_object() || budget->value("fits", true);
+    }
+
+  private:
+    const CostRequest& options_;
+    const Tools& tools_;
+};
+
+/// Measures charts into the file of a job; returns true when every one could be made and every
+/// budget be met.
+Checked<bool> chartsOfJob(const CLI::App& command, const CostRequest& options, const Tools& tools) {
+    CostWork work(options, tools);
+    return runJob({command, options.job, options.presets, *tools.catalog,
+                   options.picture.allowsOutside},
+                  work, tools.work)
+        .map([](int status) { return status == 0; });
+}
+
 /// Measures what is asked for, with a context that stays current meanwhile.
-Checked<bool> measured(const CostRequest& options, LongWork& work) {
+Checked<bool> measured(const CLI::App& command, const CostRequest& options, LongWork& work) {
     const auto catalog = std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()));
     report(catalog->errors);
     const auto context = gl::HeadlessContext::create();
@@ -202,13 +239,14 @@ Checked<bool> measured(const CostRequest& options, LongWork& work) {
     }
     AssetClient files;
     const Tools tools{catalog, files, work};
-    return options.allModels ? rankModels(options, tools)
-           : options.scaling ? scale(options, tools)
-                             : chart(options, tools);
+    return options.allModels        ? rankModels(options, tools)
+           : options.scaling        ? scale(options, tools)
+           : options.job.isWanted() ? chartsOfJob(command, options, tools)
+                                    : chart(options, tools);
 }
 
 /// Returns the exit status of the command.
-int cost(const CostRequest& options) {
+int cost(const CLI::App& command, const CostRequest& options) {
     if (const Errors wrong = checkRequest(options); !wrong.empty()) {
         report(wrong);
         return 1;
@@ -217,7 +255,8 @@ int cost(const CostRequest& options) {
     Checked<bool> done = false;
     {
         LongWork work;
-        done = options.families.empty() ? measured(options, work) : predictCosts(options, work);
+        done = options.families.empty() ? measured(command, options, work)
+                                        : predictCosts(options, work);
         isStopped = work.isStopped();
     }
     if (!done) {
@@ -235,7 +274,7 @@ void addCost(CLI::App& program, int& status) {
         "cost", "Measure what every accuracy choice of a preset costs and how wrong it is");
     auto options = std::make_shared<CostRequest>();
     addCostOptions(*command, *options);
-    command->callback([options, &status] { status = cost(*options); });
+    command->callback([command, options, &status] { status = cost(*command, *options); });
 }
 
 } // namespace patina

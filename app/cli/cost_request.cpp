@@ -87,6 +87,10 @@ Errors checkCombinations(const CostRequest& request) {
         Combination{isPredicted && (isChart || request.scaling || request.csv),
                     "with --gpu nothing is measured: no budget, no chart, no --csv",
                     "--gpu without them, or with --json"},
+        Combination{request.job.isWanted() && (isOther || isPredicted || !request.plot.empty() ||
+                                               !request.errorMap.empty()),
+                    "--results are charts of presets, as JSON",
+                    "--results without --all-models, --scaling, --gpu, --plot and --error-map"},
         Combination{!isPlot, "a chart is drawn as .svg or .png", "such a file"},
         Combination{!isMap, "an error map is drawn as .png or .jpg", "such a file"},
         Combination{plotProblem != nullptr, plotProblem, place},
@@ -180,7 +184,9 @@ void addCostOptions(CLI::App& command, CostRequest& request) {
     command.add_option("--error-map-of", request.errorMapOf,
                        "Of this way instead, named as in the table: \"power=rational\"");
     auto* json = command.add_flag("--json", request.json, "Print an array of charts as JSON");
-    command.add_flag("--csv", request.csv, "Print comma-separated values")->excludes(json);
+    auto* csv = command.add_flag("--csv", request.csv, "Print comma-separated values");
+    csv->excludes(json);
+    addJobOptions(command, request.job)->excludes(json)->excludes(csv);
 }
 
 Errors checkRequest(const CostRequest& request) {

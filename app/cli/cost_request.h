@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/job.h"
 #include "cli/picture_options.h"
 #include "core/error.h"
 #include "predict/gpu_family.h"
@@ -30,6 +31,7 @@ struct CostRequest {
     std::string errorMap;
     std::string errorMapOf; ///< names levels as levelsText() does; empty where not given
     double seconds = 60.0;
+    JobOptions job;
 
     bool hasBudget() const { return budgetMilliseconds || budgetError; }
 };

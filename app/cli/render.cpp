@@ -13,7 +13,10 @@
 #include <fmt/format.h>
 
 #include "assets/asset_client.h"
+#include "cli/content_hash.h"
 #include "cli/environment_setup.h"
+#include "cli/job.h"
+#include "cli/long_work.h"
 #include "cli/picture.h"
 #include "cli/picture_options.h"
 #include "cli/scene_meshes.h"
@@ -27,21 +30,38 @@ namespace patina {
 namespace {
 
 struct RenderOptions {
-    std::string preset;
+    std::vector<std::string> presets;
     PictureOptions picture;
-    PictureFile output;
+    PictureFile output; ///< is a folder where there may be several pictures
+    JobOptions job;
     bool autoExposure = false;
     int turntable = 0; ///< counts the pictures of a whole turn; 0 for a single one, unturned
     TurntableOf turns = TurntableOf::Object;
+
+    bool isIntoFolder() const {
+        std::error_code unknown; // a path that cannot be examined is no folder
+        return output.name.ends_with('/') || std::filesystem::is_directory(output.name, unknown);
+    }
 };
 
 constexpr int maxPictures = 3600;
 constexpr int digits = 4; ///< counts the digits of a picture's number in a series
 
 Checked<void> checkRequest(const RenderOptions& options) {
-    if (options.preset.empty() && options.picture.model.empty() && options.picture.scene.empty()) {
+    if (options.presets.empty() && options.picture.model.empty() && options.picture.scene.empty()) {
         return tl::unexpected(oneError(
             failure("there is nothing to render", "a preset, --model or --scene").value()));
+    }
+    const bool isIntoFolder = !options.presets.empty() && options.isIntoFolder();
+    const bool isOfSeveral = options.presets.size() > 1 || options.job.isWanted() || isIntoFolder;
+    if (isOfSeveral && (!options.isIntoFolder() || options.turntable > 0)) {
+        return tl::unexpected(oneError(failure("several presets are drawn into a folder, one "
+                                               "picture of each",
+                                               "-o FOLDER/, without --turntable")
+                                           .value()));
+    }
+    if (isOfSeveral) {
+        return {};
     }
     if (auto checked = options.output.check(); !checked) {
         return tl::unexpected(oneError(checked.error()));
@@ -59,28 +79,29 @@ class RequestDrawer {
   public:
     RequestDrawer(const RenderOptions& options, std::shared_ptr<const Catalog> catalog,
                   AssetClient& client)
-        : options_(options), catalog_(std::move(catalog)), client_(client), textures_(client) {}
+        : options_(options), catalog_(std::move(catalog)), client_(client) {}
 
+    /// Makes ready to draw a scene, and forgets the one before.
     Checked<void> prepare(const Scene& scene) {
         auto meshes = std::async(std::launch::async, [this, &scene] {
             return SceneMeshes::load(scene, *catalog_, client_);
         });
-        auto maker = PictureMaker::create(catalog_);
+        const auto started = start();
         auto loaded = meshes.get();
-        if (!maker) {
-            return tl::unexpected(oneError(maker.error()));
+        if (!started) {
+            return tl::unexpected(oneError(started.error()));
         }
         if (!loaded) {
             return tl::unexpected(loaded.error());
         }
         report(loaded->remarks());
-        maker->setTextures(textures_, filesIn(options_.picture.textures));
+        textures_.emplace(client_);
+        maker_->setTextures(*textures_, filesIn(options_.picture.textures));
         const auto environment = environmentPicture(scene, options_.picture, *catalog_, client_);
         if (!environment) {
             return tl::unexpected(oneError(environment.error()));
         }
-        maker->setEnvironment(*environment, directionsFor(scene, options_.picture, *catalog_));
-        maker_.emplace(std::move(*maker));
+        maker_->setEnvironment(*environment, directionsFor(scene, options_.picture, *catalog_));
         meshes_.emplace(std::move(*loaded));
         return {};
     }
@@ -102,10 +123,22 @@ class RequestDrawer {
     }
 
   private:
+    /// Starts the graphics driver, once.
+    Result<void> start() {
+        if (!maker_) {
+            auto maker = PictureMaker::create(catalog_);
+            if (!maker) {
+                return tl::unexpected(maker.error());
+            }
+            maker_.emplace(std::move(*maker));
+        }
+        return {};
+    }
+
     const RenderOptions& options_;
     std::shared_ptr<const Catalog> catalog_;
     AssetClient& client_;
-    TextureLoader textures_;
+    std::optional<TextureLoader> textures_;
     std::optional<SceneMeshes> meshes_;
     std::optional<PictureMaker> maker_;
 };
@@ -151,16 +184,114 @@ Checked<void> renderSeries(const RenderOptions& options, const Catalog& catalog,
     return {};
 }
 
-Checked<void> render(const RenderOptions& options) {
-    if (auto checked = checkRequest(options); !checked) {
-        return checked;
+/// Returns the name of a preset's picture in a folder: that of its file, with another suffix.
+std::string pictureName(const std::string& preset) {
+    constexpr std::string_view suffix = ".patina.json";
+    const std::string name = std::filesystem::path(preset).filename().string();
+    const std::string stem = name.ends_with(suffix) ? name.substr(0, name.size() - suffix.size())
+                                                    : std::filesystem::path(name).stem().string();
+    return stem + ".png";
+}
+
+/// Makes the folder of the pictures; fails where two presets would have the same one.
+Result<void> prepareFolder(const RenderOptions& options) {
+    std::map<std::string, std::string> owners;
+    for (const std::string& preset : options.presets) {
+        const auto [owner, isNew] = owners.try_emplace(pictureName(preset), preset);
+        if (!isNew) {
+            return tl::unexpected(
+                Error{preset, 0, 0,
+                      fmt::format("its picture {} would take the place of that of {}", owner->first,
+                                  owner->second),
+                      "presets whose files have different names, or a folder for each"});
+        }
     }
-    AssetClient files;
-    files.warmUp(options.output.needsImageFormats() ? AssetClient::Formats::images
-                                                    : AssetClient::Formats::meshes);
-    const auto catalog = std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()));
-    report(catalog->errors);
-    const auto setup = sceneFor(options.preset, options.picture, *catalog);
+    std::error_code failed;
+    std::filesystem::create_directories(options.output.name, failed);
+    if (failed && !std::filesystem::is_directory(options.output.name)) {
+        return tl::unexpected(
+            Error{options.output.name, 0, 0, "the folder cannot be made: " + failed.message(), {}});
+    }
+    return {};
+}
+
+/// Draws presets into a folder.
+class RenderWork : public JobWork {
+  public:
+    RenderWork(const RenderOptions& options, std::shared_ptr<const Catalog> catalog,
+               AssetClient& files)
+        : options_(options), catalog_(std::move(catalog)), files_(files),
+          drawer_(options, catalog_, files) {}
+
+    Checked<nlohmann::json> resultOf(const std::string& preset) override {
+        const auto setup = sceneFor(preset, options_.picture, *catalog_);
+        if (!setup) {
+            return tl::unexpected(setup.error());
+        }
+        report(setup->notes);
+        files_.setRights(setup->rights);
+        if (auto prepared = drawer_.prepare(setup->scene); !prepared) {
+            return tl::unexpected(prepared.error());
+        }
+        const auto image = drawer_.draw(setup->scene);
+        if (!image) {
+            return tl::unexpected(image.error());
+        }
+        const std::string name = pictureName(preset);
+        if (auto written = write({inFolder(name)}, *image, files_); !written) {
+            return tl::unexpected(written.error());
+        }
+        return nlohmann::json{{"picture", name}, {"hash", fileHash(inFolder(name))}};
+    }
+
+    bool isThere(const nlohmann::json& result) const override {
+        const std::string name = result.value("picture", std::string());
+        return fileHash(inFolder(name)) == result.value("hash", std::string());
+    }
+
+  private:
+    std::string inFolder(const std::string& name) const {
+        return (std::filesystem::path(options_.output.name) / name).string();
+    }
+
+    const RenderOptions& options_;
+    std::shared_ptr<const Catalog> catalog_;
+    AssetClient& files_;
+    RequestDrawer drawer_;
+};
+
+/// Draws every preset into the folder, also where some fail; returns the exit status.
+Checked<int> renderAll(const CLI::App& command, const RenderOptions& options,
+                       std::shared_ptr<const Catalog> catalog, AssetClient& files) {
+    if (auto prepared = prepareFolder(options); !prepared) {
+        return tl::unexpected(oneError(prepared.error()));
+    }
+    RenderWork work(options, catalog, files);
+    LongWork longWork;
+    if (options.job.isWanted()) {
+        return runJob(
+            {command, options.job, options.presets, *catalog, options.picture.allowsOutside}, work,
+            longWork);
+    }
+    int status = 0;
+    for (const std::string& preset : options.presets) {
+        if (longWork.isStopped()) {
+            return LongWork::stoppedStatus;
+        }
+        longWork.tell(preset);
+        if (const auto drawn = work.resultOf(preset); !drawn) {
+            report(drawn.error());
+            status = 1;
+        }
+    }
+    return status;
+}
+
+/// Draws one scene, or a turntable of it.
+Checked<void> renderOne(const RenderOptions& options, std::shared_ptr<const Catalog> catalog,
+                        AssetClient& files) {
+    const auto setup = sceneFor(options.presets.empty() ? std::string() : options.presets.front(),
+                                options.picture, *catalog);
     if (!setup) {
         return tl::unexpected(setup.error());
     }
@@ -177,6 +308,22 @@ Checked<void> render(const RenderOptions& options) {
     return image ? write(options.output, *image, files) : tl::unexpected(image.error());
 }
 
+/// Returns the exit status.
+Checked<int> render(const CLI::App& command, const RenderOptions& options) {
+    if (auto checked = checkRequest(options); !checked) {
+        return tl::unexpected(checked.error());
+    }
+    AssetClient files;
+    files.warmUp(options.output.needsImageFormats() ? AssetClient::Formats::images
+                                                    : AssetClient::Formats::meshes);
+    const auto catalog = std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()));
+    report(catalog->errors);
+    if (!options.presets.empty() && options.isIntoFolder()) {
+        return renderAll(command, options, catalog, files);
+    }
+    return renderOne(options, catalog, files).map([] { return 0; });
+}
+
 std::map<std::string, TurntableOf> turntableChoices() {
     std::map<std::string, TurntableOf> choices;
     for (std::size_t i = 0; i < turntableWords.size(); ++i) {
@@ -188,9 +335,10 @@ std::map<std::string, TurntableOf> turntableChoices() {
 } // namespace
 
 void addRender(CLI::App& program, int& status) {
-    CLI::App* command = program.add_subcommand("render", "Draw a preset into an image file");
+    CLI::App* command = program.add_subcommand(
+        "render", "Draw a preset into an image file, or several into a folder");
     auto options = std::make_shared<RenderOptions>();
-    command->add_option("preset", options->preset, "A preset (*.patina.json)");
+    command->add_option("presets", options->presets, "Presets (*.patina.json)");
     addSceneOptions(*command, options->picture);
     addSizeOption(*command, options->picture);
     command->add_flag("--auto-exposure", options->autoExposure,
@@ -199,7 +347,7 @@ void addRender(CLI::App& program, int& status) {
     command
         ->add_option("-o,--output", options->output.name,
                      "The image: .png, .jpg, .exr or .hdr (linear); - writes a PNG to standard "
-                     "output")
+                     "output; FOLDER/ takes a PNG of each preset, named after its file")
         ->required();
     command
         ->add_option("--turntable", options->turntable,
@@ -210,11 +358,12 @@ void addRender(CLI::App& program, int& status) {
                      "What a turntable turns: object, light or "
                      "environment")
         ->transform(CLI::CheckedTransformer(turntableChoices()));
-    command->callback([options, &status] {
-        const auto done = render(*options);
-        status = done ? 0 : 1;
-        if (!done) {
-            report(done.error());
+    addJobOptions(*command, options->job);
+    command->callback([command, options, &status] {
+        const Checked<int> ended = render(*command, *options);
+        status = ended.value_or(1);
+        if (!ended) {
+            report(ended.error());
         }
     });
 }
