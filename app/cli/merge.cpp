@@ -35,7 +35,7 @@ class Merger {
         }
         if (read->isCut) {
             const int last = static_cast<int>(std::ranges::count(*text, '\n')) + 1;
-            return tl::unexpected(Error{file, last, 0, "the line is cut off",
+            return tl::unexpected(Error{file, last, 1, "the line is cut off",
                                         "the shard's command again, which does what is missing"});
         }
         if (auto fits = takeHead(read->head, file); !fits) {
@@ -92,7 +92,7 @@ class Merger {
             firstFile_ = file;
         } else if (const std::string differing = differenceOf(head_, head); !differing.empty()) {
             return tl::unexpected(Error{
-                file, 1, 0,
+                file, 1, 1,
                 fmt::format("these are results of other work than those of {}: they differ in: {}",
                             firstFile_, differing),
                 "shards of one work"});
@@ -110,7 +110,7 @@ class Merger {
             const auto [known, isNew] = lines_.try_emplace(numbered.first, numbered.second);
             const Origin& there = known->second;
             if (!isNew && there.line.text() != numbered.second.line.text()) {
-                return tl::unexpected(Error{file, numbered.second.place, 0,
+                return tl::unexpected(Error{file, numbered.second.place, 1,
                                             fmt::format("{} has another result at {}:{}",
                                                         there.line.preset, there.file, there.place),
                                             "one result for each preset"});

@@ -50,7 +50,7 @@ Result<ResultFile> ResultFile::open(const std::string& file, const ResultHead& h
     }
     if (!differing.empty()) {
         return tl::unexpected(
-            Error{file, 1, 0,
+            Error{file, 1, 1,
                   fmt::format("these are results of other work, which differs in: {}", differing),
                   "the same command as before, or another file"});
     }

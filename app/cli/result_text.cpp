@@ -33,7 +33,7 @@ std::string textIn(const Json& json, const char* member) {
 
 Result<ResultHead> headFrom(const Json& json, const std::string& file) {
     const auto wrong = [&](const char* problem) {
-        return tl::unexpected(Error{file, 1, 0, problem, "a file that --results has written"});
+        return tl::unexpected(Error{file, 1, 1, problem, "a file that --results has written"});
     };
     if (!json.is_object() || textIn(json, "format") != resultFormat) {
         return wrong("this is no file of results");
@@ -55,7 +55,7 @@ Result<ResultHead> headFrom(const Json& json, const std::string& file) {
 Result<ResultLine> lineFrom(const Json& json, const ResultHead& head, const std::string& file,
                             int place) {
     const auto wrong = [&](const std::string& problem) {
-        return tl::unexpected(Error{file, place, 0, problem, {}});
+        return tl::unexpected(Error{file, place, 1, problem, {}});
     };
     if (!json.is_object()) {
         return wrong("this is no result");
@@ -125,7 +125,7 @@ Result<ResultText> readResults(std::string_view text, const std::string& file) {
         read.wholeBytes = end + 1;
         if (!parsed) {
             Error error = parsed.error();
-            error.line = place;
+            error.line = place; // the parser knows of one line only
             return tl::unexpected(std::move(error));
         }
         if (place == 1) {
@@ -144,7 +144,7 @@ Result<ResultText> readResults(std::string_view text, const std::string& file) {
     }
     if (place == 0) {
         return tl::unexpected(
-            Error{file, 1, 0, "this is no file of results", "a file that --results has written"});
+            Error{file, 1, 1, "this is no file of results", "a file that --results has written"});
     }
     read.isCut = read.wholeBytes < text.size();
     return read;

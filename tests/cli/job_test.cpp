@@ -172,7 +172,7 @@ TEST_F(Job, SecondStart_LeavesWholeLinesAloneAndDoesTheCutOne) {
 }
 
 TEST_F(Job, KilledProcess_LosesNoFinishedWork) {
-    constexpr const char* script = R"(
+    constexpr const char* script = R"sh(
 results=$1; shift
 "$@" & program=$!
 for try in $(seq 600); do
@@ -181,7 +181,7 @@ for try in $(seq 600); do
 done
 kill -KILL "$program"
 wait "$program"
-)";
+)sh";
     Arguments arguments = command("check", {"--cases", "40", "--results", file("killed")});
     arguments.insert(arguments.begin(),
                      {"-c", script, "sh", file("killed"), patinaProgram().string()});
@@ -262,7 +262,7 @@ TEST_F(Job, ResultsOfOtherOptions_AreKept) {
     const Outcome options =
         patina(command("check", {"--cases", "41", "--shard", "1/6", "--results", file("results")}));
     EXPECT_EQ(options.exitCode, 1);
-    EXPECT_NE(options.err.find("results:1: these are results of other work, which differs in: "
+    EXPECT_NE(options.err.find("results:1:1: these are results of other work, which differs in: "
                                "options"),
               std::string::npos)
         << options.err;
@@ -335,7 +335,7 @@ TEST_F(Job, MergeOfAnUnfinishedShard_SaysWhatIsMissing) {
 TEST_F(Job, MergeOfOtherOptions_IsRefused) {
     writeResults("1", 1, {1, 3});
     writeResults("2", 2, {2, 4}, "b");
-    expectRefused({"1", "2"}, {file("2") + ":1: ", "differ in: options"});
+    expectRefused({"1", "2"}, {file("2") + ":1:1: ", "differ in: options"});
 }
 
 TEST_F(Job, MergeOfTwoResultsOfAPreset_NamesBothPlaces) {
@@ -344,24 +344,24 @@ TEST_F(Job, MergeOfTwoResultsOfAPreset_NamesBothPlaces) {
     writeResults("again", 1, {1});
     writeFile(folder_ / "again", textOf("again") + resultOf(3, 7));
     expectRefused({"1", "2", "again"},
-                  {file("again") + ":3: p3 has another result at " + file("1") + ":3"});
+                  {file("again") + ":3:1: p3 has another result at " + file("1") + ":3"});
 }
 
 TEST_F(Job, MergeOfACutLine_IsRefused) {
     writeResults("1", 1, {1, 3});
     writeResults("2", 2, {2});
     writeFile(folder_ / "2", textOf("2") + resultOf(4, 4).substr(0, 20));
-    expectRefused({"1", "2"}, {file("2") + ":3: the line is cut off"});
+    expectRefused({"1", "2"}, {file("2") + ":3:1: the line is cut off"});
 }
 
 TEST_F(Job, MergeOfAPresetOfAnotherShard_IsRefused) {
     writeResults("1", 1, {1, 2});
-    expectRefused({"1"}, {file("1") + ":3: preset 2 is none of shard 1/2"});
+    expectRefused({"1"}, {file("1") + ":3:1: preset 2 is none of shard 1/2"});
 }
 
 TEST_F(Job, MergeOfNoFileOfResults_IsRefused) {
     writeFile(folder_ / "1", "{}\n");
-    expectRefused({"1"}, {file("1") + ":1: this is no file of results"});
+    expectRefused({"1"}, {file("1") + ":1:1: this is no file of results"});
     expectRefused({"2"}, {file("2")});
 }
 
