@@ -18,64 +18,61 @@
 namespace patina {
 namespace {
 
-constexpr std::array<AddCommand, 15> commands {
-    constexpr std::array<AddCommand, 16> commands{
-        addRender, addCompare, addEffects, addCost,       addEval,   addValidate,
-        addModels, addCheck,   addMerge,   addExport,     addImport, addLobe,
-        addMatch,  addSheet,   addTable,   addApproximate};
+constexpr std::array<AddCommand, 16> commands{
+    addRender, addCompare, addEffects, addCost, addEval,  addValidate, addModels, addCheck,
+    addMerge,  addExport,  addImport,  addLobe, addMatch, addSheet,    addTable,  addApproximate};
 
-    void addCommands(CLI::App & program, int& status) {
-        program.description("Patina edits lighting models. Without a command it opens the editor:\n"
-                            "  patina [FILE...]");
-        program.set_version_flag("--version", "patina " PATINA_VERSION);
-        program.require_subcommand(1);
-        for (const AddCommand add : commands) {
-            add(program, status);
-        }
+void addCommands(CLI::App& program, int& status) {
+    program.description("Patina edits lighting models. Without a command it opens the editor:\n"
+                        "  patina [FILE...]");
+    program.set_version_flag("--version", "patina " PATINA_VERSION);
+    program.require_subcommand(1);
+    for (const AddCommand add : commands) {
+        add(program, status);
     }
+}
 
-    /// Rewords the library's error for an option that is given twice, which speaks of what it
-    /// requires.
-    std::string inOurWords(const std::string& reason) {
-        constexpr std::string_view theirs = ": At Most 1 required but received ";
-        const std::size_t at = reason.find(theirs);
-        if (at == std::string::npos) {
-            return reason;
-        }
-        const std::string times = reason.substr(at + theirs.size());
-        return reason.substr(0, at) + ": given " + times + " times; expected once";
+/// Rewords the library's error for an option that is given twice, which speaks of what it requires.
+std::string inOurWords(const std::string& reason) {
+    constexpr std::string_view theirs = ": At Most 1 required but received ";
+    const std::size_t at = reason.find(theirs);
+    if (at == std::string::npos) {
+        return reason;
     }
+    const std::string times = reason.substr(at + theirs.size());
+    return reason.substr(0, at) + ": given " + times + " times; expected once";
+}
 
-    /// Prints help and version to standard output and returns 0; reports everything else as a
-    /// mistake and returns 1.
-    int answer(const CLI::App& program, const CLI::ParseError& reason) {
-        if (dynamic_cast<const CLI::ArgumentMismatch*>(&reason) != nullptr) {
-            std::cerr << inOurWords(reason.what()) << "\nRun with --help for more information.\n";
-            return 1;
-        }
-        return program.exit(reason, std::cout, std::cerr) == 0 ? 0 : 1;
+/// Prints help and version to standard output and returns 0; reports everything else as a mistake
+/// and returns 1.
+int answer(const CLI::App& program, const CLI::ParseError& reason) {
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&reason) != nullptr) {
+        std::cerr << inOurWords(reason.what()) << "\nRun with --help for more information.\n";
+        return 1;
     }
+    return program.exit(reason, std::cout, std::cerr) == 0 ? 0 : 1;
+}
 
-    std::vector<std::string> commandNames(CLI::App & program) {
-        std::vector<std::string> names;
-        for (const CLI::App* command : program.get_subcommands(nullptr)) {
-            names.push_back(command->get_name());
-        }
-        return names;
+std::vector<std::string> commandNames(CLI::App& program) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : program.get_subcommands(nullptr)) {
+        names.push_back(command->get_name());
     }
+    return names;
+}
 
-    bool isOneOf(std::string_view word, const std::vector<std::string>& names) {
-        return std::find(names.begin(), names.end(), word) != names.end();
-    }
+bool isOneOf(std::string_view word, const std::vector<std::string>& names) {
+    return std::find(names.begin(), names.end(), word) != names.end();
+}
 
-    /// Tells whether a word can only be a command, perhaps a misspelt one: small letters, and not
-    /// the name of a file.
-    bool looksLikeACommand(std::string_view word) {
-        const auto isLetter = [](unsigned char c) { return std::islower(c) != 0; };
-        std::error_code status;
-        return !word.empty() && std::all_of(word.begin(), word.end(), isLetter) &&
-               !std::filesystem::exists(word, status);
-    }
+/// Tells whether a word can only be a command, perhaps a misspelt one: small letters, and not the
+/// name of a file.
+bool looksLikeACommand(std::string_view word) {
+    const auto isLetter = [](unsigned char c) { return std::islower(c) != 0; };
+    std::error_code status;
+    return !word.empty() && std::all_of(word.begin(), word.end(), isLetter) &&
+           !std::filesystem::exists(word, status);
+}
 
 } // namespace
 
