@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <sstream>
 #include <string_view>
 #include <vector>
 
@@ -13,7 +12,8 @@
 #include "catalog/function_source.h"
 #include "catalog/table_source.h"
 #include "core/ordinary_file.h"
-#include "core/text.h"
+#include "shading/glsl/glsl_declarations.h"
+#include "shading/glsl/tokens.h"
 
 namespace patina {
 namespace {
@@ -46,54 +46,32 @@ bool isFunctionOfGlsl(std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Calls `take(word, rest of the line after it)` for each word before a comment.
-template <class Take>
-void forEachWord(std::string_view line, const Take& take) {
-    line = line.substr(0, line.find("//"));
-    while (!line.empty()) {
-        const auto first = std::find_if(line.begin(), line.end(), isNameCharacter);
-        const auto end = std::find_if_not(first, line.end(), isNameCharacter);
-        const auto begins = static_cast<std::size_t>(first - line.begin());
-        const auto length = static_cast<std::size_t>(end - first);
-        const std::string_view rest = line.substr(begins + length);
-        take(line.substr(begins, length), rest);
-        line = rest;
+using AddNames = void (*)(ShaderNames&, const GlslTokens&);
+
+void addDeclarations(ShaderNames& names, const GlslTokens& tokens) {
+    for (const GlslFunction& function : functionsIn(tokens)) {
+        names.emplace(function.name.text);
+    }
+    for (const GlslStruct& declared : structsIn(tokens)) {
+        names.emplace(declared.name);
     }
 }
 
-/// Adds the name that a line of a library file declares. A declaration starts its line; what is
-/// inside braces is indented.
-void addDeclaration(ShaderNames& names, std::string_view line) {
-    if (line.empty() || !isNameCharacter(line.front())) {
-        return;
+void addWords(ShaderNames& names, const GlslTokens& tokens) {
+    for (const GlslToken& token : opened(tokens)) {
+        if (token.isName()) {
+            names.emplace(token.text);
+        }
     }
-    bool isDone = false;
-    forEachWord(line, [&](std::string_view word, std::string_view rest) {
-        const bool isNamed = rest.starts_with('(') || rest.starts_with(" {");
-        if (isNamed && !isDone && !word.empty()) {
-            names.emplace(word);
-            isDone = true;
-        }
-    });
 }
 
-void addWords(ShaderNames& names, std::string_view line) {
-    forEachWord(line, [&](std::string_view word, std::string_view) {
-        if (!word.empty()) {
-            names.emplace(word);
-        }
-    });
-}
-
-void addFiles(ShaderNames& names, const fs::path& folder,
-              void (*add)(ShaderNames&, std::string_view)) {
+void addFiles(ShaderNames& names, const fs::path& folder, AddNames add) {
     std::error_code status; // a file that cannot be read is reported where it is used
     for (fs::directory_iterator at(folder, status), end; !status && at != end;
          at.increment(status)) {
-        std::istringstream file(readFile(at->path(), maxBytes).value_or(std::string()));
-        for (std::string line; std::getline(file, line);) {
-            add(names, line);
-        }
+        const std::string text =
+            withoutComments(readFile(at->path(), maxBytes).value_or(std::string()));
+        add(names, glslTokens(text));
     }
 }
 
@@ -101,7 +79,7 @@ void addFiles(ShaderNames& names, const fs::path& folder,
 
 ShaderNames shaderNames(const fs::path& shaders) {
     ShaderNames names;
-    addFiles(names, shaders / "lib", addDeclaration);
+    addFiles(names, shaders / "lib", addDeclarations);
     addFiles(names, shaders / "passes", addWords);
     return names;
 }

@@ -19,7 +19,7 @@
 #include "catalog/unit_direction.h"
 #include "gl/shader.h"
 #include "render/gpu/binding.h"
-#include "shading/glsl/source_builder.h"
+#include "shading/program/source_builder.h"
 #include "support/program.h"
 
 namespace patina::benchmarks {

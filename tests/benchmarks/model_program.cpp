@@ -12,7 +12,7 @@
 #include "measure/eval/eval_case.h"
 #include "measure/eval/eval_source.h"
 #include "shading/glsl/compile_log.h"
-#include "shading/glsl/source_builder.h"
+#include "shading/program/source_builder.h"
 #include "shading/program/block_source.h"
 #include "shading/program/block_use.h"
 

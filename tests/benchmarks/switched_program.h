@@ -8,7 +8,7 @@
 #include "catalog/catalog.h"
 #include "gl/program.h"
 #include "render/gpu/uniform_buffer.h"
-#include "shading/glsl/source_builder.h"
+#include "shading/program/source_builder.h"
 
 namespace patina::benchmarks {
 

@@ -8,9 +8,9 @@
 
 #include "catalog/descriptor.h"
 #include "catalog/suggestion.h"
-#include "shading/glsl/block_text.h"
+#include "shading/program/block_text.h"
 #include "shading/glsl/shader_file.h"
-#include "shading/glsl/source_builder.h"
+#include "shading/program/source_builder.h"
 #include "shading/glsl/unused_code.h"
 #include "support/program.h"
 

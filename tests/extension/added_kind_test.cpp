@@ -20,7 +20,7 @@
 #include "measure/stability/stability_sweep.h"
 #include "measure/stability/sweep_cases.h"
 #include "reference/reference.h"
-#include "shading/glsl/block_text.h"
+#include "shading/program/block_text.h"
 
 namespace patina::tests::added_kind_test {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is wrong with a block's shader is told at its own file and line, not at Patina's.
-#include "shading/glsl/block_text.h"
+#include "shading/program/block_text.h"
 
 #include <array>
 
@@ -9,7 +9,7 @@
 #include "catalog/catalog.h"
 #include "shading/glsl/compile_log.h"
 #include "shading/glsl/shader_file.h"
-#include "shading/glsl/source_builder.h"
+#include "shading/program/source_builder.h"
 #include "shading/glsl/tokens.h"
 #include "support/program.h"
 

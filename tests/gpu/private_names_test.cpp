@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "gpu_fixture.h"
-#include "shading/glsl/source_builder.h"
+#include "shading/program/source_builder.h"
 #include "support/program.h"
 
 namespace patina::private_names_test {

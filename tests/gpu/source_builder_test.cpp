@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shading/glsl/source_builder.h"
+#include "shading/program/source_builder.h"
 
 #include <gtest/gtest.h>
 

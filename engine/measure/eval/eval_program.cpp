@@ -7,7 +7,7 @@
 #include "gl/texture.h"
 #include "material/measured_preset.h"
 #include "shading/glsl/compile_log.h"
-#include "shading/glsl/source_builder.h"
+#include "shading/program/source_builder.h"
 #include "shading/program/block_gate.h"
 
 namespace patina {

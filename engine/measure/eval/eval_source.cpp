@@ -9,7 +9,7 @@
 #include "catalog/table_source.h"
 #include "material/measured_preset.h"
 #include "measure/eval/eval_reference.h"
-#include "shading/glsl/source_builder.h"
+#include "shading/program/source_builder.h"
 #include "shading/program/block_source.h"
 
 namespace patina {

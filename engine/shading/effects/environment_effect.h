@@ -8,7 +8,7 @@
 
 #include "catalog/catalog.h"
 #include "shading/effects/effect_parts.h"
-#include "shading/glsl/source_builder.h"
+#include "shading/program/source_builder.h"
 #include "shading/program/program_source.h"
 #include "shading/program/surface_output.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "shading/effects/effect_parts.h"
-#include "shading/glsl/source_builder.h"
+#include "shading/program/source_builder.h"
 
 namespace patina {
 

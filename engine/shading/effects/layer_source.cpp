@@ -5,7 +5,7 @@
 
 #include "shading/effects/surface_program.h"
 #include "shading/effects/texture_writer.h"
-#include "shading/glsl/source_builder.h"
+#include "shading/program/source_builder.h"
 
 namespace patina {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "shading/effects/effect_parts.h"
-#include "shading/glsl/source_builder.h"
+#include "shading/program/source_builder.h"
 
 namespace patina {
 

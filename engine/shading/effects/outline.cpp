@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "shading/effects/effect_set.h"
-#include "shading/glsl/source_builder.h"
+#include "shading/program/source_builder.h"
 #include "shading/program/block_source.h"
 #include "shading/program/given_value.h"
 

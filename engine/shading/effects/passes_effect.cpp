@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "shading/effects/neutral_values.h"
-#include "shading/glsl/source_builder.h"
+#include "shading/program/source_builder.h"
 #include "shading/program/block_source.h"
 
 namespace patina {

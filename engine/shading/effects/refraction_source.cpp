@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "shading/glsl/source_builder.h"
+#include "shading/program/source_builder.h"
 
 namespace patina {
 

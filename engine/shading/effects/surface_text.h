@@ -9,7 +9,7 @@
 #include "shading/effects/data_layout.h"
 #include "shading/effects/effect_set.h"
 #include "shading/effects/texture_writer.h"
-#include "shading/glsl/source_builder.h"
+#include "shading/program/source_builder.h"
 #include "shading/program/block_source.h"
 #include "shading/program/surface_output.h"
 

@@ -6,7 +6,7 @@
 
 #include "material/texture_use.h"
 #include "shading/effects/data_layout.h"
-#include "shading/glsl/source_builder.h"
+#include "shading/program/source_builder.h"
 
 namespace patina {
 

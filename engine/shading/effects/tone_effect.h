@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "shading/effects/effect_parts.h"
-#include "shading/glsl/source_builder.h"
+#include "shading/program/source_builder.h"
 
 namespace patina {
 

@@ -6,7 +6,7 @@
 #include <boost/uuid/name_generator_sha1.hpp>
 #include <boost/uuid/uuid_io.hpp>
 
-#include "shading/glsl/source_builder.h"
+#include "shading/program/source_builder.h"
 
 namespace patina {
 namespace {

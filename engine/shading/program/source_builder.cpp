@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shading/glsl/source_builder.h"
+#include "shading/program/source_builder.h"
 
 #include <algorithm>
 
@@ -9,7 +9,7 @@
 
 #include "catalog/descriptor.h"
 #include "core/text.h"
-#include "shading/glsl/block_text.h"
+#include "shading/program/block_text.h"
 #include "shading/glsl/shader_file.h"
 #include "shading/glsl/tokens.h"
 #include "shading/glsl/unused_code.h"

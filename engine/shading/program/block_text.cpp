@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shading/glsl/block_text.h"
+#include "shading/program/block_text.h"
 
 #include <algorithm>
 #include <string>
@@ -9,7 +9,7 @@
 
 #include "catalog/suggestion.h"
 #include "catalog/table_source.h"
-#include "shading/glsl/entry_text.h"
+#include "shading/program/entry_text.h"
 #include "shading/glsl/glsl_declarations.h"
 #include "shading/glsl/tokens.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shading/glsl/entry_text.h"
+#include "shading/program/entry_text.h"
 
 #include <algorithm>
 #include <string>
