@@ -15,13 +15,13 @@ QString tr(const char* text) {
 }
 
 /// Holds a level that a point takes, with its choice; both point into the chart.
-struct TakenLevel {
+struct ChosenLevel {
     const Choice* choice = nullptr;
     const ChoiceLevel* level = nullptr;
 };
 
-std::vector<TakenLevel> takenLevels(const CostPoint& point, const CostChart& chart) {
-    std::vector<TakenLevel> taken;
+std::vector<ChosenLevel> chosenLevels(const CostPoint& point, const CostChart& chart) {
+    std::vector<ChosenLevel> taken;
     for (const Choice& choice : chart.choices) {
         const auto found = point.levels.find(choice.id);
         const ChoiceLevel* level =
@@ -79,7 +79,7 @@ QString asSure(const MedianInterval& interval, const ChoiceCost& cost) {
 /// Names each level with its choice: "Half" alone does not say what is halved.
 std::vector<SettingPart> settingParts(const CostPoint& point, const CostChart& chart) {
     std::vector<SettingPart> parts;
-    for (const TakenLevel& taken : takenLevels(point, chart)) {
+    for (const ChosenLevel& taken : chosenLevels(point, chart)) {
         parts.push_back({asText(taken.choice->label), asText(taken.level->label)});
     }
     return parts;
@@ -92,7 +92,7 @@ QString settingName(const CostPoint& point, const CostChart& chart) {
 
 QString settingDescription(const CostPoint& point, const CostChart& chart) {
     QStringList lines;
-    for (const TakenLevel& taken : takenLevels(point, chart)) {
+    for (const ChosenLevel& taken : chosenLevels(point, chart)) {
         lines << QStringLiteral("%1: %2. %3")
                      .arg(asText(taken.choice->label), asText(taken.level->label),
                           asText(taken.level->doc));

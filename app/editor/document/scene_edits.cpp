@@ -24,7 +24,7 @@ namespace {
 
 /// Returns the parameter for the direction in which the light of a block travels; null where the
 /// block has none.
-const Parameter* wayOf(const Block& block) {
+const Parameter* directionOf(const Block& block) {
     const auto found = std::ranges::find_if(block.parameters, [](const Parameter& parameter) {
         return parameter.space == Space::WorldDirection;
     });
@@ -44,7 +44,7 @@ const Block* farLight(const Catalog& catalog) {
     const auto found = std::ranges::find_if(all, [](const Block* block) {
         return block->shadowProjection == ShadowProjection::Parallel &&
                block->withRole(roles::color) != nullptr &&
-               block->withRole(roles::intensity) != nullptr && wayOf(*block) != nullptr;
+               block->withRole(roles::intensity) != nullptr && directionOf(*block) != nullptr;
     });
     return found == all.end() ? nullptr : *found;
 }
@@ -68,7 +68,7 @@ Light lightOf(const EnvironmentLamp& lamp, const glm::dvec3& direction, const Bl
     values[block.withRole(roles::color)->id] = roundedToFloat(Value(lamp.radiance / brightest));
     values[intensity.id] =
         roundedToFloat(Value(std::clamp(brightest, intensity.min, intensity.max)));
-    values[wayOf(block)->id] = roundedToFloat(Value(-direction));
+    values[directionOf(block)->id] = roundedToFloat(Value(-direction));
     if (shadows != nullptr) {
         BlockValues soft = defaultsOf(*shadows);
         const Parameter& angle = *shadows->withRole(roles::angle);

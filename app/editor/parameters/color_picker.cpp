@@ -12,7 +12,7 @@
 #include "core/color.h"
 #include "parameters/color_fields.h"
 #include "parameters/hex_box.h"
-#include "parameters/number_edit.h"
+#include "parameters/slider_with_box.h"
 #include "parameters/number_format.h"
 #include "parameters/popup_place.h"
 #include "parameters/scrub_label.h"
@@ -78,15 +78,15 @@ QWidget* ColorPicker::makeNumbers(const Parameter& parameter) {
     const std::array<QString, 3> names{tr("Linear red"), tr("Linear green"), tr("Linear blue")};
     for (int i = 0; i < 3; ++i) {
         const auto place = static_cast<std::size_t>(i);
-        auto* number = new NumberEdit(component, defaults[i], names[place], panel);
+        auto* number = new SliderWithBox(component, defaults[i], names[place], panel);
         numbers_[place] = number;
         auto* label = new ScrubLabel(names[place], panel);
         label->setBuddy(number->slider());
         number->scrubWith(*label);
         form->addRow(label, number);
-        connect(number, &NumberEdit::interactionBegan, this, &ColorPicker::interactionBegan);
-        connect(number, &NumberEdit::interactionEnded, this, &ColorPicker::interactionEnded);
-        connect(number, &NumberEdit::edited, this, [this, i](double wanted) {
+        connect(number, &SliderWithBox::interactionBegan, this, &ColorPicker::interactionBegan);
+        connect(number, &SliderWithBox::interactionEnded, this, &ColorPicker::interactionEnded);
+        connect(number, &SliderWithBox::edited, this, [this, i](double wanted) {
             glm::dvec3 changed = color_;
             changed[i] = wanted;
             Q_EMIT edited(changed);

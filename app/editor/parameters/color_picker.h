@@ -14,7 +14,7 @@ namespace patina {
 
 class HexBox;
 class HueStrip;
-class NumberEdit;
+class SliderWithBox;
 class SaturationField;
 
 /// Edits a colour live in a popup: hue, saturation and brightness as a screen shows them, and the
@@ -55,7 +55,7 @@ class ColorPicker : public QFrame {
     bool isAreaDragged_ = false;
     SaturationField* field_;
     HueStrip* strip_;
-    std::array<NumberEdit*, 3> numbers_{};
+    std::array<SliderWithBox*, 3> numbers_{};
     HexBox* hex_;
     QLabel* intensityLabel_;
     QTimer nudging_; ///< arrow keys in a field are one interaction until they rest

@@ -6,7 +6,7 @@
 #include <QHBoxLayout>
 
 #include "parameters/editor_factory.h"
-#include "parameters/number_edit.h"
+#include "parameters/slider_with_box.h"
 #include "parameters/value_slider.h"
 
 namespace patina {
@@ -22,13 +22,13 @@ double numberOf(const Value& value) {
 
 NumberEditor::NumberEditor(const Parameter& parameter, QWidget* parent)
     : ParameterEditor(parameter, parent),
-      number_(new NumberEdit(parameter, numberOf(parameter.defaultValue), name(), this)) {
+      number_(new SliderWithBox(parameter, numberOf(parameter.defaultValue), name(), this)) {
     auto* line = new QHBoxLayout(this);
     line->setContentsMargins(0, 0, 0, 0);
     line->addWidget(number_);
-    connect(number_, &NumberEdit::interactionBegan, this, &ParameterEditor::interactionBegan);
-    connect(number_, &NumberEdit::interactionEnded, this, &ParameterEditor::interactionEnded);
-    connect(number_, &NumberEdit::edited, this,
+    connect(number_, &SliderWithBox::interactionBegan, this, &ParameterEditor::interactionBegan);
+    connect(number_, &SliderWithBox::interactionEnded, this, &ParameterEditor::interactionEnded);
+    connect(number_, &SliderWithBox::edited, this,
             [this](double wanted) { Q_EMIT edited(valueOf(wanted)); });
 }
 

@@ -5,7 +5,7 @@
 
 namespace patina {
 
-class NumberEdit;
+class SliderWithBox;
 
 /// Shows a slider and a box for a float, a whole number or an angle in degrees.
 class NumberEditor : public ParameterEditor {
@@ -21,7 +21,7 @@ class NumberEditor : public ParameterEditor {
   private:
     Value valueOf(double number) const;
 
-    NumberEdit* number_;
+    SliderWithBox* number_;
 };
 
 } // namespace patina

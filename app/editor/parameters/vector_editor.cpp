@@ -4,8 +4,8 @@
 #include <QGridLayout>
 
 #include "parameters/editor_factory.h"
-#include "parameters/number_edit.h"
 #include "parameters/scrub_label.h"
+#include "parameters/slider_with_box.h"
 #include "parameters/value_slider.h"
 
 namespace patina {
@@ -35,17 +35,17 @@ VectorEditor::VectorEditor(const Parameter& parameter, QWidget* parent)
     for (int i = 0; i < static_cast<int>(defaults.size()); ++i) {
         const auto place = static_cast<std::size_t>(i);
         const QString component = QString::fromStdString(names[place]);
-        auto* number =
-            new NumberEdit(parameter, defaults[place], name() + QLatin1Char(' ') + component, this);
+        auto* number = new SliderWithBox(parameter, defaults[place],
+                                         name() + QLatin1Char(' ') + component, this);
         auto* letter = new ScrubLabel(component, this);
         number->scrubWith(*letter);
         letter->setBuddy(number->slider());
         grid->addWidget(letter, i, 0);
         grid->addWidget(number, i, 1);
         numbers_.push_back(number);
-        connect(number, &NumberEdit::interactionBegan, this, &ParameterEditor::interactionBegan);
-        connect(number, &NumberEdit::interactionEnded, this, &ParameterEditor::interactionEnded);
-        connect(number, &NumberEdit::edited, this,
+        connect(number, &SliderWithBox::interactionBegan, this, &ParameterEditor::interactionBegan);
+        connect(number, &SliderWithBox::interactionEnded, this, &ParameterEditor::interactionEnded);
+        connect(number, &SliderWithBox::edited, this,
                 [this, i](double wanted) { Q_EMIT edited(withComponent(i, wanted)); });
     }
 }

@@ -7,7 +7,7 @@
 
 namespace patina {
 
-class NumberEdit;
+class SliderWithBox;
 
 /// Shows a slider and a box for each component of a vec2 or vec3, one below the other.
 class VectorEditor : public ParameterEditor {
@@ -23,7 +23,7 @@ class VectorEditor : public ParameterEditor {
     Value withComponent(int component, double number) const;
 
     Value value_;
-    std::vector<NumberEdit*> numbers_;
+    std::vector<SliderWithBox*> numbers_;
 };
 
 } // namespace patina

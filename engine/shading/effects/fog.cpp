@@ -54,7 +54,7 @@ const glm::dvec3* vectorOf(const Parameter* parameter, const Values& values) {
 }
 
 /// Returns the longest way through the box that the fog fills; infinite where it fills none.
-double longestWay(const Block& block, const Values& values) {
+double longestPath(const Block& block, const Values& values) {
     const glm::dvec3* size = vectorOf(block.parameter(block.hides->size), values);
     if (size == nullptr) {
         return std::numeric_limits<double>::infinity();
@@ -109,7 +109,7 @@ std::optional<double> hiddenShare(const Block& block, const Values& values, doub
         return ramp(number(block, values, hides.from), number(block, values, hides.to), distance);
     }
     const double rate = number(block, values, hides.rate);
-    distance = std::min(distance, longestWay(block, values)) * thickness;
+    distance = std::min(distance, longestPath(block, values)) * thickness;
     const bool hidesAny = rate > 0.0 && distance > 0.0;
     return hidesAny ? -std::expm1(-std::pow(rate * distance, hides.power)) : 0.0;
 }
@@ -180,7 +180,7 @@ std::string fogText(const Scene& scene, const Block& block, const EffectView& vi
     }
     const Values& values = scene.part(kinds::fog)->parameters;
     const std::string text = valuesText(block, values);
-    if (longestWay(block, values) == 0.0) {
+    if (longestPath(block, values) == 0.0) {
         return text + ": there is nothing in a box without a width, a height or a depth.";
     }
     if (view.missesFog) {

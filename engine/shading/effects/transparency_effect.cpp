@@ -19,7 +19,7 @@ std::string countText(int count) {
 }
 
 /// Says how the layers of transparent surfaces are put together.
-const char* wayOf(const Scene& scene, const Block* block) {
+const char* methodOf(const Scene& scene, const Block* block) {
     if (block == nullptr) {
         return "each is blended over what is behind it, far ones first";
     }
@@ -31,7 +31,7 @@ const char* wayOf(const Scene& scene, const Block* block) {
 std::string transparencyText(const EffectSubject& subject) {
     const auto& [material, scene, catalog, view] = subject;
     return fmt::format("{}: {}.", countText(countTransparent(scene, catalog)),
-                       wayOf(scene, transparencyBlock(scene, catalog)));
+                       methodOf(scene, transparencyBlock(scene, catalog)));
 }
 
 } // namespace

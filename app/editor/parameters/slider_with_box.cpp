@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "parameters/number_edit.h"
+#include "parameters/slider_with_box.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,8 +21,8 @@ constexpr int restMilliseconds = 400; // is longer than a slow key repeat
 
 } // namespace
 
-NumberEdit::NumberEdit(const Parameter& parameter, double defaultValue, const QString& name,
-                       QWidget* parent)
+SliderWithBox::SliderWithBox(const Parameter& parameter, double defaultValue, const QString& name,
+                             QWidget* parent)
     : QWidget(parent), parameter_(parameter), defaultValue_(defaultValue), range_(parameter),
       slider_(new ValueSlider(this)),
       box_(new NumberBox(parameter.decimals, QString::fromStdString(parameter.unit), this)) {
@@ -39,27 +39,27 @@ NumberEdit::NumberEdit(const Parameter& parameter, double defaultValue, const QS
     stepping_.setSingleShot(true);
     stepping_.setInterval(restMilliseconds);
 
-    connect(&stepping_, &QTimer::timeout, this, &NumberEdit::interactionEnded);
+    connect(&stepping_, &QTimer::timeout, this, &SliderWithBox::interactionEnded);
     connect(slider_, &ValueSlider::dragBegan, this, [this] {
         finishStepping();
         Q_EMIT interactionBegan();
     });
-    connect(slider_, &ValueSlider::dragEnded, this, &NumberEdit::interactionEnded);
-    connect(slider_, &ValueSlider::moved, this, &NumberEdit::ask);
-    connect(slider_, &ValueSlider::jumped, this, &NumberEdit::ask);
-    connect(box_, &NumberBox::typed, this, &NumberEdit::ask);
-    connect(slider_, &ValueSlider::stepped, this, &NumberEdit::step);
-    connect(box_, &NumberBox::stepped, this, &NumberEdit::step);
+    connect(slider_, &ValueSlider::dragEnded, this, &SliderWithBox::interactionEnded);
+    connect(slider_, &ValueSlider::moved, this, &SliderWithBox::ask);
+    connect(slider_, &ValueSlider::jumped, this, &SliderWithBox::ask);
+    connect(box_, &NumberBox::typed, this, &SliderWithBox::ask);
+    connect(slider_, &ValueSlider::stepped, this, &SliderWithBox::step);
+    connect(box_, &NumberBox::stepped, this, &SliderWithBox::step);
 }
 
 /// Tells whether the slider keeps its range: a handle stays under the pointer, and a number that is
 /// edited here stays where it is.
-bool NumberEdit::keepsRange(double value) const {
+bool SliderWithBox::keepsRange(double value) const {
     const bool isDefault = static_cast<float>(value) == static_cast<float>(defaultValue_);
     return slider_->isDragging() || isScrubbing_ || (!isDefault && (isAsking_ || value == value_));
 }
 
-void NumberEdit::present(double value) {
+void SliderWithBox::present(double value) {
     SliderRange range = range_;
     if (!keepsRange(value)) {
         range.reset();
@@ -74,7 +74,7 @@ void NumberEdit::present(double value) {
     box_->setValue(value);
 }
 
-void NumberEdit::ask(double wanted) {
+void SliderWithBox::ask(double wanted) {
     if (!std::isfinite(wanted)) {
         return;
     }
@@ -84,7 +84,7 @@ void NumberEdit::ask(double wanted) {
     Q_EMIT edited(std::clamp(number, parameter_.min, parameter_.max));
 }
 
-void NumberEdit::step(double steps) {
+void SliderWithBox::step(double steps) {
     if (!stepping_.isActive()) {
         Q_EMIT interactionBegan();
     }
@@ -95,15 +95,15 @@ void NumberEdit::step(double steps) {
     ask(range_.stepped(value_, isWhole ? whole : steps));
 }
 
-void NumberEdit::scrubWith(ScrubLabel& label) {
+void SliderWithBox::scrubWith(ScrubLabel& label) {
     label.setDraggable();
-    connect(&label, &ScrubLabel::scrubBegan, this, &NumberEdit::beginScrub);
-    connect(&label, &ScrubLabel::scrubbed, this, &NumberEdit::scrub);
-    connect(&label, &ScrubLabel::scrubCancelled, this, &NumberEdit::cancelScrub);
-    connect(&label, &ScrubLabel::scrubEnded, this, &NumberEdit::endScrub);
+    connect(&label, &ScrubLabel::scrubBegan, this, &SliderWithBox::beginScrub);
+    connect(&label, &ScrubLabel::scrubbed, this, &SliderWithBox::scrub);
+    connect(&label, &ScrubLabel::scrubCancelled, this, &SliderWithBox::cancelScrub);
+    connect(&label, &ScrubLabel::scrubEnded, this, &SliderWithBox::endScrub);
 }
 
-void NumberEdit::beginScrub() {
+void SliderWithBox::beginScrub() {
     finishStepping();
     isScrubbing_ = true;
     scrubRange_ = range_;
@@ -112,7 +112,7 @@ void NumberEdit::beginScrub() {
     Q_EMIT interactionBegan();
 }
 
-void NumberEdit::scrub(double pixels, Qt::KeyboardModifiers modifiers) {
+void SliderWithBox::scrub(double pixels, Qt::KeyboardModifiers modifiers) {
     const double pixel = fineness(modifiers) / scrubPixels;
     const double position = scrubPosition_ + pixels * pixel;
     if (scrubRange_.isInHardRange(position)) {
@@ -122,24 +122,24 @@ void NumberEdit::scrub(double pixels, Qt::KeyboardModifiers modifiers) {
                                         : scrubRange_.continuedValueAt(position, pixel));
 }
 
-void NumberEdit::cancelScrub() {
+void SliderWithBox::cancelScrub() {
     ask(scrubStart_);
     range_ = scrubRange_;
     slider_->setRange(range_);
 }
 
-void NumberEdit::endScrub() {
+void SliderWithBox::endScrub() {
     isScrubbing_ = false;
     Q_EMIT interactionEnded();
     present(value_);
 }
 
-void NumberEdit::hideEvent(QHideEvent* event) {
+void SliderWithBox::hideEvent(QHideEvent* event) {
     QWidget::hideEvent(event);
     finishStepping(); // the row may go before the keys have rested
 }
 
-void NumberEdit::finishStepping() {
+void SliderWithBox::finishStepping() {
     if (stepping_.isActive()) {
         stepping_.stop();
         Q_EMIT interactionEnded();

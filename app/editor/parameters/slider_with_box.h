@@ -15,13 +15,13 @@ class ValueSlider;
 
 /// Edits one number with a slider and a number box. Every change goes through here: it is dropped
 /// if it is not finite, rounded where the type is whole, and kept inside the hard range.
-class NumberEdit : public QWidget {
+class SliderWithBox : public QWidget {
     Q_OBJECT
 
   public:
     /// `defaultValue` is this number's own (one component of a vector, for instance).
-    NumberEdit(const Parameter& parameter, double defaultValue, const QString& name,
-               QWidget* parent = nullptr);
+    SliderWithBox(const Parameter& parameter, double defaultValue, const QString& name,
+                  QWidget* parent = nullptr);
 
     /// Shows a number. One that comes from elsewhere (an undo, another material) resets the
     /// slider's range; while the number is edited here the range only widens.
