@@ -33,47 +33,49 @@ void addWarning(FrameReport& report, Error error) {
 
 } // namespace
 
-void FrameDescription::write(const FramePlan& plan, FrameGpu& gpu, ProgramPass& programs,
+void FrameDescription::write(const PreparedFrame& frame, FrameGpu& gpu, ProgramPass& programs,
                              const std::optional<Error>& shadowError) {
-    countPrograms(plan, gpu.report);
+    countPrograms(frame, gpu.report);
     const int lostLights = gpu.data.lostLights();
     const int lostShadows = gpu.shared.shadows.lost();
-    if (sources_ == plan.sources && lostLights == lostLights_ && lostShadows == lostShadows_ &&
+    if (sources_ == frame.sources && lostLights == lostLights_ && lostShadows == lostShadows_ &&
         shadowError == shadowError_) {
         return;
     }
-    sources_ = plan.sources;
+    sources_ = frame.sources;
     lostLights_ = lostLights;
     lostShadows_ = lostShadows;
     shadowError_ = shadowError;
-    writeEffects(plan, gpu, programs);
+    writeEffects(frame, gpu, programs);
     writeLost(gpu.report);
 }
 
-void FrameDescription::countPrograms(const FramePlan& plan, FrameReport& report) {
+void FrameDescription::countPrograms(const PreparedFrame& frame, FrameReport& report) {
     programs_.clear();
-    for (const DrawBatch& batch : plan.list.batches()) {
-        const DrawMaterial& material = plan.materials[batch.material];
+    for (const DrawBatch& batch : frame.list.batches()) {
+        const DrawMaterial& material = frame.materials[batch.material];
         addOnce<const void*>(programs_, material.pipeline->program.get());
-        if (material.hasLines()) {
+        if (frame.hasLines(batch.material)) {
             addOnce<const void*>(programs_, material.pipeline->outlineProgram.get());
         }
     }
     report.programs = static_cast<int>(programs_.size());
 }
 
-void FrameDescription::writeEffects(const FramePlan& plan, FrameGpu& gpu, ProgramPass& programs) {
+void FrameDescription::writeEffects(const PreparedFrame& frame, FrameGpu& gpu,
+                                    ProgramPass& programs) {
     FrameReport& report = gpu.report;
     report.effects.clear();
     report.messages.clear();
     report.warnings = 0;
-    for (const DrawMaterial& material : plan.materials) {
-        for (const Error& error : programs.entryOf(plan, material, gpu.shared).errors) {
+    for (std::size_t i = 0; i < frame.materials.size(); ++i) {
+        const PlannedMaterial& material = frame.plan.materials[i];
+        for (const Error& error : programs.entryOf(frame.plan, material, gpu.shared).errors) {
             addOnce(report.messages, error);
         }
-        addEffects(report, material.pipeline.get());
+        addEffects(report, frame.materials[i].pipeline.get());
     }
-    addEffects(report, plan.ground.pipeline.get());
+    addEffects(report, frame.ground.get());
 }
 
 void FrameDescription::writeLost(FrameReport& report) const {

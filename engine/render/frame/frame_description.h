@@ -14,7 +14,7 @@ namespace patina {
 class FrameDescription {
   public:
     /// Fills the report of a frame that is drawn.
-    void write(const FramePlan& plan, FrameGpu& gpu, ProgramPass& programs,
+    void write(const PreparedFrame& frame, FrameGpu& gpu, ProgramPass& programs,
                const std::optional<Error>& shadowError);
 
     /// Writes an error as the only message, for a frame that could not be drawn.
@@ -24,8 +24,8 @@ class FrameDescription {
     void forget() { sources_.reset(); }
 
   private:
-    void countPrograms(const FramePlan& plan, FrameReport& report);
-    static void writeEffects(const FramePlan& plan, FrameGpu& gpu, ProgramPass& programs);
+    void countPrograms(const PreparedFrame& frame, FrameReport& report);
+    static void writeEffects(const PreparedFrame& frame, FrameGpu& gpu, ProgramPass& programs);
     void writeLost(FrameReport& report) const;
 
     std::vector<const void*> programs_;

@@ -81,6 +81,7 @@ void FrameJob::begin(const Scene& scene, const View& view, const MeshSource& mes
 void FrameJob::makePlan(const Scene& scene, const MeshSource& meshes, bool freezesEffects) {
     planner_.make(plan_, scene, view_, meshes, *catalog_,
                   {freezesEffects, purpose_ == FramePurpose::Prewarm});
+    prepared_.begin();
     at_ = Cursor();
     budget_.beginFrame();
     shared_->meshes.beginFrame();
@@ -171,7 +172,7 @@ bool FrameJob::prepareSome() {
     for (; at_.prepared < passes.size(); ++at_.prepared) {
         const int built = programs.builtCount();
         const int compiled = programs.compiledCount();
-        const Result<bool> made = passes[at_.prepared]->prepare(plan_, gpu_);
+        const Result<bool> made = passes[at_.prepared]->prepare(prepared_, gpu_);
         gpu_.report.compiled += programs.compiledCount() - compiled;
         if (!made) {
             failure_ = made.error();
@@ -186,7 +187,7 @@ bool FrameJob::prepareSome() {
 
 /// Returns true when the frame has so many triangles that it is drawn in steps.
 bool FrameJob::isLarge() {
-    return plan_.hasManyTriangles(passes_.shadows.pendingTriangles(plan_, gpu_));
+    return plan_.hasManyTriangles(passes_.shadows.pendingTriangles(prepared_, gpu_));
 }
 
 FrameJob::Progress FrameJob::draw(Deadline deadline) {
@@ -198,14 +199,14 @@ FrameJob::Progress FrameJob::draw(Deadline deadline) {
         budget_.beginDrawing(isLarge());
     }
     const bool isDone = drawPasses(passes_.beforeObjects()) && drawObjects() &&
-                        passes_.depthNormals.draw(plan_, gpu_, budget_) &&
-                        passes_.resolve.draw(plan_, gpu_, budget_);
+                        passes_.depthNormals.draw(prepared_, gpu_, budget_) &&
+                        passes_.resolve.draw(prepared_, gpu_, budget_);
     return isDone ? finish() : pause();
 }
 
 bool FrameJob::drawPasses(std::span<Pass* const> passes) {
     return std::ranges::all_of(passes,
-                               [this](Pass* pass) { return pass->draw(plan_, gpu_, budget_); });
+                               [this](Pass* pass) { return pass->draw(prepared_, gpu_, budget_); });
 }
 
 bool FrameJob::drawObjects() {
@@ -227,7 +228,7 @@ FrameJob::Progress FrameJob::finish() {
     shared_->meshes.endFrame();
     shared_->textures.endFrame();
     gpu_.report.isWaiting = gpu_.textures.budget.isWaiting;
-    description_.write(plan_, gpu_, passes_.programs, passes_.shadows.error());
+    description_.write(prepared_, gpu_, passes_.programs, passes_.shadows.error());
     isNeedless_ = gpu_.isSketch && Clock::now() - began_ < longestQuick / sketchShare;
     return Progress::Done;
 }
@@ -286,7 +287,7 @@ void FrameJob::drawUnseen() {
         glEnable(GL_SCISSOR_TEST);
         glScissor(0, 0, 0, 0);
         drawObjects();
-        passes_.depthNormals.draw(plan_, gpu_, budget_);
+        passes_.depthNormals.draw(prepared_, gpu_, budget_);
         gpu_.environment.addUnseen(gpu_.target().resolved(), *catalog_, shared_->programs());
         glDisable(GL_SCISSOR_TEST);
         leaveState();
@@ -296,7 +297,7 @@ void FrameJob::drawUnseen() {
 }
 
 bool FrameJob::takePasses(const Scene& scene, const Scene& effects) {
-    if (!hasPicture_ || failure_ || catalog_ != shared_->catalog) {
+    if (!hasPicture() || catalog_ != shared_->catalog) {
         return false;
     }
     const bool needsSurfaces = displaySet(effects, *catalog_).readSurfaces();

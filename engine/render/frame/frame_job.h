@@ -88,6 +88,9 @@ class FrameJob {
     /// Returns true when a mean of frames with an environment is there, in this size.
     bool holdsPicture(glm::ivec2 size) const { return gpu_.environment.holds(size); }
 
+    /// Returns true when the last frame's picture is there to be read.
+    bool hasPicture() const { return hasPicture_ && !failure_; }
+
     /// Frees the targets that a frame is drawn into; the next frame makes them again.
     void releaseTargets();
 
@@ -134,6 +137,7 @@ class FrameJob {
     FramePurpose purpose_ = FramePurpose::Window;
     FramePlanner planner_;
     FramePlan plan_;
+    PreparedFrame prepared_{plan_};
     FrameGpu gpu_;
     FramePasses passes_;
     StepBudget budget_{gl::isSoftware()};

@@ -12,33 +12,34 @@
 
 namespace patina {
 
-Result<bool> BackgroundPass::prepare(FramePlan& plan, FrameGpu& gpu) {
+Result<bool> BackgroundPass::prepare(PreparedFrame& frame, FrameGpu& gpu) {
     isDrawn_ = false;
     const Catalog& catalog = *gpu.shared.catalog;
-    auto isNew = gpu.fitTarget(plan, showsSceneRefracted(*plan.effects, catalog));
+    auto isNew = gpu.fitTarget(frame.plan, showsSceneRefracted(*frame.plan.effects, catalog));
     if (!isNew || (*isNew && isSlowToAllocate(gpu.target().drawnSize()))) {
         return isNew;
     }
-    const SceneToPack packing{*plan.scene, *plan.effects, {}};
+    const SceneToPack packing{*frame.plan.scene, *frame.plan.effects, {}};
     const FrameEnvironment::Shared shared{gpu.shared.programs(), gpu.shared.environments};
-    if (plan.isUnseen) {
-        gpu.environment.prewarm(packing, *plan.view, catalog, shared);
+    if (frame.plan.isUnseen) {
+        gpu.environment.prewarm(packing, *frame.plan.view, catalog, shared);
         return false;
     }
-    return gpu.environment.begin(packing, *plan.view, catalog, shared);
+    return gpu.environment.begin(packing, *frame.plan.view, catalog, shared);
 }
 
-bool BackgroundPass::draw(const FramePlan& plan, FrameGpu& gpu, StepBudget&) {
+bool BackgroundPass::draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget&) {
     if (std::exchange(isDrawn_, true)) {
         return true;
     }
-    const glm::vec4 color = storable(plan.scene->background);
+    const glm::vec4 color = storable(frame.plan.scene->background);
     gpu.target().bind();
     glClearColor(color.x, color.y, color.z, 1.0f);
     glDepthMask(GL_TRUE);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    gpu.environment.drawBackground(plan.view->camera, plan.cameraToWorld,
-                                   double(plan.view->size.x) / double(plan.view->size.y));
+    gpu.environment.drawBackground(frame.plan.view->camera, frame.plan.cameraToWorld,
+                                   double(frame.plan.view->size.x) /
+                                       double(frame.plan.view->size.y));
     return true;
 }
 

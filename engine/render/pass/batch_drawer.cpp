@@ -12,13 +12,13 @@ bool BatchDrawer::drawTriangles(FrameGpu& gpu, const DrawBatch& batch, StepBudge
 }
 
 /// Lines are drawn like opaque objects and hide each other by their depth.
-bool BatchDrawer::drawLines(const FramePlan& plan, FrameGpu& gpu, const DrawBatch& batch,
+bool BatchDrawer::drawLines(const PreparedFrame& frame, FrameGpu& gpu, const DrawBatch& batch,
                             StepBudget& budget) {
-    if (!plan.materials[batch.material].hasLines() || !batch.mesh->hasEdges() ||
+    if (!frame.hasLines(batch.material) || !batch.mesh->hasEdges() ||
         batch.mesh->edgeCount() == 0) {
         return true;
     }
-    gpu.data.feedLines(plan, batch);
+    gpu.data.feedLines(frame, batch);
     setBlendState(BlendState::Opaque);
     glDepthMask(GL_TRUE);
     return drawSlices(gpu, batch, batch.mesh->edgeCount(), budget, [&](const DrawRange& range) {

@@ -18,7 +18,7 @@ class BatchDrawer {
 
     /// Does the same for the outlines of the batch, whose program and data it sets itself. Returns
     /// true at once when there are none.
-    bool drawLines(const FramePlan& plan, FrameGpu& gpu, const DrawBatch& batch,
+    bool drawLines(const PreparedFrame& frame, FrameGpu& gpu, const DrawBatch& batch,
                    StepBudget& budget);
 
     /// Returns true between batches: nothing of the batch is drawn yet, or all of it.

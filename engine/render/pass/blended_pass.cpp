@@ -11,47 +11,47 @@ namespace {
 
 /// Returns the object's facets where its program follows rays among them; null where it does not,
 /// or there are none.
-const ConvexFacets* facetsOf(const FramePlan& plan, const DrawBatch& batch) {
-    const DrawMaterial& material = plan.materials[batch.material];
+const ConvexFacets* facetsOf(const PreparedFrame& frame, const DrawBatch& batch) {
+    const DrawMaterial& material = frame.materials[batch.material];
     if (!followsFacets(*material.pipeline->object.refraction->block)) {
         return nullptr;
     }
-    const DrawItem& item = plan.items[plan.list.items()[batch.first]];
+    const PlannedItem& item = frame.plan.items[frame.list.items()[batch.first]];
     const ConvexFacets& facets = batch.mesh->facets(item.view);
     return facets.planes.empty() ? nullptr : &facets;
 }
 
 /// Tells whether the farthest surface of the object must be drawn.
-bool needsBack(const FramePlan& plan, const DrawBatch& batch) {
-    const Block& block = *plan.materials[batch.material].pipeline->object.refraction->block;
-    return !isSheet(block) && facetsOf(plan, batch) == nullptr;
+bool needsBack(const PreparedFrame& frame, const DrawBatch& batch) {
+    const Block& block = *frame.materials[batch.material].pipeline->object.refraction->block;
+    return !isSheet(block) && facetsOf(frame, batch) == nullptr;
 }
 
 } // namespace
 
 /// Fits the target again where a refracting program reads the scene's colour, since a program kept
 /// from before a change may do so when the scene's effects do not.
-Result<bool> BlendedPass::prepare(FramePlan& plan, FrameGpu& gpu) {
+Result<bool> BlendedPass::prepare(PreparedFrame& frame, FrameGpu& gpu) {
     batch_ = 0;
     hasDepths_ = false;
     hasBack_ = false;
     hasSurface_ = false;
     drawer_ = BatchDrawer();
-    if (auto fitted = fitRefraction(plan, gpu); !fitted || *fitted) {
+    if (auto fitted = fitRefraction(frame, gpu); !fitted || *fitted) {
         return fitted;
     }
-    return refraction_ && refraction_->needsSceneColor() ? gpu.fitTarget(plan, true)
+    return refraction_ && refraction_->needsSceneColor() ? gpu.fitTarget(frame.plan, true)
                                                          : Result<bool>(false);
 }
 
-Result<bool> BlendedPass::fitRefraction(const FramePlan& plan, FrameGpu& gpu) {
+Result<bool> BlendedPass::fitRefraction(const PreparedFrame& frame, FrameGpu& gpu) {
     RefractionTargets::Needs needs;
     bool isNeeded = false;
-    for (const DrawBatch& batch : plan.list.transparentBatches()) {
-        const DrawMaterial& material = plan.materials[batch.material];
+    for (const DrawBatch& batch : frame.list.transparentBatches()) {
+        const DrawMaterial& material = frame.materials[batch.material];
         if (material.refracts()) {
             isNeeded = true;
-            needs.back = needs.back || needsBack(plan, batch);
+            needs.back = needs.back || needsBack(frame, batch);
             needs.behind = needs.behind || material.pipeline->effects.isShownRefracted;
         }
     }
@@ -68,11 +68,11 @@ Result<bool> BlendedPass::fitRefraction(const FramePlan& plan, FrameGpu& gpu) {
         .map([isNew, size] { return isNew && isSlowToAllocate(size); });
 }
 
-bool BlendedPass::draw(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) {
-    const std::span<const DrawBatch> batches = plan.list.transparentBatches();
+bool BlendedPass::draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget) {
+    const std::span<const DrawBatch> batches = frame.list.transparentBatches();
     while (batch_ < batches.size()) {
         const DrawBatch& batch = batches[batch_];
-        if (!plan.materials[batch.material].isLayered && !drawBatch(plan, gpu, batch, budget)) {
+        if (!frame.materials[batch.material].isLayered && !drawBatch(frame, gpu, batch, budget)) {
             return false;
         }
         if (++batch_ < batches.size() && budget.isDue()) {
@@ -83,13 +83,13 @@ bool BlendedPass::draw(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget)
 }
 
 /// Draws the surface and then its lines, so that objects in front are blended over both.
-bool BlendedPass::drawBatch(const FramePlan& plan, FrameGpu& gpu, const DrawBatch& batch,
+bool BlendedPass::drawBatch(const PreparedFrame& frame, FrameGpu& gpu, const DrawBatch& batch,
                             StepBudget& budget) {
-    if (!hasSurface_ && !drawSurface(plan, gpu, batch, budget)) {
+    if (!hasSurface_ && !drawSurface(frame, gpu, batch, budget)) {
         return false;
     }
     hasSurface_ = true;
-    if (!drawer_.drawLines(plan, gpu, batch, budget)) {
+    if (!drawer_.drawLines(frame, gpu, batch, budget)) {
         return false;
     }
     hasSurface_ = false;
@@ -98,13 +98,13 @@ bool BlendedPass::drawBatch(const FramePlan& plan, FrameGpu& gpu, const DrawBatc
 
 /// Blends only the nearest layer of a transparent object, so that the order of its triangles does
 /// not show: depths first, then colours where the depth is the same.
-bool BlendedPass::drawSurface(const FramePlan& plan, FrameGpu& gpu, const DrawBatch& batch,
+bool BlendedPass::drawSurface(const PreparedFrame& frame, FrameGpu& gpu, const DrawBatch& batch,
                               StepBudget& budget) {
-    if (plan.materials[batch.material].refracts()) {
+    if (frame.materials[batch.material].refracts()) {
         setBlendState(BlendState::Opaque);
-        return drawRefracting(plan, gpu, batch, budget);
+        return drawRefracting(frame, gpu, batch, budget);
     }
-    gpu.data.feed(plan, batch);
+    gpu.data.feed(frame, batch);
     if (!hasDepths_) {
         setBlendState(BlendState::Depths);
         if (!drawer_.drawTriangles(gpu, batch, budget)) {
@@ -121,12 +121,12 @@ bool BlendedPass::drawSurface(const FramePlan& plan, FrameGpu& gpu, const DrawBa
     return true;
 }
 
-bool BlendedPass::drawRefracting(const FramePlan& plan, FrameGpu& gpu, const DrawBatch& batch,
+bool BlendedPass::drawRefracting(const PreparedFrame& frame, FrameGpu& gpu, const DrawBatch& batch,
                                  StepBudget& budget) {
-    const Pipeline& pipeline = *plan.materials[batch.material].pipeline;
-    const Placement& placement = *plan.items[plan.list.items()[batch.first]].placement;
-    gpu.data.feed(plan, batch);
-    if (needsBack(plan, batch) && !hasBack_ && !drawBack(plan, gpu, batch, budget)) {
+    const Pipeline& pipeline = *frame.materials[batch.material].pipeline;
+    const Placement& placement = *frame.plan.items[frame.list.items()[batch.first]].placement;
+    gpu.data.feed(frame, batch);
+    if (needsBack(frame, batch) && !hasBack_ && !drawBack(frame, gpu, batch, budget)) {
         return false;
     }
     hasBack_ = true;
@@ -136,7 +136,7 @@ bool BlendedPass::drawRefracting(const FramePlan& plan, FrameGpu& gpu, const Dra
     }
     refraction_->bind(*pipeline.program, placement.ball, gpu.target());
     if (followsFacets(*pipeline.object.refraction->block)) {
-        const ConvexFacets* facets = facetsOf(plan, batch);
+        const ConvexFacets* facets = facetsOf(frame, batch);
         RefractionTargets::setFacets(*pipeline.program, placement,
                                      facets ? *facets : ConvexFacets());
     }
@@ -149,16 +149,16 @@ bool BlendedPass::drawRefracting(const FramePlan& plan, FrameGpu& gpu, const Dra
 }
 
 /// Draws the farthest surface of the object, then sets the object's own program again.
-bool BlendedPass::drawBack(const FramePlan& plan, FrameGpu& gpu, const DrawBatch& batch,
+bool BlendedPass::drawBack(const PreparedFrame& frame, FrameGpu& gpu, const DrawBatch& batch,
                            StepBudget& budget) {
-    const Ball& ball = plan.items[plan.list.items()[batch.first]].placement->ball;
+    const Ball& ball = frame.plan.items[frame.list.items()[batch.first]].placement->ball;
     refraction_->beginBack(ball, drawer_.isAtStart());
     gpu.data.forgetProgram();
     const bool isDrawn = drawer_.drawTriangles(gpu, batch, budget);
     gpu.target().bind();
     glDepthFunc(GL_LESS);
     if (isDrawn) {
-        gpu.data.feed(plan, batch);
+        gpu.data.feed(frame, batch);
     }
     return isDrawn;
 }

@@ -13,22 +13,23 @@ namespace patina {
 /// far ones first. A refracting object shows what was drawn before it.
 class BlendedPass : public Pass {
   public:
-    Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;
-    bool draw(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) override;
+    Result<bool> prepare(PreparedFrame& frame, FrameGpu& gpu) override;
+    bool draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget) override;
     void forget() override { release(); }
 
     /// Frees the memory of the refraction targets.
     void release() { refraction_.reset(); }
 
   private:
-    Result<bool> fitRefraction(const FramePlan& plan, FrameGpu& gpu);
-    bool drawBatch(const FramePlan& plan, FrameGpu& gpu, const DrawBatch& batch,
+    Result<bool> fitRefraction(const PreparedFrame& frame, FrameGpu& gpu);
+    bool drawBatch(const PreparedFrame& frame, FrameGpu& gpu, const DrawBatch& batch,
                    StepBudget& budget);
-    bool drawSurface(const FramePlan& plan, FrameGpu& gpu, const DrawBatch& batch,
+    bool drawSurface(const PreparedFrame& frame, FrameGpu& gpu, const DrawBatch& batch,
                      StepBudget& budget);
-    bool drawRefracting(const FramePlan& plan, FrameGpu& gpu, const DrawBatch& batch,
+    bool drawRefracting(const PreparedFrame& frame, FrameGpu& gpu, const DrawBatch& batch,
                         StepBudget& budget);
-    bool drawBack(const FramePlan& plan, FrameGpu& gpu, const DrawBatch& batch, StepBudget& budget);
+    bool drawBack(const PreparedFrame& frame, FrameGpu& gpu, const DrawBatch& batch,
+                  StepBudget& budget);
 
     std::size_t batch_ = 0;   ///< is an index into the transparent batches
     bool hasDepths_ = false;  ///< says that the depths of the batch are drawn

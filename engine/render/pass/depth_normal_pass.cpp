@@ -9,7 +9,7 @@
 
 #include "render/gpu/binding.h"
 #include "render/pass/frame_gpu.h"
-#include "render/plan/frame_plan.h"
+#include "render/plan/prepared_frame.h"
 #include "shading/effects/display_set.h"
 
 namespace patina {
@@ -20,10 +20,10 @@ constexpr unsigned depthUnit = 3;
 
 } // namespace
 
-Result<bool> DepthNormalPass::prepare(FramePlan& plan, FrameGpu& gpu) {
-    isDone_ = !displaySet(*plan.effects, *gpu.shared.catalog).readSurfaces();
+Result<bool> DepthNormalPass::prepare(PreparedFrame& frame, FrameGpu& gpu) {
+    isDone_ = !displaySet(*frame.plan.effects, *gpu.shared.catalog).readSurfaces();
     if (isDone_) {
-        if (!plan.isUnseen) {
+        if (!frame.plan.isUnseen) {
             images_.reset();
         }
         return false;
@@ -31,7 +31,7 @@ Result<bool> DepthNormalPass::prepare(FramePlan& plan, FrameGpu& gpu) {
     if (auto made = makeProgram(gpu); !made) {
         return tl::unexpected(made.error());
     }
-    if (auto fitted = fit(plan.view->size); !fitted) {
+    if (auto fitted = fit(frame.plan.view->size); !fitted) {
         return tl::unexpected(fitted.error());
     }
     return false;
@@ -72,7 +72,7 @@ Result<void> DepthNormalPass::fit(glm::ivec2 size) {
 
 /// Draws each object alone, since it has a number of its own. What is drawn where nobody sees it
 /// leaves the images as they are, by its empty scissor rectangle.
-bool DepthNormalPass::draw(const FramePlan& plan, FrameGpu& gpu, StepBudget&) {
+bool DepthNormalPass::draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget&) {
     if (isDone_) {
         return true;
     }
@@ -91,12 +91,12 @@ bool DepthNormalPass::draw(const FramePlan& plan, FrameGpu& gpu, StepBudget&) {
     glClearBufferfv(GL_DEPTH, 0, &farthest);
     gpu.data.bind();
     program_->use();
-    const glm::mat3 turn(plan.worldToCamera);
+    const glm::mat3 turn(frame.plan.worldToCamera);
     glUniformMatrix3fv(program_->uniform("worldToCamera"), 1, GL_FALSE, glm::value_ptr(turn));
     const int number = program_->uniform("objectNumber");
-    for (const DrawBatch& batch : plan.list.batches()) {
+    for (const DrawBatch& batch : frame.list.batches()) {
         for (std::size_t i = batch.first; i < batch.first + batch.count; ++i) {
-            const DrawItem& item = plan.items[plan.list.items()[i]];
+            const PlannedItem& item = frame.plan.items[frame.list.items()[i]];
             glUniform1f(number, static_cast<float>(item.index + 1));
             batch.mesh->draw(gpu.data.instances(), {0, batch.mesh->triangles(), i, 1});
         }

@@ -17,8 +17,8 @@ namespace patina {
 /// and neither are images that cut holes. Without such a pass it takes no memory and no time.
 class DepthNormalPass : public Pass {
   public:
-    Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;
-    bool draw(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) override;
+    Result<bool> prepare(PreparedFrame& frame, FrameGpu& gpu) override;
+    bool draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget) override;
     void forget() override { program_.reset(); }
 
     /// Returns true where the images of the last frame are there.

@@ -17,14 +17,15 @@ bool DisplayPass::has(const Scene& scene, const Catalog& catalog) const {
     return stages_.contains(EffectKey::ofDisplay(scene, catalog));
 }
 
-Result<bool> DisplayPass::prepare(FramePlan& plan, FrameGpu& gpu) {
-    const Result<Stage*> made = make(*plan.effects, *gpu.shared.catalog, gpu.shared.programs());
+Result<bool> DisplayPass::prepare(PreparedFrame& frame, FrameGpu& gpu) {
+    const Result<Stage*> made =
+        make(*frame.plan.effects, *gpu.shared.catalog, gpu.shared.programs());
     if (!made) {
         return tl::unexpected(made.error());
     }
-    if (!plan.isUnseen) {
+    if (!frame.plan.isUnseen) {
         current_ = *made;
-        pack(*plan.scene);
+        pack(*frame.plan.scene);
     }
     return false;
 }

@@ -26,7 +26,7 @@ class DisplayPass : public Pass {
   public:
     /// Finds or compiles the program for the scene's exposure and tone curve; that for an exposure
     /// of 0 has no multiplication. A frame that nobody sees does not change the program of show().
-    Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;
+    Result<bool> prepare(PreparedFrame& frame, FrameGpu& gpu) override;
 
     /// Returns true when prepare() would not need to compile for this scene.
     bool has(const Scene& scene, const Catalog& catalog) const;

@@ -32,19 +32,19 @@ FrameData::FrameData(FrameGpu& gpu) : gpu_(gpu) {
     view_.reserve(ViewLayout::vec4s);
 }
 
-Result<bool> FrameData::prepare(FramePlan& plan, FrameGpu& gpu) {
+Result<bool> FrameData::prepare(PreparedFrame& frame, FrameGpu& gpu) {
     lostLights_ = 0;
-    makeRoomForLights(plan.lightLists.count());
-    writeView(plan, gpu.target().pixelWidth());
-    plan.list.order(plan.items, plan.materials);
+    makeRoomForLights(frame.plan.lightLists.count());
+    writeView(frame.plan, gpu.target().pixelWidth());
+    frame.list.order({frame.plan, frame.meshes, frame.materials});
     instances_.clear();
-    for (const std::uint32_t item : plan.list.items()) {
-        instances_.add(plan.items[item].placement->instance);
+    for (const std::uint32_t item : frame.list.items()) {
+        instances_.add(frame.plan.items[item].placement->instance);
     }
     note(instances_.upload());
-    placeMaterials(plan);
-    fillTables(plan);
-    fitLobes(plan);
+    placeMaterials(frame);
+    fillTables(frame);
+    fitLobes(frame);
     return false;
 }
 
@@ -68,12 +68,13 @@ void FrameData::writeView(const FramePlan& plan, double pixelWidth) {
     view_.bind(binding::view);
 }
 
-void FrameData::placeMaterials(FramePlan& plan) {
+void FrameData::placeMaterials(PreparedFrame& frame) {
     materials_.clear();
-    for (DrawMaterial& material : plan.materials) {
+    for (std::size_t i = 0; i < frame.materials.size(); ++i) {
+        DrawMaterial& material = frame.materials[i];
         const int vec4s = material.pipeline ? material.pipeline->object.vec4s : 0;
         material.data = materials_.add(static_cast<std::size_t>(vec4s));
-        const int lineVec4s = material.hasLines() ? material.pipeline->outline->vec4s() : 0;
+        const int lineVec4s = frame.hasLines(i) ? material.pipeline->outline->vec4s() : 0;
         material.outlineData = materials_.add(static_cast<std::size_t>(lineVec4s));
     }
     materials_.makeRoom();
@@ -81,14 +82,14 @@ void FrameData::placeMaterials(FramePlan& plan) {
 
 /// Fills the tables that blocks of materials read instead of computing, where they have changed
 /// since the last frame.
-void FrameData::fillTables(const FramePlan& plan) {
-    tables_.makeRoom(plan.materials.size());
-    for (std::size_t i = 0; i < plan.materials.size(); ++i) {
-        const Pipeline* pipeline = plan.materials[i].pipeline.get();
+void FrameData::fillTables(const PreparedFrame& frame) {
+    tables_.makeRoom(frame.materials.size());
+    for (std::size_t i = 0; i < frame.materials.size(); ++i) {
+        const Pipeline* pipeline = frame.materials[i].pipeline.get();
         if (pipeline != nullptr && pipeline->tableProgram) {
-            const Material& values = plan.scene->objects[plan.materials[i].object].material;
+            const Material& values = frame.plan.material(i);
             gpu_.report.filledTables +=
-                tables_.fit(i, *pipeline, values, plan.cameraToWorld) ? 1 : 0;
+                tables_.fit(i, *pipeline, values, frame.plan.cameraToWorld) ? 1 : 0;
         } else {
             tables_.drop(i);
         }
@@ -96,15 +97,15 @@ void FrameData::fillTables(const FramePlan& plan) {
 }
 
 /// Fits the lobes of the frame's materials where they have changed since the last frame.
-void FrameData::fitLobes(const FramePlan& plan) {
-    lobes_.makeRoom(plan.materials.size());
-    for (std::size_t i = 0; i < plan.materials.size(); ++i) {
-        const Pipeline* pipeline = plan.materials[i].pipeline.get();
+void FrameData::fitLobes(const PreparedFrame& frame) {
+    lobes_.makeRoom(frame.materials.size());
+    for (std::size_t i = 0; i < frame.materials.size(); ++i) {
+        const Pipeline* pipeline = frame.materials[i].pipeline.get();
         if (pipeline != nullptr && pipeline->lobeFit) {
-            const Material& values = plan.scene->objects[plan.materials[i].object].material;
+            const Material& values = frame.plan.material(i);
             bindMeasured(*pipeline, values);
             gpu_.report.filledTables +=
-                lobes_.fit(i, *pipeline, values, plan.cameraToWorld) ? 1 : 0;
+                lobes_.fit(i, *pipeline, values, frame.plan.cameraToWorld) ? 1 : 0;
         } else if (pipeline == nullptr || !pipeline->effects.environment) {
             lobes_.drop(i); // not where light is sampled for now: it is fitted again while the
                             // scene changes
@@ -118,34 +119,35 @@ void FrameData::bind() {
     forgetProgram();
 }
 
-void FrameData::feed(const FramePlan& plan, const DrawBatch& batch) {
-    const DrawMaterial& material = plan.materials[batch.material];
-    feedScene(plan, *material.pipeline, batch.lights);
+void FrameData::feed(const PreparedFrame& frame, const DrawBatch& batch) {
+    const DrawMaterial& material = frame.materials[batch.material];
+    feedScene(frame.plan, *material.pipeline, batch.lights);
     if (fedMaterial_ != batch.material) {
-        feedMaterial(plan, material);
+        feedMaterial(frame, batch.material);
         fedMaterial_ = batch.material;
     }
 }
 
-void FrameData::feedMaterial(const FramePlan& plan, const DrawMaterial& material) {
+void FrameData::feedMaterial(const PreparedFrame& frame, std::size_t number) {
+    const DrawMaterial& material = frame.materials[number];
     const Pipeline& pipeline = *material.pipeline;
     const std::span<glm::vec4> data = materials_.staging(material.data);
-    const Material& values = plan.scene->objects[material.object].material;
+    const Material& values = frame.plan.material(number);
     if (pipeline.tableProgram) {
-        tables_.bind(static_cast<std::size_t>(&material - plan.materials.data()));
+        tables_.bind(number);
     }
     if (pipeline.lobeFit) {
-        lobes_.bind(static_cast<std::size_t>(&material - plan.materials.data()));
+        lobes_.bind(number);
     }
-    packMaterial(data, pipeline, values, plan.cameraToWorld);
+    packMaterial(data, pipeline, values, frame.plan.cameraToWorld);
     if (material.isLayered) {
-        packLayers(
-            data, pipeline,
-            {plan.transparency().parameters, plan.layerDepths.near(), plan.layerDepths.far()},
-            plan.cameraToWorld);
+        packLayers(data, pipeline,
+                   {frame.plan.transparency().parameters, frame.layerDepths.near(),
+                    frame.layerDepths.far()},
+                   frame.plan.cameraToWorld);
     }
     if (material.refracts()) {
-        packRefraction(data, pipeline, values, plan.scene->background);
+        packRefraction(data, pipeline, values, frame.plan.scene->background);
     }
     gpu_.textures.bind(data, pipeline, values);
     bindMeasured(pipeline, values);
@@ -160,19 +162,19 @@ void FrameData::bindMeasured(const Pipeline& pipeline, const Material& material)
     }
 }
 
-void FrameData::feedLines(const FramePlan& plan, const DrawBatch& batch) {
+void FrameData::feedLines(const PreparedFrame& frame, const DrawBatch& batch) {
     static const Values none;
-    const DrawMaterial& material = plan.materials[batch.material];
+    const DrawMaterial& material = frame.materials[batch.material];
     const Pipeline& pipeline = *material.pipeline;
     const OutlineLayout& layout = *pipeline.outline;
-    const Material& values = plan.scene->objects[material.object].material;
+    const Material& values = frame.plan.material(batch.material);
     const BlockValues* part = values.part(layout.block.block->kind);
     const bool isOfBlock = part != nullptr && part->id == layout.block.block->id;
-    feedScene(plan, pipeline, batch.lights);
+    feedScene(frame.plan, pipeline, batch.lights);
     const std::span<glm::vec4> data = materials_.staging(material.outlineData);
     data[OutlineLayout::line] = pixelInClip_;
     packInto(data.subspan(OutlineLayout::fixed), layout.block.layout,
-             isOfBlock ? part->parameters : none, values.accuracy, plan.cameraToWorld);
+             isOfBlock ? part->parameters : none, values.accuracy, frame.plan.cameraToWorld);
     note(materials_.upload(material.outlineData));
     materials_.bind(binding::object, material.outlineData);
     pipeline.outlineProgram->use();

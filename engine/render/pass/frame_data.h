@@ -12,7 +12,7 @@
 #include "render/pass/lobe_store.h"
 #include "render/pass/pass.h"
 #include "render/pass/table_store.h"
-#include "render/plan/frame_plan.h"
+#include "render/plan/prepared_frame.h"
 
 namespace patina {
 
@@ -25,17 +25,17 @@ class FrameData : public Pass {
 
     /// Orders the batches, uploads the view and the instances, places the materials' blocks, and
     /// fills tables that changed.
-    Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;
+    Result<bool> prepare(PreparedFrame& frame, FrameGpu& gpu) override;
 
     /// Begins a step that draws objects: it binds the view's block and assumes no other block or
     /// program to be in use.
     void bind();
 
     /// Binds all data for the surfaces of a batch and makes their program current.
-    void feed(const FramePlan& plan, const DrawBatch& batch);
+    void feed(const PreparedFrame& frame, const DrawBatch& batch);
 
     /// Does the same for the outlines of a batch, which must have some.
-    void feedLines(const FramePlan& plan, const DrawBatch& batch);
+    void feedLines(const PreparedFrame& frame, const DrawBatch& batch);
 
     /// Binds the scene's block with the lights of list `lights` for a pipeline.
     void feedScene(const FramePlan& plan, const Pipeline& pipeline, std::size_t lights);
@@ -51,11 +51,11 @@ class FrameData : public Pass {
   private:
     void makeRoomForLights(std::size_t lists);
     void writeView(const FramePlan& plan, double pixelWidth);
-    void placeMaterials(FramePlan& plan);
-    void fillTables(const FramePlan& plan);
-    void fitLobes(const FramePlan& plan);
+    void placeMaterials(PreparedFrame& frame);
+    void fillTables(const PreparedFrame& frame);
+    void fitLobes(const PreparedFrame& frame);
     void bindMeasured(const Pipeline& pipeline, const Material& material);
-    void feedMaterial(const FramePlan& plan, const DrawMaterial& material);
+    void feedMaterial(const PreparedFrame& frame, std::size_t number);
     void note(bool isWritten);
 
     FrameGpu& gpu_;

@@ -25,10 +25,10 @@ void setBlending(GroundMode mode) {
 
 } // namespace
 
-Result<bool> GroundPass::prepare(FramePlan& plan, FrameGpu&) {
-    isDrawn_ = plan.ground.pipeline == nullptr;
+Result<bool> GroundPass::prepare(PreparedFrame& frame, FrameGpu&) {
+    isDrawn_ = frame.ground == nullptr;
     if (!isDrawn_) {
-        data_.reserve(static_cast<std::size_t>(plan.ground.pipeline->object.vec4s));
+        data_.reserve(static_cast<std::size_t>(frame.ground->object.vec4s));
         makeMesh();
     }
     return false;
@@ -45,14 +45,14 @@ void GroundPass::makeMesh() {
     }
 }
 
-bool GroundPass::draw(const FramePlan& plan, FrameGpu& gpu, StepBudget&) {
+bool GroundPass::draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget&) {
     if (std::exchange(isDrawn_, true)) {
         return true;
     }
-    const PlannedGround& ground = plan.ground;
-    const Pipeline& pipeline = *ground.pipeline;
-    gpu.data.feedScene(plan, pipeline, ground.lights);
-    packGround(data_.staging(), pipeline, plan.scene->ground,
+    const PlannedGround& ground = frame.plan.ground;
+    const Pipeline& pipeline = *frame.ground;
+    gpu.data.feedScene(frame.plan, pipeline, ground.lights);
+    packGround(data_.staging(), pipeline, frame.plan.scene->ground,
                {ground.place, gpu.environment.upward()});
     gpu.report.uploadedBuffers +=
         data_.upload(static_cast<std::size_t>(pipeline.object.vec4s)) ? 1 : 0;

@@ -13,8 +13,8 @@ namespace patina {
 /// Draws the ground, a plane or its shadows alone, after the solid objects, which hide it.
 class GroundPass : public Pass {
   public:
-    Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;
-    bool draw(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) override;
+    Result<bool> prepare(PreparedFrame& frame, FrameGpu& gpu) override;
+    bool draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget) override;
 
   private:
     void makeMesh();

@@ -9,34 +9,34 @@
 namespace patina {
 namespace {
 
-/// Returns the block that composes the plan's layers; null where none are needed.
-const Block* blockFor(const FramePlan& plan, const Catalog& catalog) {
+/// Returns the block that composes the frame's layers; null where none are needed.
+const Block* blockFor(const PreparedFrame& frame, const Catalog& catalog) {
     const bool isNeeded =
-        plan.effects->part(kinds::transparency) != nullptr &&
-        std::ranges::any_of(plan.list.transparentBatches(), [&plan](const DrawBatch& batch) {
-            return !plan.materials[batch.material].refracts();
+        frame.plan.effects->part(kinds::transparency) != nullptr &&
+        std::ranges::any_of(frame.list.transparentBatches(), [&frame](const DrawBatch& batch) {
+            return !frame.materials[batch.material].refracts();
         });
-    return isNeeded ? blockOf(plan.effects->parts, kinds::transparency, catalog) : nullptr;
+    return isNeeded ? blockOf(frame.plan.effects->parts, kinds::transparency, catalog) : nullptr;
 }
 
 } // namespace
 
-Result<bool> LayerPass::prepare(FramePlan& plan, FrameGpu& gpu) {
+Result<bool> LayerPass::prepare(PreparedFrame& frame, FrameGpu& gpu) {
     batch_ = 0;
     hasLines_ = false;
     drawer_ = BatchDrawer();
-    const Block* block = blockFor(plan, *gpu.shared.catalog);
+    const Block* block = blockFor(frame, *gpu.shared.catalog);
     isDone_ = block == nullptr;
     if (isDone_) {
         composer_.leaveOut();
         return false;
     }
-    auto isMade = composer_.begin(gpu.target(), layersOf(plan.transparency(), *block),
+    auto isMade = composer_.begin(gpu.target(), layersOf(frame.plan.transparency(), *block),
                                   *gpu.shared.catalog, gpu.shared.programs());
     if (!isMade || *isMade) {
         return isMade;
     }
-    return addMaterials(plan, gpu.shared.programs()).map([] { return false; });
+    return addMaterials(frame, gpu.shared.programs()).map([] { return false; });
 }
 
 /// Returns true when a material's program is made for the layers. One kept from before a change may
@@ -49,12 +49,12 @@ bool LayerPass::isLayered(const DrawMaterial& material) const {
 
 /// Marks layered materials, adds up their range of depths, and makes their programs for depths;
 /// returns after the first program that had to be made.
-Result<void> LayerPass::addMaterials(FramePlan& plan, ProgramCache& programs) {
-    plan.layerDepths = DepthRange();
-    for (const DrawBatch& batch : plan.list.transparentBatches()) {
-        DrawMaterial& material = plan.materials[batch.material];
-        const DrawItem& item = plan.items[plan.list.items()[batch.first]];
-        plan.layerDepths.add(item.view.bounds, plan.worldToCamera * item.placement->world);
+Result<void> LayerPass::addMaterials(PreparedFrame& frame, ProgramCache& programs) {
+    frame.layerDepths = DepthRange();
+    for (const DrawBatch& batch : frame.list.transparentBatches()) {
+        DrawMaterial& material = frame.materials[batch.material];
+        const PlannedItem& item = frame.plan.items[frame.list.items()[batch.first]];
+        frame.layerDepths.add(item.view.bounds, frame.plan.worldToCamera * item.placement->world);
         material.isLayered = isLayered(material);
         if (!material.isLayered) {
             continue;
@@ -68,21 +68,21 @@ Result<void> LayerPass::addMaterials(FramePlan& plan, ProgramCache& programs) {
     return {};
 }
 
-bool LayerPass::draw(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) {
+bool LayerPass::draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget) {
     if (isDone_) {
         return true;
     }
     if (!std::exchange(hasLines_, true)) {
-        drawLines(plan, gpu);
+        drawLines(frame, gpu);
         if (!budget.isEndless() && budget.mustStop()) {
             return false;
         }
     }
-    isDone_ = compose(plan, gpu, budget);
+    isDone_ = compose(frame, gpu, budget);
     if (isDone_) {
-        gpu.report.drawnObjects += static_cast<int>(
-            std::ranges::count_if(plan.list.transparentBatches(), [&plan](const DrawBatch& batch) {
-                return plan.materials[batch.material].isLayered;
+        gpu.report.drawnObjects += static_cast<int>(std::ranges::count_if(
+            frame.list.transparentBatches(), [&frame](const DrawBatch& batch) {
+                return frame.materials[batch.material].isLayered;
             }));
     }
     return isDone_;
@@ -90,25 +90,25 @@ bool LayerPass::draw(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) {
 
 /// Draws the lines before the layers: layers in front are composed over them, and layers behind are
 /// hidden by their depth.
-void LayerPass::drawLines(const FramePlan& plan, FrameGpu& gpu) {
+void LayerPass::drawLines(const PreparedFrame& frame, FrameGpu& gpu) {
     StepBudget whole;
-    for (const DrawBatch& batch : plan.list.transparentBatches()) {
-        if (plan.materials[batch.material].isLayered) {
-            drawer_.drawLines(plan, gpu, batch, whole);
+    for (const DrawBatch& batch : frame.list.transparentBatches()) {
+        if (frame.materials[batch.material].isLayered) {
+            drawer_.drawLines(frame, gpu, batch, whole);
         }
     }
 }
 
-bool LayerPass::compose(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) {
+bool LayerPass::compose(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget) {
     const auto drawStage = [&, this](LayerComposer::Stage stage) {
         if (stage == LayerComposer::Stage::Layers) {
-            return drawObjects(plan, gpu, stage, budget);
+            return drawObjects(frame, gpu, stage, budget);
         }
         StepBudget whole; // may overrun a step, but depths are quick
-        drawObjects(plan, gpu, stage, whole);
+        drawObjects(frame, gpu, stage, whole);
         return budget.isEndless() || !budget.mustStop();
     };
-    if (plan.isUnseen) {
+    if (frame.plan.isUnseen) {
         composer_.drawUnseen(gpu.target(), drawStage);
         return true;
     }
@@ -117,14 +117,14 @@ bool LayerPass::compose(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget
 
 /// Draws all layered objects for one stage. Returns false when the budget is used up; the next call
 /// continues with batch_.
-bool LayerPass::drawObjects(const FramePlan& plan, FrameGpu& gpu, LayerComposer::Stage stage,
+bool LayerPass::drawObjects(const PreparedFrame& frame, FrameGpu& gpu, LayerComposer::Stage stage,
                             StepBudget& budget) {
-    const std::span<const DrawBatch> batches = plan.list.transparentBatches();
+    const std::span<const DrawBatch> batches = frame.list.transparentBatches();
     while (batch_ < batches.size()) {
         const DrawBatch& batch = batches[batch_];
-        const DrawMaterial& material = plan.materials[batch.material];
+        const DrawMaterial& material = frame.materials[batch.material];
         if (material.isLayered) {
-            gpu.data.feed(plan, batch);
+            gpu.data.feed(frame, batch);
             if (stage == LayerComposer::Stage::Depths) {
                 composer_.useDepths(material.pipeline);
                 gpu.data.forgetProgram();

@@ -11,8 +11,8 @@ namespace patina {
 /// Draws the transparent objects that LayerComposer composes, layer by layer or all at once.
 class LayerPass : public Pass {
   public:
-    Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;
-    bool draw(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) override;
+    Result<bool> prepare(PreparedFrame& frame, FrameGpu& gpu) override;
+    bool draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget) override;
     void forget() override { composer_.forget(); }
 
     /// Frees the memory of the layers.
@@ -20,10 +20,10 @@ class LayerPass : public Pass {
 
   private:
     bool isLayered(const DrawMaterial& material) const;
-    Result<void> addMaterials(FramePlan& plan, ProgramCache& programs);
-    void drawLines(const FramePlan& plan, FrameGpu& gpu);
-    bool compose(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget);
-    bool drawObjects(const FramePlan& plan, FrameGpu& gpu, LayerComposer::Stage stage,
+    Result<void> addMaterials(PreparedFrame& frame, ProgramCache& programs);
+    void drawLines(const PreparedFrame& frame, FrameGpu& gpu);
+    bool compose(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget);
+    bool drawObjects(const PreparedFrame& frame, FrameGpu& gpu, LayerComposer::Stage stage,
                      StepBudget& budget);
 
     LayerComposer composer_;

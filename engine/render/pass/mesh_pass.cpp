@@ -11,33 +11,36 @@ constexpr std::size_t uploadBytes = std::size_t(4) << 20;
 
 } // namespace
 
-Result<bool> MeshPass::prepare(FramePlan& plan, FrameGpu& gpu) {
-    for (DrawItem& item : plan.items) {
-        item.mesh = gpu.shared.meshes.prepare(item.view);
+Result<bool> MeshPass::prepare(PreparedFrame& frame, FrameGpu& gpu) {
+    for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
+        frame.meshes[i] = gpu.shared.meshes.prepare(frame.plan.items[i].view);
     }
     return false;
 }
 
-bool MeshPass::draw(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) {
-    for (const DrawItem& item : plan.items) {
-        while (!item.mesh->isComplete()) {
-            item.mesh->upload(item.view, uploadBytes);
+bool MeshPass::draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget) {
+    for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
+        GpuMesh& mesh = *frame.meshes[i];
+        const MeshView& view = frame.plan.items[i].view;
+        while (!mesh.isComplete()) {
+            mesh.upload(view, uploadBytes);
             if (budget.isOver()) {
                 return false;
             }
         }
-        item.mesh->takeOpenness(item.view);
+        mesh.takeOpenness(view);
     }
-    return findEdges(plan, gpu, budget);
+    return findEdges(frame, gpu, budget);
 }
 
 /// Finds and uploads the edges of meshes with outlines; returns false when the budget is used up.
-bool MeshPass::findEdges(const FramePlan& plan, FrameGpu& gpu, const StepBudget& budget) {
-    for (const DrawItem& item : plan.items) {
-        if (!plan.materials[item.material].isOutlined) {
+bool MeshPass::findEdges(const PreparedFrame& frame, FrameGpu& gpu, const StepBudget& budget) {
+    for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
+        const PlannedItem& item = frame.plan.items[i];
+        if (!frame.plan.materials[item.material].isOutlined) {
             continue;
         }
-        GpuEdges& edges = gpu.shared.meshes.prepareEdges(*item.mesh, item.view);
+        GpuEdges& edges = gpu.shared.meshes.prepareEdges(*frame.meshes[i], item.view);
         while (!edges.isComplete()) {
             edges.proceed(item.view);
             if (budget.isOver()) {

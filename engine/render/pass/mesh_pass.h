@@ -9,13 +9,13 @@ namespace patina {
 class MeshPass : public Pass {
   public:
     /// Allocates meshes that are new.
-    Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;
+    Result<bool> prepare(PreparedFrame& frame, FrameGpu& gpu) override;
 
     /// Uploads their content, some megabytes at a time.
-    bool draw(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) override;
+    bool draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget) override;
 
   private:
-    static bool findEdges(const FramePlan& plan, FrameGpu& gpu, const StepBudget& budget);
+    static bool findEdges(const PreparedFrame& frame, FrameGpu& gpu, const StepBudget& budget);
 };
 
 } // namespace patina

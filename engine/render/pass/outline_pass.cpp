@@ -3,15 +3,15 @@
 
 namespace patina {
 
-Result<bool> OutlinePass::prepare(FramePlan&, FrameGpu&) {
+Result<bool> OutlinePass::prepare(PreparedFrame&, FrameGpu&) {
     batch_ = 0;
     drawer_ = BatchDrawer();
     return false;
 }
 
-bool OutlinePass::draw(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) {
-    for (; batch_ < plan.list.opaqueBatches(); ++batch_) {
-        if (!drawer_.drawLines(plan, gpu, plan.list.batches()[batch_], budget)) {
+bool OutlinePass::draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget) {
+    for (; batch_ < frame.list.opaqueBatches(); ++batch_) {
+        if (!drawer_.drawLines(frame, gpu, frame.list.batches()[batch_], budget)) {
             return false;
         }
     }

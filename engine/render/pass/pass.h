@@ -5,7 +5,7 @@
 
 namespace patina {
 
-struct FramePlan;
+struct PreparedFrame;
 struct FrameGpu;
 class StepBudget;
 
@@ -18,12 +18,12 @@ class Pass {
     virtual ~Pass() = default;
 
     /// Prepares a frame in steps, each up to the first long step of work. Returns true while there
-    /// may be more to do; then it must be called again. It adds to the plan what later passes need.
-    virtual Result<bool> prepare(FramePlan&, FrameGpu&) { return false; }
+    /// may be more to do; then it must be called again. It adds what later passes need.
+    virtual Result<bool> prepare(PreparedFrame&, FrameGpu&) { return false; }
 
     /// Draws what was prepared. Returns false when the budget is used up; the next call continues.
     /// A call after the last does nothing.
-    virtual bool draw(const FramePlan&, FrameGpu&, StepBudget&) { return true; }
+    virtual bool draw(const PreparedFrame&, FrameGpu&, StepBudget&) { return true; }
 
     /// Drops what was made from shader files, because they may have changed.
     virtual void forget() {}

@@ -11,35 +11,35 @@
 namespace patina {
 namespace {
 
-void note(FramePlan& plan, const void* source) {
-    if (std::ranges::find(plan.sources, source) == plan.sources.end()) {
-        plan.sources.push_back(source);
+void note(PreparedFrame& frame, const void* source) {
+    if (std::ranges::find(frame.sources, source) == frame.sources.end()) {
+        frame.sources.push_back(source);
     }
 }
 
 } // namespace
 
-Result<bool> ProgramPass::prepare(FramePlan& plan, FrameGpu& gpu) {
+Result<bool> ProgramPass::prepare(PreparedFrame& frame, FrameGpu& gpu) {
     ProgramCache& programs = gpu.shared.programs();
     const int built = programs.builtCount();
     sceneKeys_.clear();
-    plan.sources.clear();
-    if (lastGood_.size() < plan.effects->objects.size()) {
-        lastGood_.resize(plan.effects->objects.size());
+    frame.sources.clear();
+    if (lastGood_.size() < frame.plan.effects->objects.size()) {
+        lastGood_.resize(frame.plan.effects->objects.size());
     }
-    for (DrawMaterial& material : plan.materials) {
-        choose(plan, material, gpu.shared);
+    for (std::size_t i = 0; i < frame.materials.size(); ++i) {
+        choose(frame, i, gpu.shared);
         if (programs.builtCount() > built) {
             return true;
         }
     }
-    for (const DrawItem& item : plan.items) {
-        const std::shared_ptr<const Pipeline>& chosen = plan.materials[item.material].pipeline;
+    for (const PlannedItem& item : frame.plan.items) {
+        const std::shared_ptr<const Pipeline>& chosen = frame.materials[item.material].pipeline;
         if (lastGood_[item.index] != chosen) {
             lastGood_[item.index] = chosen;
         }
     }
-    chooseGround(plan, gpu.shared);
+    chooseGround(frame, gpu.shared);
     return false;
 }
 
@@ -56,8 +56,9 @@ PipelineStore::Surroundings ProgramPass::surroundings(const FramePlan& plan, std
     return {*plan.effects, known->second, view};
 }
 
-const PipelineStore::Entry&
-ProgramPass::entryOf(const FramePlan& plan, const DrawMaterial& material, RenderResources& shared) {
+const PipelineStore::Entry& ProgramPass::entryOf(const FramePlan& plan,
+                                                 const PlannedMaterial& material,
+                                                 RenderResources& shared) {
     const Material& effects = plan.effects->objects[material.object].material;
     return shared.pipelines.get(effects, EffectKey::ofMaterial(effects, *shared.catalog),
                                 surroundings(plan, material.missing, *shared.catalog));
@@ -65,43 +66,45 @@ ProgramPass::entryOf(const FramePlan& plan, const DrawMaterial& material, Render
 
 /// Sets the program of a material: its own, else the last good one of the object, else a plain
 /// fallback.
-void ProgramPass::choose(FramePlan& plan, DrawMaterial& material, RenderResources& shared) {
-    const PipelineStore::Entry& entry = entryOf(plan, material, shared);
-    material.pipeline = entry.pipeline ? entry.pipeline : lastGood_[material.object];
+void ProgramPass::choose(PreparedFrame& frame, std::size_t number, RenderResources& shared) {
+    const PlannedMaterial& planned = frame.plan.materials[number];
+    DrawMaterial& material = frame.materials[number];
+    const PipelineStore::Entry& entry = entryOf(frame.plan, planned, shared);
+    material.pipeline = entry.pipeline ? entry.pipeline : lastGood_[planned.object];
     if (!entry.pipeline) {
-        note(plan, &entry);
+        note(frame, &entry);
     }
     if (!material.pipeline) {
         const PipelineStore::Entry& fallback =
-            shared.pipelines.fallback(surroundings(plan, material.missing, *shared.catalog));
+            shared.pipelines.fallback(surroundings(frame.plan, planned.missing, *shared.catalog));
         material.pipeline = fallback.pipeline;
         if (!fallback.pipeline) {
-            note(plan, &fallback);
+            note(frame, &fallback);
         }
     }
     if (material.pipeline) {
-        note(plan, material.pipeline.get());
+        note(frame, material.pipeline.get());
     }
 }
 
-void ProgramPass::chooseGround(FramePlan& plan, RenderResources& shared) {
-    plan.ground.pipeline.reset();
-    if (!plan.ground.isSeen) {
+void ProgramPass::chooseGround(PreparedFrame& frame, RenderResources& shared) {
+    frame.ground.reset();
+    if (!frame.plan.ground.isSeen) {
         return;
     }
-    const PipelineStore::Entry& entry =
-        shared.pipelines.ground(surroundings(plan, plan.ground.missing, *shared.catalog));
+    const PipelineStore::Entry& entry = shared.pipelines.ground(
+        surroundings(frame.plan, frame.plan.ground.missing, *shared.catalog));
     lastGround_ = entry.pipeline ? entry.pipeline : lastGround_;
     if (lastGround_ && lastGround_->effects.ground != GroundMode::Off) {
-        plan.ground.pipeline = lastGround_;
-        note(plan, lastGround_.get());
+        frame.ground = lastGround_;
+        note(frame, lastGround_.get());
     }
 }
 
 std::size_t ProgramPass::missing(const FramePlan& plan, RenderResources& shared) {
     sceneKeys_.clear();
     std::size_t missing = 0;
-    for (const DrawMaterial& material : plan.materials) {
+    for (const PlannedMaterial& material : plan.materials) {
         const std::uint64_t key =
             EffectKey::ofMaterial(plan.effects->objects[material.object].material, *shared.catalog);
         const std::uint64_t around = surroundings(plan, material.missing, *shared.catalog).key;

@@ -9,7 +9,7 @@
 #include "render/gpu/key_table.h"
 #include "render/pass/pass.h"
 #include "render/pass/pipeline_store.h"
-#include "render/plan/frame_plan.h"
+#include "render/plan/prepared_frame.h"
 #include "shading/effects/effect_key.h"
 
 namespace patina {
@@ -22,7 +22,7 @@ class ProgramPass : public Pass {
   public:
     /// Chooses the programs of all materials and the ground. Returns true after each program that
     /// had to be compiled; then it must be called again.
-    Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;
+    Result<bool> prepare(PreparedFrame& frame, FrameGpu& gpu) override;
 
     /// Returns 0 when all programs of a plan are there, else a hash of those that are missing.
     std::size_t missing(const FramePlan& plan, RenderResources& shared);
@@ -33,19 +33,20 @@ class ProgramPass : public Pass {
 
     /// Returns the store's entry for a material; it has errors instead of a program when that does
     /// not compile.
-    const PipelineStore::Entry& entryOf(const FramePlan& plan, const DrawMaterial& material,
+    const PipelineStore::Entry& entryOf(const FramePlan& plan, const PlannedMaterial& material,
                                         RenderResources& shared);
 
   private:
-    void choose(FramePlan& plan, DrawMaterial& material, RenderResources& shared);
-    void chooseGround(FramePlan& plan, RenderResources& shared);
+    void choose(PreparedFrame& frame, std::size_t number, RenderResources& shared);
+    void chooseGround(PreparedFrame& frame, RenderResources& shared);
     PipelineStore::Surroundings surroundings(const FramePlan& plan, std::size_t missing,
                                              const Catalog& catalog);
 
     EffectKey keys_;
-    std::vector<std::pair<std::size_t, std::uint64_t>> sceneKeys_; ///< maps DrawMaterial::missing
-                                                                   ///< to a key
-    std::vector<std::shared_ptr<const Pipeline>> lastGood_;        ///< has one for each object
+    std::vector<std::pair<std::size_t, std::uint64_t>>
+        sceneKeys_;                                         ///< maps PlannedMaterial::missing
+                                                            ///< to a key
+    std::vector<std::shared_ptr<const Pipeline>> lastGood_; ///< has one for each object
     std::shared_ptr<const Pipeline> lastGround_;
     KeyTable known_;
 };

@@ -8,14 +8,14 @@
 
 namespace patina {
 
-Result<bool> ResolvePass::prepare(FramePlan&, FrameGpu&) {
+Result<bool> ResolvePass::prepare(PreparedFrame&, FrameGpu&) {
     isResolved_ = false;
     isAdded_ = false;
     return false;
 }
 
 /// Adds to the mean of an environment's frames in a step of its own.
-bool ResolvePass::draw(const FramePlan&, FrameGpu& gpu, StepBudget& budget) {
+bool ResolvePass::draw(const PreparedFrame&, FrameGpu& gpu, StepBudget& budget) {
     if (!budget.deviceIsDone()) {
         return false;
     }

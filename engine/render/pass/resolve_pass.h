@@ -9,8 +9,8 @@ namespace patina {
 /// to the mean of an environment's frames.
 class ResolvePass : public Pass {
   public:
-    Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;
-    bool draw(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) override;
+    Result<bool> prepare(PreparedFrame& frame, FrameGpu& gpu) override;
+    bool draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget) override;
 
   private:
     bool isResolved_ = false;

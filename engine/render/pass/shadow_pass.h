@@ -13,18 +13,18 @@ namespace patina {
 /// Otherwise two frames could take them from each other for ever.
 class ShadowPass : public Pass {
   public:
-    Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;
-    bool draw(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) override;
+    Result<bool> prepare(PreparedFrame& frame, FrameGpu& gpu) override;
+    bool draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget) override;
 
     /// Returns how many triangles must still be drawn into maps.
-    std::int64_t pendingTriangles(const FramePlan& plan, FrameGpu& gpu);
+    std::int64_t pendingTriangles(const PreparedFrame& frame, FrameGpu& gpu);
 
     /// Returns why the frame has no shadows although it should; empty otherwise.
     const std::optional<Error>& error() const { return error_; }
 
   private:
-    void take(const FramePlan& plan, FrameGpu& gpu);
-    void takeBack(const FramePlan& plan, FrameGpu& gpu);
+    void take(const PreparedFrame& frame, FrameGpu& gpu);
+    void takeBack(const PreparedFrame& frame, FrameGpu& gpu);
 
     std::uint64_t taken_ = 0; ///< is ShadowMaps::planNumber() of the frame's own plan
     bool wereLost_ = false;   ///< says that another frame has taken the maps

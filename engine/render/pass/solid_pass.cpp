@@ -3,24 +3,25 @@
 
 namespace patina {
 
-Result<bool> SolidPass::prepare(FramePlan& plan, FrameGpu& gpu) {
+Result<bool> SolidPass::prepare(PreparedFrame& frame, FrameGpu& gpu) {
     batch_ = 0;
     isDone_ = false;
     drawer_ = BatchDrawer();
-    tiles_.begin(plan.sources, gpu.target().drawnSize(), plan.triangles, gpu.environment.rounds());
+    tiles_.begin(frame.sources, gpu.target().drawnSize(), frame.plan.triangles,
+                 gpu.environment.rounds());
     return false;
 }
 
-bool SolidPass::draw(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) {
+bool SolidPass::draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget) {
     if (!isDone_) {
-        const bool isInTiles = !budget.isEndless() && !plan.hasManyTriangles();
-        isDone_ = isInTiles ? drawTiles(plan, gpu, budget) : drawBatches(plan, gpu, budget);
+        const bool isInTiles = !budget.isEndless() && !frame.plan.hasManyTriangles();
+        isDone_ = isInTiles ? drawTiles(frame, gpu, budget) : drawBatches(frame, gpu, budget);
     }
     return isDone_;
 }
 
 /// Draws all batches in each tile; returns false when the budget is used up.
-bool SolidPass::drawTiles(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) {
+bool SolidPass::drawTiles(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget) {
     StepBudget whole;
     tiles_.passed(StepBudget::Clock::now()); // is for a tile that the last step did not wait for
     while (!tiles_.isDone()) {
@@ -28,7 +29,7 @@ bool SolidPass::drawTiles(const FramePlan& plan, FrameGpu& gpu, StepBudget& budg
         gpu.report.drawCalls = 0;
         batch_ = 0;
         tiles_.enter(StepBudget::Clock::now());
-        drawBatches(plan, gpu, whole);
+        drawBatches(frame, gpu, whole);
         RowTiles::leave();
         budget.mark();
         if (!budget.deviceIsDone()) {
@@ -42,16 +43,16 @@ bool SolidPass::drawTiles(const FramePlan& plan, FrameGpu& gpu, StepBudget& budg
     return tiles_.isDone();
 }
 
-bool SolidPass::drawBatches(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) {
-    while (batch_ < plan.list.opaqueBatches()) {
-        const DrawBatch& batch = plan.list.batches()[batch_];
-        gpu.data.feed(plan, batch);
+bool SolidPass::drawBatches(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget) {
+    while (batch_ < frame.list.opaqueBatches()) {
+        const DrawBatch& batch = frame.list.batches()[batch_];
+        gpu.data.feed(frame, batch);
         setBlendState(BlendState::Opaque);
         if (!drawer_.drawTriangles(gpu, batch, budget)) {
             return false;
         }
         gpu.report.drawnObjects += static_cast<int>(batch.count);
-        if (++batch_ < plan.list.batches().size() && budget.isDue()) {
+        if (++batch_ < frame.list.batches().size() && budget.isDue()) {
             return false;
         }
     }

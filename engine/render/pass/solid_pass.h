@@ -12,16 +12,16 @@ namespace patina {
 /// where the pixels of few triangles take long.
 class SolidPass : public Pass {
   public:
-    Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;
-    bool draw(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) override;
+    Result<bool> prepare(PreparedFrame& frame, FrameGpu& gpu) override;
+    bool draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget) override;
 
     /// Returns the tiles of the frame that was prepared.
     const RowTiles& tiles() const { return tiles_; }
     void noteTime(double milliseconds) { tiles_.noteTime(milliseconds); }
 
   private:
-    bool drawTiles(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget);
-    bool drawBatches(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget);
+    bool drawTiles(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget);
+    bool drawBatches(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget);
 
     RowTiles tiles_;
     std::size_t batch_ = 0;

@@ -13,47 +13,48 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Packs mesh, material and list into one key. There are fewer than 256 lists of lights
 /// (LightLists::maxCount) and fewer than 2^24 materials in a frame.
-std::uint64_t keyOf(const DrawItem& item) {
-    return item.mesh->serial() << 32 | std::uint64_t(item.material) << 8 |
-           std::uint64_t(item.lights);
+std::uint64_t keyOf(const PlannedItem& item, const GpuMesh& mesh) {
+    return mesh.serial() << 32 | std::uint64_t(item.material) << 8 | std::uint64_t(item.lights);
 }
 
 const void* programOf(const DrawMaterial& material) {
     return material.pipeline ? material.pipeline->program.get() : nullptr;
 }
 
-bool isDrawn(const DrawItem& item, const DrawMaterial& material) {
-    return item.isInPicture && material.pipeline != nullptr;
+bool isDrawn(const Drawables& drawables, const PlannedItem& item, bool transparent) {
+    return item.isInPicture && drawables.materials[item.material].pipeline != nullptr &&
+           drawables.plan.materials[item.material].isTransparent == transparent;
 }
 
 } // namespace
 
-void DrawList::order(std::span<const DrawItem> items, std::span<const DrawMaterial> materials) {
+void DrawList::order(const Drawables& drawables) {
     batches_.clear();
     order_.clear();
-    addOpaque(items, materials);
-    rank(materials);
-    sortBatches(materials);
-    placeItems(items);
+    addOpaque(drawables);
+    rank(drawables.materials);
+    sortBatches(drawables.materials);
+    placeItems(drawables.plan.items);
     opaque_ = batches_.size();
-    addTransparent(items, materials);
+    addTransparent(drawables);
 }
 
 /// Groups opaque items into batches, in the order of the scene.
-void DrawList::addOpaque(std::span<const DrawItem> items, std::span<const DrawMaterial> materials) {
+void DrawList::addOpaque(const Drawables& drawables) {
+    const std::vector<PlannedItem>& items = drawables.plan.items;
     static_assert(LightLists::maxCount < 255);
     known_.clear(items.size());
     found_.clear();
     batchOf_.assign(items.size(), 0);
     for (std::size_t i = 0; i < items.size(); ++i) {
-        const DrawItem& item = items[i];
-        const DrawMaterial& material = materials[item.material];
-        if (!isDrawn(item, material) || material.isTransparent) {
+        const PlannedItem& item = items[i];
+        if (!isDrawn(drawables, item, false)) {
             continue;
         }
-        const std::size_t number = known_.find(keyOf(item), found_.size());
+        GpuMesh* mesh = drawables.meshes[i].get();
+        const std::size_t number = known_.find(keyOf(item, *mesh), found_.size());
         if (number == found_.size()) {
-            found_.push_back({item.material, item.mesh.get(), item.lights, 0, 0, infinity});
+            found_.push_back({item.material, mesh, item.lights, 0, 0, infinity});
         }
         DrawBatch& batch = found_[number];
         ++batch.count;
@@ -107,7 +108,7 @@ void DrawList::sortBatches(std::span<const DrawMaterial> materials) {
 }
 
 /// Puts each item into its batch, then sorts each batch by distance.
-void DrawList::placeItems(std::span<const DrawItem> items) {
+void DrawList::placeItems(std::span<const PlannedItem> items) {
     for (DrawBatch& batch : batches_) {
         batch.count = 0;
     }
@@ -126,22 +127,22 @@ void DrawList::placeItems(std::span<const DrawItem> items) {
     }
 }
 
-void DrawList::addTransparent(std::span<const DrawItem> items,
-                              std::span<const DrawMaterial> materials) {
+void DrawList::addTransparent(const Drawables& drawables) {
+    const std::vector<PlannedItem>& items = drawables.plan.items;
     const std::size_t first = order_.size();
     for (std::size_t i = 0; i < items.size(); ++i) {
-        const DrawMaterial& material = materials[items[i].material];
-        if (isDrawn(items[i], material) && material.isTransparent) {
+        if (isDrawn(drawables, items[i], true)) {
             order_.push_back(static_cast<std::uint32_t>(i));
         }
     }
     std::sort(order_.begin() + static_cast<std::ptrdiff_t>(first), order_.end(),
-              [items](std::uint32_t a, std::uint32_t b) {
+              [&items](std::uint32_t a, std::uint32_t b) {
                   return std::tie(items[b].distance, a) < std::tie(items[a].distance, b);
               });
     for (std::size_t i = first; i < order_.size(); ++i) {
-        const DrawItem& item = items[order_[i]];
-        batches_.push_back({item.material, item.mesh.get(), item.lights, i, 1, item.distance});
+        const PlannedItem& item = items[order_[i]];
+        GpuMesh* mesh = drawables.meshes[order_[i]].get();
+        batches_.push_back({item.material, mesh, item.lights, i, 1, item.distance});
     }
 }
 

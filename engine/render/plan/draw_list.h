@@ -6,45 +6,24 @@
 #include <span>
 #include <vector>
 
-#include "core/mesh.h"
 #include "render/gpu/gpu_mesh.h"
 #include "render/gpu/key_table.h"
 #include "render/gpu/pipeline.h"
 #include "render/gpu/uniform_pool.h"
-#include "render/lights/placement.h"
+#include "render/plan/frame_plan.h"
 
 namespace patina {
 
-/// Is one of the different materials of a frame; many objects may have it.
+/// Is what one of the different materials of a plan is drawn with.
 struct DrawMaterial {
-    std::size_t object = 0;  ///< is the first object that has it
-    std::size_t missing = 0; ///< is LightKinds::missingKinds() for its objects
-    bool isTransparent = false;
-    bool canShadow = true;
-    bool isOutlined = false;                  ///< says that the edges of its objects' meshes are
-                                              ///< wanted
-    bool isLayered = false;                   ///< says that its objects are composed layer by layer
     std::shared_ptr<const Pipeline> pipeline; ///< is null when there is no program to draw it with
     UniformPool::Place data;
     UniformPool::Place outlineData;
-
-    bool hasLines() const { return isOutlined && pipeline && pipeline->outline; }
+    bool isLayered = false; ///< says that its objects are composed layer by layer
 
     /// Returns true when its program refracts; the program may be one from before a change of the
     /// material.
     bool refracts() const { return pipeline && pipeline->object.refraction.has_value(); }
-};
-
-/// Says what is drawn of one object of a frame.
-struct DrawItem {
-    std::size_t index = 0; ///< is the object's index in the scene
-    MeshView view;
-    std::shared_ptr<GpuMesh> mesh; ///< is null until the mesh is allocated on the GPU
-    const Placement* placement = nullptr;
-    double distance = 0.0;    ///< metres from the eye to the middle of its box
-    std::size_t lights = 0;   ///< is the number of its list in LightLists
-    std::size_t material = 0; ///< is an index into FramePlan::materials
-    bool isInPicture = true;
 };
 
 /// Holds objects that are drawn with one call: they have the same mesh, material and list of
@@ -58,6 +37,14 @@ struct DrawBatch {
     double nearest = 0.0; ///< metres from the eye to the nearest item
 };
 
+/// Is what a frame's order of drawing is made of: a plan, and for each of its items a mesh and for
+/// each of its materials a program.
+struct Drawables {
+    const FramePlan& plan;
+    std::span<const std::shared_ptr<GpuMesh>> meshes;
+    std::span<const DrawMaterial> materials;
+};
+
 /// Decides the order in which a frame's objects are drawn. Opaque ones come first, grouped by
 /// program, material and mesh, near groups and near objects before far ones, so that the depth test
 /// hides what is behind. Transparent ones follow, far ones first and each alone, so that each is
@@ -66,7 +53,7 @@ class DrawList {
   public:
     /// Makes the batches. Items that are not in the picture or have no program are left out; each
     /// item must have a mesh. It allocates nothing once it has had as many items.
-    void order(std::span<const DrawItem> items, std::span<const DrawMaterial> materials);
+    void order(const Drawables& drawables);
 
     std::span<const DrawBatch> batches() const { return batches_; }
     std::size_t opaqueBatches() const { return opaque_; }
@@ -81,11 +68,11 @@ class DrawList {
         double material = 0.0;
     };
 
-    void addOpaque(std::span<const DrawItem> items, std::span<const DrawMaterial> materials);
+    void addOpaque(const Drawables& drawables);
     void rank(std::span<const DrawMaterial> materials);
     void sortBatches(std::span<const DrawMaterial> materials);
-    void placeItems(std::span<const DrawItem> items);
-    void addTransparent(std::span<const DrawItem> items, std::span<const DrawMaterial> materials);
+    void placeItems(std::span<const PlannedItem> items);
+    void addTransparent(const Drawables& drawables);
 
     KeyTable known_;
     std::vector<DrawBatch> batches_;

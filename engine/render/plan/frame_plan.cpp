@@ -14,6 +14,10 @@ glm::dmat4 FramePlan::worldToClip() const {
     return projection(view->camera, aspect, depths) * worldToCamera;
 }
 
+const Material& FramePlan::material(std::size_t number) const {
+    return scene->objects[materials[number].object].material;
+}
+
 const BlockValues& FramePlan::transparency() const {
     const BlockValues* own = scene->part(kinds::transparency);
     const BlockValues* drawn = effects->part(kinds::transparency);

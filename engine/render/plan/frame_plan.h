@@ -2,33 +2,52 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
 
+#include "core/mesh.h"
 #include "render/lights/frustum.h"
 #include "render/lights/ground_place.h"
 #include "render/lights/light_kinds.h"
 #include "render/lights/light_lists.h"
-#include "render/plan/draw_list.h"
+#include "render/lights/placement.h"
 #include "render/view.h"
 #include "shading/effects/effect_view.h"
 
 namespace patina {
 
+/// Is one of the different materials of a frame; many objects may have it.
+struct PlannedMaterial {
+    std::size_t object = 0;  ///< is the first object that has it
+    std::size_t missing = 0; ///< is LightKinds::missingKinds() for its objects
+    bool isTransparent = false;
+    bool canShadow = true;
+    bool isOutlined = false; ///< says that the edges of its objects' meshes are wanted
+};
+
+/// Says what is seen of one object of a scene.
+struct PlannedItem {
+    std::size_t index = 0; ///< is the object's index in the scene
+    MeshView view;
+    const Placement* placement = nullptr;
+    double distance = 0.0;    ///< metres from the eye to the middle of its box
+    std::size_t lights = 0;   ///< is the number of its list in LightLists
+    std::size_t material = 0; ///< is an index into FramePlan::materials
+    bool isInPicture = true;
+};
+
 /// Says whether and how a frame's ground is drawn.
 struct PlannedGround {
     bool isSeen = false;
     GroundPlace place;
-    std::size_t lights = 0;                   ///< is the number of its list in LightLists
-    std::size_t missing = 0;                  ///< is LightKinds::missingKinds() for it
-    std::shared_ptr<const Pipeline> pipeline; ///< is null when there is no program to draw it with
+    std::size_t lights = 0;  ///< is the number of its list in LightLists
+    std::size_t missing = 0; ///< is LightKinds::missingKinds() for it
 };
 
 /// Holds what a frame shows: objects and their materials, the lights that reach them, the ground,
-/// the camera and the range of depths. FramePlanner makes it from a scene and a view alone; what
-/// prepares the frame adds meshes of the GPU, programs and the order of drawing.
+/// the camera and the range of depths. FramePlanner makes it from a scene and a view alone, without
+/// the GPU; what the passes make of it is PreparedFrame.
 struct FramePlan {
     const Scene* scene = nullptr;   ///< is the scene whose values are drawn
     const Scene* effects = nullptr; ///< is the scene whose effects the programs have; often `scene`
@@ -41,20 +60,19 @@ struct FramePlan {
     glm::dmat4 cameraToWorld{1.0};
     glm::dvec3 eye{0.0}; ///< in world space
     DepthRange depths;
-    DepthRange layerDepths;              ///< covers only transparent objects
-    std::vector<DrawItem> items;         ///< has the items in the scene's order
-    std::vector<DrawMaterial> materials; ///< has the different materials of the items
+    std::vector<PlannedItem> items;         ///< has the items in the scene's order
+    std::vector<PlannedMaterial> materials; ///< has the different materials of the items
     LightLists lightLists;
     LightKinds lightKinds;
     PlannedGround ground;
     EffectView effectView; ///< is what the programs depend on in the view, except missing lights
-    DrawList list;
-    std::vector<const void*> sources; ///< has pointers to the sources of the programs and their
-                                      ///< messages
     std::int64_t triangles = 0;
     std::int64_t edges = 0; ///< is about the number of edges that may be drawn as outlines
 
     glm::dmat4 worldToClip() const;
+
+    /// Returns the values of one of the materials.
+    const Material& material(std::size_t number) const;
 
     /// Returns the values of the block by which the programs compose transparent objects. They are
     /// those of `effects` when the scene has another block.

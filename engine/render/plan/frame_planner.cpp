@@ -35,7 +35,7 @@ FogReach fogReach(const FramePlan& plan, const Catalog& catalog) {
     if (!fog.asks()) {
         return fog;
     }
-    for (const DrawItem& item : plan.items) {
+    for (const PlannedItem& item : plan.items) {
         fog.add(item.placement->corners);
     }
     if (plan.ground.isSeen) {
@@ -53,7 +53,7 @@ std::size_t missingKinds(FramePlan& plan, std::size_t lights) {
 void count(FramePlan& plan) {
     plan.triangles = 0;
     plan.edges = 0;
-    for (const DrawItem& item : plan.items) {
+    for (const PlannedItem& item : plan.items) {
         const std::int64_t triangles = std::ssize(item.view.indices) / 3;
         plan.triangles += triangles;
         // A closed mesh has three edges for two triangles.
@@ -106,26 +106,22 @@ void FramePlanner::collect(FramePlan& plan, const MeshSource& meshes, const Cata
             last = &objects[i];
         }
         if (!mesh.indices.empty()) {
-            DrawItem& item = plan.items.emplace_back(itemOf(plan, i, mesh, catalog));
+            PlannedItem& item = plan.items.emplace_back(itemOf(plan, i, mesh, catalog));
             item.isInPicture = plan.isUnseen || !isOutside(*item.placement, worldToClip);
         }
     }
 }
 
-DrawItem FramePlanner::itemOf(FramePlan& plan, std::size_t index, const MeshView& mesh,
-                              const Catalog& catalog) {
+PlannedItem FramePlanner::itemOf(FramePlan& plan, std::size_t index, const MeshView& mesh,
+                                 const Catalog& catalog) {
     const Placement& place = placements_.of(index, plan.scene->objects[index], mesh.bounds);
     const std::size_t lights = plan.lightLists.listFor(place.ball);
     if (!mesh.bounds.empty()) {
         plan.depths.add(place.corners, plan.worldToCamera);
     }
-    return {index,
-            mesh,
-            nullptr,
-            &place,
-            glm::distance(place.middle, plan.eye),
-            lights,
-            materialOf(plan, index, missingKinds(plan, lights), catalog)};
+    return {index,  mesh,
+            &place, glm::distance(place.middle, plan.eye),
+            lights, materialOf(plan, index, missingKinds(plan, lights), catalog)};
 }
 
 /// Returns the index of an object's material in the plan and adds it when it is new. Two objects
@@ -143,7 +139,7 @@ std::size_t FramePlanner::materialOf(FramePlan& plan, std::size_t object, std::s
     }
     const std::size_t number = materialKeys_.find(hash, plan.materials.size());
     if (number == plan.materials.size()) {
-        DrawMaterial& material = plan.materials.emplace_back();
+        PlannedMaterial& material = plan.materials.emplace_back();
         material.object = object;
         material.missing = missing;
         material.isTransparent = isTransparent(effects, catalog);
@@ -161,7 +157,7 @@ void FramePlanner::addGround(FramePlan& plan) {
         return;
     }
     GroundUnder under;
-    for (const DrawItem& item : plan.items) {
+    for (const PlannedItem& item : plan.items) {
         under.add(item.view.bounds, item.placement->world, lowestHeight(item));
     }
     if (const auto place = under.place(plan.scene->ground, plan.eye)) {
@@ -173,14 +169,14 @@ void FramePlanner::addGround(FramePlan& plan) {
     }
 }
 
-bool FramePlanner::Lowest::isOf(const DrawItem& item) const {
+bool FramePlanner::Lowest::isOf(const PlannedItem& item) const {
     return world == item.placement->world && vertices.data() == item.view.vertices.data() &&
            vertices.size() == item.view.vertices.size() && bounds == item.view.bounds;
 }
 
 /// Returns the lowest height of an object in the world; computes it only when the object has
 /// changed.
-double FramePlanner::lowestHeight(const DrawItem& item) {
+double FramePlanner::lowestHeight(const PlannedItem& item) {
     if (lowest_.size() <= item.index) {
         lowest_.resize(item.index + 1);
     }

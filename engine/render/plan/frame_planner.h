@@ -35,16 +35,16 @@ class FramePlanner {
         Bounds bounds;
         double height = 0.0;
 
-        bool isOf(const DrawItem& item) const;
+        bool isOf(const PlannedItem& item) const;
     };
 
     void collect(FramePlan& plan, const MeshSource& meshes, const Catalog& catalog);
-    DrawItem itemOf(FramePlan& plan, std::size_t index, const MeshView& mesh,
-                    const Catalog& catalog);
+    PlannedItem itemOf(FramePlan& plan, std::size_t index, const MeshView& mesh,
+                       const Catalog& catalog);
     std::size_t materialOf(FramePlan& plan, std::size_t object, std::size_t missing,
                            const Catalog& catalog);
     void addGround(FramePlan& plan);
-    double lowestHeight(const DrawItem& item);
+    double lowestHeight(const PlannedItem& item);
 
     PlacementStore placements_;
     KeyTable materialKeys_;
