@@ -7,6 +7,7 @@
 #include <map>
 #include <mutex>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -49,42 +50,89 @@ Result<SharedTable> tableOf(const std::filesystem::path& file) {
 /// Keeps the tables that were used last, and knows all that somebody holds.
 class KeptTables {
   public:
-    SharedTable get(int number) {
+    /// Returns null for a file that was not read yet.
+    SharedTable find(int number) {
         const std::lock_guard lock(guard_);
-        if (SharedTable held = known_[number].lock()) {
+        if (SharedTable held = known_[number].table.lock()) {
             use(number, held);
             return held;
         }
-        if (failed_.contains(number)) {
-            return unreadable_;
-        }
-        const Result<SharedTable> read = tableOf(numberedText(number));
-        if (!read) {
-            failed_.insert(number);
-            return unreadable_;
-        }
-        use(number, *read);
-        return *read;
+        return failed_.contains(number) ? unreadable_ : nullptr;
     }
 
-    void put(int number, const Result<SharedTable>& table) {
-        const std::lock_guard lock(guard_);
-        std::erase_if(last_, [number](const Use& each) { return each.first == number; });
-        failed_.erase(number);
-        if (table) {
-            use(number, *table);
-        } else {
-            known_.erase(number);
-            failed_.insert(number);
+    SharedTable get(int number) {
+        if (SharedTable there = find(number)) {
+            return there;
         }
+        const std::lock_guard one(reading_); // who waits finds what the other one read
+        if (SharedTable there = find(number)) {
+            return there;
+        }
+        const Result<SharedTable> table = read(number);
+        return table ? *table : unreadable_;
+    }
+
+    /// Returns the table that is kept where its file has not changed, else what is read now, and
+    /// whether it was read.
+    std::pair<Result<SharedTable>, bool> renew(int number) {
+        const std::lock_guard one(reading_);
+        if (SharedTable there = unchanged(number)) {
+            return {there, false};
+        }
+        return {read(number), true};
     }
 
   private:
     using Use = std::pair<int, SharedTable>;
 
+    /// Tells one content of a file from another.
+    struct Stamp {
+        std::filesystem::file_time_type time;
+        std::uintmax_t size = 0;
+
+        friend bool operator==(const Stamp&, const Stamp&) = default;
+    };
+
+    struct Known {
+        std::weak_ptr<const HalfDifferenceTable> table;
+        std::optional<Stamp> stamp; ///< is of the file before it was read
+    };
+
+    static std::optional<Stamp> stampOf(int number) {
+        const std::filesystem::path file = numberedText(number);
+        std::error_code missing;
+        Stamp stamp;
+        stamp.time = std::filesystem::last_write_time(file, missing);
+        stamp.size = missing ? 0 : std::filesystem::file_size(file, missing);
+        return missing ? std::nullopt : std::optional(stamp);
+    }
+
+    SharedTable unchanged(int number) {
+        const std::lock_guard lock(guard_);
+        const Known& known = known_[number];
+        SharedTable held = known.table.lock();
+        return held && known.stamp && known.stamp == stampOf(number) ? held : nullptr;
+    }
+
+    Result<SharedTable> read(int number) {
+        const std::optional<Stamp> stamp = stampOf(number);
+        Result<SharedTable> table = tableOf(numberedText(number));
+        const std::lock_guard lock(guard_);
+        std::erase_if(last_, [number](const Use& each) { return each.first == number; });
+        failed_.erase(number);
+        known_.erase(number);
+        if (table) {
+            known_[number].stamp = stamp;
+            use(number, *table);
+        } else {
+            failed_.insert(number);
+        }
+        return table;
+    }
+
     void use(int number, SharedTable table) {
         std::erase_if(last_, [number](const Use& each) { return each.first == number; });
-        known_[number] = table;
+        known_[number].table = table;
         last_.emplace_front(number, std::move(table));
         std::size_t texels = 0;
         for (auto each = last_.begin(); each != last_.end();) {
@@ -94,12 +142,19 @@ class KeptTables {
         }
     }
 
-    std::mutex guard_;
+    std::mutex reading_;  ///< lets one file be read at a time
+    std::mutex guard_;    ///< is never held while a file is read
     std::list<Use> last_; ///< begins with the one that was used last
-    std::map<int, std::weak_ptr<const HalfDifferenceTable>> known_;
+    std::map<int, Known> known_;
     std::set<int> failed_;
     SharedTable unreadable_ = matteTable({0.5f, 0.0f, 0.5f});
 };
+
+/// Returns the table of no file.
+const SharedTable& noTable() {
+    static const SharedTable grey = matteTable(glm::vec3(0.5f));
+    return grey;
+}
 
 KeptTables& keptTables() {
     static KeptTables all;
@@ -111,16 +166,18 @@ std::atomic<unsigned> version{0};
 } // namespace
 
 Result<SharedTable> readTable(const std::filesystem::path& file) {
-    Result<SharedTable> table = tableOf(file);
-    keptTables().put(numberOfText(std::filesystem::absolute(file).lexically_normal().string()),
-                     table);
-    ++version;
-    return table;
+    auto [table, isNew] = keptTables().renew(
+        numberOfText(std::filesystem::absolute(file).lexically_normal().string()));
+    version += isNew ? 1 : 0;
+    return std::move(table);
 }
 
 SharedTable keptTable(int number) {
-    static const SharedTable grey = matteTable(glm::vec3(0.5f));
-    return number == 0 ? grey : keptTables().get(number);
+    return number == 0 ? noTable() : keptTables().get(number);
+}
+
+SharedTable tableAtHand(int number) {
+    return number == 0 ? noTable() : keptTables().find(number);
 }
 
 unsigned keptTablesVersion() {

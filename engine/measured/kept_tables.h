@@ -12,8 +12,8 @@ namespace patina {
 using SharedTable = std::shared_ptr<const HalfDifferenceTable>;
 
 /// Reads a file of a measured surface into a table and keeps it for keptTable(), under its absolute
-/// and normal path. Errors are those of readMeasured(), and that a table is too large for a
-/// graphics card.
+/// and normal path; a file that has not changed since it was kept is not read again. Errors are
+/// those of readMeasured(), and that a table is too large for a graphics card.
 Result<SharedTable> readTable(const std::filesystem::path& file);
 
 /// Returns the table of the file whose full path numberOfText() gave this number: the one that
@@ -22,7 +22,11 @@ Result<SharedTable> readTable(const std::filesystem::path& file);
 /// forgotten, the oldest first, when all are larger than 256 MiB. Any thread may call it.
 SharedTable keptTable(int number);
 
-/// Returns a number that grows whenever readTable() was called, so that tables may have changed.
+/// Returns the table that keptTable() would, at once; null where it would read the file first. Any
+/// thread may call it.
+SharedTable tableAtHand(int number);
+
+/// Returns a number that grows whenever readTable() read a file, so that tables may have changed.
 unsigned keptTablesVersion();
 
 } // namespace patina

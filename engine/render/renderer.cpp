@@ -40,6 +40,10 @@ void Renderer::setTextures(TextureSource source) {
     shared_->textures.setSource(std::move(source));
 }
 
+void Renderer::setTables(MeasuredStore::Source source) {
+    shared_->measured.setSource(std::move(source));
+}
+
 FrameJob& Renderer::begin(const Scene& scene, const View& view, const MeshSource& meshes,
                           FramePurpose purpose) {
     if (purpose == FramePurpose::Window || purpose == FramePurpose::Sketch) {

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "core/image.h"
+#include "render/gpu/measured_store.h"
 #include "render/gpu/texture_source.h"
 #include "render/view.h"
 
@@ -45,6 +46,10 @@ class Renderer {
     /// Sets where the images of materials come from; without a source none are shown. It applies to
     /// all views that share.
     void setTextures(TextureSource source);
+
+    /// Sets where the tables of measured files come from; without a source a frame waits until they
+    /// are read. It applies to all views that share.
+    void setTables(MeasuredStore::Source source);
 
     /// Begins a frame; the last one is dropped if it is not done, since a view has one job. The
     /// framebuffer that is shown does not change until FrameJob::show().

@@ -2,9 +2,12 @@
 // What the command line, the menu and a drop name is opened, or it is said why not.
 #include <chrono>
 
+#include <QSignalSpy>
 #include <QTest>
 
 #include "catalog/catalog.h"
+#include "core/numbered_texts.h"
+#include "resources/texture_library.h"
 #include "support/measured_files.h"
 #include "ui/answer.h"
 #include "ui/window_fixture.h"
@@ -27,6 +30,12 @@ class OpenFiles : public WindowFixture {
     QString presetFile() { return QString::fromStdString(otherPreset(document()).string()); }
 
     std::string messages() { return text(window().messages().messages()); }
+
+    /// Waits until a message has the word.
+    bool tells(const char* word) {
+        return QTest::qWaitFor([&] { return messages().find(word) != std::string::npos; },
+                               readingMs);
+    }
 };
 
 TEST_F(OpenFiles, SceneWithAPlainName_IsOpenedByItsFormat) {
@@ -48,20 +57,39 @@ TEST_F(OpenFiles, MeasuredFile_IsAMaterialThatIsReadOnly) {
               }));
     const QString file = QString::fromStdString(home("paint.binary").string());
     window().files().open({file}, Side::A);
+    EXPECT_FALSE(window().documentFiles().file().readOnly); // it is read beside the window
+    ASSERT_TRUE(
+        QTest::qWaitFor([this] { return window().documentFiles().file().readOnly; }, readingMs));
     EXPECT_EQ(messages(), "");
-    EXPECT_TRUE(window().documentFiles().file().readOnly);
     EXPECT_EQ(document().material(Side::A)->name, "paint");
     const int before = document().undoStack().count();
     window().files().drop({file}, Side::A);
+    settle();
     EXPECT_LE(document().undoStack().count(), before + 1);
     writeFile(home("paint.binary"), "no numbers at all, but text of some length");
     window().files().drop({file}, Side::A);
-    EXPECT_NE(messages().find("paint.binary"), std::string::npos) << messages();
+    EXPECT_TRUE(tells("paint.binary"));
     EXPECT_EQ(document().material(Side::A)->name, "paint");
     const std::filesystem::path other = home("other.binary");
     writeFile(other, "no numbers at all, but text of some length");
     document().setValue(pathOf(kinds::models), "file", other.string());
-    EXPECT_NE(messages().find("other.binary"), std::string::npos) << messages();
+    EXPECT_TRUE(tells("other.binary"));
+}
+
+TEST(OpenedTables, OfAMeasuredFile_AreGreyUntilTheyAreRead) {
+    const TemporaryFolder folder;
+    writeFile(folder / "paint.binary",
+              merlBytes({2, 2, 2}, [](const DirectionPair&) { return glm::dvec3(0.1); }));
+    const int number = numberOfText((folder / "paint.binary").string());
+    AssetClient client;
+    TextureLibrary textures([&client]() -> AssetClient& { return client; });
+    const QSignalSpy arrived(&textures, &TextureLibrary::arrived);
+    EXPECT_EQ(textures.table(number), textures.table(0));
+    EXPECT_EQ(textures.table(number), textures.table(0)); // and is read once
+    ASSERT_TRUE(QTest::qWaitFor([&] { return arrived.count() > 0; }, readingMs));
+    EXPECT_NE(textures.table(number), textures.table(0));
+    EXPECT_EQ(textures.table(number)->bins, glm::ivec3(2));
+    EXPECT_EQ(arrived.count(), 1);
 }
 
 TEST_F(OpenFiles, SceneBesideAPreset_IsNamedAsNotOpened) {

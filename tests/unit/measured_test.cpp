@@ -110,6 +110,22 @@ TEST_F(Measured, UnreadableFile_HasATableOfItsOwnColour) {
     EXPECT_GT(table->texels.front().x, table->texels.front().y);
 }
 
+TEST_F(Measured, Table_IsAtHandOnceItWasReadAndIsReadAgainWhenItsFileChanged) {
+    const std::filesystem::path file = folder_ / "paint.binary";
+    const int number = numberOfText(file.string());
+    writeFile(file, merlBytes({2, 2, 2}, smooth));
+    EXPECT_EQ(tableAtHand(number), nullptr);
+    const SharedTable first = keptTable(number);
+    EXPECT_EQ(tableAtHand(number), first);
+    const unsigned version = keptTablesVersion();
+    EXPECT_EQ(*readTable(file), first);
+    EXPECT_EQ(keptTablesVersion(), version);
+    writeFile(file, merlBytes({2, 2, 4}, smooth));
+    ASSERT_TRUE(readTable(file));
+    EXPECT_EQ(tableAtHand(number)->bins.x, 4);
+    EXPECT_NE(keptTablesVersion(), version);
+}
+
 TEST_F(Measured, TableTooLongForAGraphicsCard_IsRefused) {
     writeFile(folder_ / "long.binary", merlBytes({1, 1, 2049}, smooth));
     const auto table = readTable(folder_ / "long.binary");

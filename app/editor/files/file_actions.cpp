@@ -17,8 +17,8 @@
 #include "library/preset_library.h"
 #include "material/file_suffixes.h"
 #include "material/mesh_look.h"
-#include "measured/kept_tables.h"
 #include "measured/measured_reflectance.h"
+#include "resources/texture_library.h"
 #include "scene/scene_file.h"
 #include "sheet/sheet_file.h"
 #include "text/as_text.h"
@@ -74,26 +74,33 @@ QString withSuffix(QString file, const QString& suffix) {
 } // namespace
 
 FileActions::FileActions(Document& document, DocumentFiles& files, MeshLibrary& meshes,
-                         Session& session, QWidget* window)
-    : QObject(window), document_(document), files_(files), meshes_(meshes), session_(session),
-      clipboard_(new ClipboardActions(document, files, meshes, this)), consent_(session, window),
-      window_(window) {
+                         TextureLibrary& textures, Session& session, QWidget* window)
+    : QObject(window), document_(document), files_(files), meshes_(meshes), textures_(textures),
+      session_(session), clipboard_(new ClipboardActions(document, files, meshes, this)),
+      consent_(session, window), window_(window) {
     connect(&meshes, &MeshLibrary::loaded, this, &FileActions::meshLoaded);
     connect(&meshes, &MeshLibrary::failed, this, &FileActions::meshFailed);
     connect(&meshes, &MeshLibrary::linksRefused, this, &FileActions::noteLinks);
-    connect(&document, &Document::fileNamed, this, &FileActions::readMeasuredFile);
+    connect(&document, &Document::fileNamed, this, [this](const std::filesystem::path& file) {
+        if (isMeasuredFile(file)) {
+            textures_.readTable(file); // as soon as a value names it, so that a failure is told
+        }
+    });
     connect(&files, &DocumentFiles::fileChanged, this,
             [this] { written_ = timeOf(files_.file().path); });
 }
 
-/// Reads a file of measurements as soon as a value names it, so that it is told when that fails.
-void FileActions::readMeasuredFile(const std::filesystem::path& file) {
-    if (!isMeasuredFile(file)) {
+/// Has the measured files among these read in the background before it goes on; with none it goes
+/// on at once.
+void FileActions::whenRead(const QStringList& files, const std::function<void()>& next) {
+    const auto measured = std::ranges::find_if(
+        files, [](const QString& file) { return isMeasuredFile(file.toStdString()); });
+    if (measured == files.end()) {
+        next();
         return;
     }
-    if (const auto table = readTable(file); !table) {
-        tell(table.error());
-    }
+    const QStringList rest(measured + 1, files.end());
+    textures_.readTable(measured->toStdString(), [this, rest, next] { whenRead(rest, next); });
 }
 
 void FileActions::newDocument() {
@@ -422,6 +429,10 @@ bool FileActions::mayReplace(const QString& asked, const QString& file) {
 }
 
 void FileActions::open(const QStringList& files, Side side) {
+    whenRead(files, [this, files, side] { openRead(files, side); });
+}
+
+void FileActions::openRead(const QStringList& files, Side side) {
     QStringList documents;
     QStringList meshes; // these and what follows belong to the document that is opened
     QStringList others;
@@ -438,7 +449,7 @@ void FileActions::open(const QStringList& files, Side side) {
         openDocument(documents.takeFirst());
     }
     if (!documents.isEmpty() && kindOf(documents.front()) == Kind::Preset) {
-        applyPreset(documents.takeFirst(), side == Side::A ? Side::B : Side::A);
+        applyRead(documents.takeFirst(), side == Side::A ? Side::B : Side::A);
     }
     for (const QString& mesh : meshes) {
         load(mesh);
@@ -447,14 +458,18 @@ void FileActions::open(const QStringList& files, Side side) {
         tell({file.toStdString(), 0, 0, "is not opened: there is room for one scene or preset",
               "beside it a preset for the other side, and meshes"});
     }
-    drop(others, side);
+    dropRead(others, side);
 }
 
 void FileActions::drop(const QStringList& files, Side side) {
+    whenRead(files, [this, files, side] { dropRead(files, side); });
+}
+
+void FileActions::dropRead(const QStringList& files, Side side) {
     for (const QString& file : files) {
         switch (kindOf(file)) {
         case Kind::Preset:
-            applyPreset(file, side);
+            applyRead(file, side);
             document_.selection().setSide(side); // what was put there is what is worked on next
             break;
         case Kind::Scene:
@@ -476,6 +491,10 @@ void FileActions::drop(const QStringList& files, Side side) {
 }
 
 void FileActions::applyPreset(const QString& file, Side side) {
+    whenRead({file}, [this, file, side] { applyRead(file, side); });
+}
+
+void FileActions::applyRead(const QString& file, Side side) {
     const ReadingRights rights =
         consent_.rightsFor(file, DocumentFile::Kind::Preset, document_.catalog());
     if (files_.applyPreset(file.toStdString(), side, rights)) {

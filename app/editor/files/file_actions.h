@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <map>
 
 #include <QObject>
@@ -16,6 +17,8 @@ class QWidget;
 
 namespace patina {
 
+class TextureLibrary;
+
 /// Does what the File menu, drops and the command line do with files: asks for files, asks before
 /// unsaved work would be lost, and remembers folders and recent files.
 class FileActions : public QObject {
@@ -25,8 +28,8 @@ class FileActions : public QObject {
     /// Is what a file holds, told by its name or, for other JSON files, by its "format".
     enum class Kind { Preset, Scene, Panorama, Mesh, Sheet };
 
-    FileActions(Document& document, DocumentFiles& files, MeshLibrary& meshes, Session& session,
-                QWidget* window);
+    FileActions(Document& document, DocumentFiles& files, MeshLibrary& meshes,
+                TextureLibrary& textures, Session& session, QWidget* window);
 
     void newDocument();
     /// Returns whether the document was saved.
@@ -102,7 +105,10 @@ class FileActions : public QObject {
     std::vector<Object> objectsOf(const Object& mesh) const;
     void place(const std::vector<Object>& objects, bool isInPlace);
     void replaceObject(const std::vector<Object>& objects);
-    void readMeasuredFile(const std::filesystem::path& file);
+    void whenRead(const QStringList& files, const std::function<void()>& next);
+    void openRead(const QStringList& files, Side side);
+    void dropRead(const QStringList& files, Side side);
+    void applyRead(const QString& file, Side side);
     void meshFailed(const QString& mesh, const Error& why);
     void noteLinks(const QString& mesh, const std::vector<std::string>& places);
     void noteSaved(const QString& file);
@@ -117,6 +123,7 @@ class FileActions : public QObject {
     Document& document_;
     DocumentFiles& files_;
     MeshLibrary& meshes_;
+    TextureLibrary& textures_;
     Session& session_;
     ClipboardActions* clipboard_;
     OutsideConsent consent_;

@@ -10,6 +10,7 @@
 
 #include "background/tell_afterwards.h"
 #include "core/color.h"
+#include "core/numbered_texts.h"
 
 namespace patina {
 namespace {
@@ -60,7 +61,7 @@ QImage previewOf(const TexturePicture& picture) {
 
 TextureLibrary::TextureLibrary(Client client, QObject* parent)
     : QObject(parent), client_(std::move(client)),
-      worker_({.name = tr("Reading an image"), .canCancel = true}) {}
+      worker_({.name = tr("Reading a file"), .canCancel = true}) {}
 
 std::optional<TextureLookup> TextureLibrary::among(const Pictures& pictures,
                                                    const Failures& failures, const TextureUse& use,
@@ -82,6 +83,34 @@ TextureLookup TextureLibrary::find(const TextureUse& use, TextureDecoding decodi
         load({use.file, decoding});
     }
     return {};
+}
+
+SharedTable TextureLibrary::table(int number) {
+    if (SharedTable there = tableAtHand(number)) {
+        return there;
+    }
+    if (!loadingTables_.contains(number)) {
+        readTable(numberedText(number));
+    }
+    return tableAtHand(0);
+}
+
+void TextureLibrary::readTable(const std::filesystem::path& file, std::function<void()> done) {
+    const int number = numberOfText(std::filesystem::absolute(file).lexically_normal().string());
+    loadingTables_.insert(number);
+    const auto finish = [this, number, file, done = std::move(done)](const Result<void>& read) {
+        loadingTables_.erase(number);
+        if (!read && !done) {
+            Q_EMIT failed(QString::fromStdString(file.string()), read.error());
+        }
+        if (done) {
+            done();
+        }
+        Q_EMIT arrived();
+    };
+    worker_.ask(
+        [file](const Worker::Control&) { return patina::readTable(file).map([](const auto&) {}); },
+        finish, {}, QString::fromStdString(file.filename().string()));
 }
 
 TextureSource TextureLibrary::snapshot() const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -14,12 +15,14 @@
 
 #include "assets/asset_client.h"
 #include "background/worker.h"
+#include "measured/kept_tables.h"
 #include "render/gpu/texture_source.h"
 
 namespace patina {
 
-/// Holds every image on a surface once, however many materials use it. A worker thread has files
-/// read by the files process, and views draw without an image until it is loaded.
+/// Holds every image on a surface once, however many materials use it, and has the tables of
+/// measured files read. A worker thread has images read by the files process and reads tables
+/// itself; views draw without an image, and a matte grey for a table, until it is there.
 class TextureLibrary : public QObject {
     Q_OBJECT
 
@@ -31,6 +34,14 @@ class TextureLibrary : public QObject {
 
     /// Returns what is known of an image. Starts loading a file that was not asked for yet.
     TextureLookup find(const TextureUse& use, TextureDecoding decoding);
+
+    /// Returns the table of a measured file by the number of its path: grey until it is read, which
+    /// begins with the first call.
+    SharedTable table(int number);
+
+    /// Reads a measured file, again where it has changed, and then calls `done`, which may read it
+    /// once more to know what is wrong with it; without it failed() says so.
+    void readTable(const std::filesystem::path& file, std::function<void()> done = {});
 
     /// Returns the images that are loaded now, for another thread; it never loads more.
     TextureSource snapshot() const;
@@ -53,7 +64,7 @@ class TextureLibrary : public QObject {
   Q_SIGNALS:
     void loadingStarted(QString file);
     void failed(QString file, patina::Error why); ///< is also emitted when it was cancelled
-    void arrived(); ///< is emitted when an image is loaded, or could not be
+    void arrived(); ///< is emitted when an image or a table is loaded, or could not be
 
   private:
     using Key = std::pair<std::string, TextureDecoding>;
@@ -84,6 +95,7 @@ class TextureLibrary : public QObject {
                                               const TextureUse& use, TextureDecoding decoding);
     Pictures pictures_;
     std::set<Key, Less> loading_;
+    std::set<int> loadingTables_; ///< has the numbers of their files
     Failures failures_;
     std::map<std::string, Known, std::less<>> known_;
     Worker worker_;

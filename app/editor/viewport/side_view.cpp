@@ -75,6 +75,7 @@ SideView::SideView(const ViewSources& sources, const ViewTools& tools, Side side
            [&textures = sources.textures](const TextureUse& use, TextureDecoding decoding) {
                return textures.find(use, decoding);
            },
+           [&textures = sources.textures](int file) { return textures.table(file); },
            &sources.programs},
           this)) {
     auto* layout = new QVBoxLayout(this);

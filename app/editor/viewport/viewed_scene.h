@@ -30,6 +30,7 @@ class ViewedScene {
         std::function<std::shared_ptr<const EnvironmentImage>()> environment;
         ViewContext& context;     ///< is the context that the views draw in
         TextureSource textures{}; ///< finds the images of materials; without it none are shown
+        MeasuredStore::Source tables = keptTable; ///< finds the tables of measured files
         ProgramWorker* programs = nullptr; ///< makes programs; without it frames wait for them
     };
 

@@ -30,7 +30,7 @@ MainWindow::MainWindow(const std::shared_ptr<const Catalog>& catalog, Theme& the
       thumbnails_(catalog, {cacheFolder() / "thumbnails", programFolder(), defaultSceneFile()}),
       programs_(programFolder()), viewContext_(programFolder()),
       autosave_(document_, documentFiles_, stateFolder() / "autosave"),
-      files_(new FileActions(document_, documentFiles_, meshes_, session_, this)),
+      files_(new FileActions(document_, documentFiles_, meshes_, textures_, session_, this)),
       material_(new MaterialActions(document_, *files_, tried_, this)),
       pictures_(new PictureExport(session_, this)),
       views_(new CompareArea({document_, meshes_, textures_, environments_, switches_, effects_,

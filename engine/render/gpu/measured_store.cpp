@@ -17,7 +17,7 @@ void MeasuredStore::bind(const Block& model, const Values& values) {
 }
 
 void MeasuredStore::bind(int file, unsigned unit) {
-    const SharedTable table = keptTable(file);
+    const SharedTable table = source_(file);
     auto found = std::ranges::find(entries_, file, &Entry::file);
     if (found != entries_.end() && found->table != table) {
         entries_.erase(found);

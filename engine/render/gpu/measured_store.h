@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "catalog/block.h"
@@ -13,8 +14,14 @@ namespace patina {
 /// each takes 12 bytes for a bin.
 class MeasuredStore {
   public:
-    /// Binds the table of a model that has one for the program's sampler and reads its file where
-    /// that was not read yet. Leaves texture unit 0 active.
+    /// Finds the table of a file by the number of its path, as keptTable() does.
+    using Source = std::function<SharedTable(int)>;
+
+    /// Sets where tables come from; by default that is keptTable().
+    void setSource(Source source) { source_ = std::move(source); }
+
+    /// Binds the table of a model that has one for the program's sampler. Leaves texture unit 0
+    /// active.
     void bind(const Block& model, const Values& values);
 
     /// Binds the table of a file, by the number of its path, to a texture unit.
@@ -28,6 +35,7 @@ class MeasuredStore {
         SharedTable table; ///< is what the texture holds
         gl::VolumeTexture texture;
     };
+    Source source_ = keptTable;
     std::vector<Entry> entries_; ///< end with the one that was bound last
 };
 
