@@ -21,6 +21,7 @@
 #include "material/preset_file.h"
 #include "material/texture_path.h"
 #include "material/variant.h"
+#include "measured/measured_reflectance.h"
 
 namespace patina {
 namespace {
@@ -54,9 +55,14 @@ bool isImage(const fs::path& name) {
     return std::ranges::find(imageSuffixes, suffix) != imageSuffixes.end();
 }
 
+/// Is the date of every entry, the earliest that a zip file can have: the same presets make the
+/// same bytes.
+constexpr tm_zip firstDate{0, 0, 0, 1, 0, 1980};
+
 bool add(void* zip, const std::string& name, std::string_view bytes) {
     constexpr uLong utf8Names = 1u << 11;
     zip_fileinfo info{};
+    info.tmz_date = firstDate;
     const int opened =
         zipOpenNewFileInZip4_64(zip, name.c_str(), &info, nullptr, 0, nullptr, 0, nullptr,
                                 Z_DEFLATED, Z_DEFAULT_COMPRESSION, 0, -MAX_WBITS, DEF_MEM_LEVEL,
@@ -66,7 +72,7 @@ bool add(void* zip, const std::string& name, std::string_view bytes) {
            zipCloseFileInZip(zip) == ZIP_OK;
 }
 
-/// Writes presets into an open zip; an image that several of them name is written once.
+/// Writes presets into an open zip; a file that several of them name is written once.
 class BundleWriter {
   public:
     explicit BundleWriter(void* zip) : zip_(zip) {}
@@ -74,15 +80,8 @@ class BundleWriter {
     BundleOutcome add(const BundledPreset& preset) {
         Material material = preset.material;
         setParent(material, {});
-        for (auto& [key, use] : material.textures) {
-            const Result<std::string> name =
-                use.outside ? failure(fmt::format("\"{}\" lies outside its folder and is not read",
-                                                  use.file))
-                            : addImage(use.file);
-            if (!name) {
-                return {preset.name, name.error().problem};
-            }
-            use.file = *name;
+        if (const Result<void> added = addFiles(material); !added) {
+            return {preset.name, added.error().problem};
         }
         const std::string stem = unused(preset.name, presets_);
         write(stem + std::string(presetSuffix), writeJson(toJson(material)));
@@ -96,19 +95,44 @@ class BundleWriter {
     bool hasFailed() const { return hasFailed_; }
 
   private:
-    /// Writes an image unless it is there already, and returns its path in the bundle.
-    Result<std::string> addImage(const std::string& file) {
-        const auto [known, isNew] = images_.try_emplace(file);
+    /// Writes the files that a material names, and names them by their paths in the bundle.
+    Result<void> addFiles(Material& material) {
+        for (auto& [key, use] : material.textures) {
+            const Result<std::string> name =
+                use.outside ? failure(fmt::format("\"{}\" lies outside its folder and is not read",
+                                                  use.file))
+                : isImage(use.file) ? addFile(use.file, "images")
+                                    : failure(fmt::format("\"{}\" is no image", use.file));
+            if (!name) {
+                return tl::unexpected(name.error());
+            }
+            use.file = *name;
+        }
+        for (auto& [id, value] : material.model.parameters) {
+            auto* file = std::get_if<std::string>(&value);
+            if (file == nullptr || !isMeasuredFile(*file)) {
+                continue;
+            }
+            const Result<std::string> name = addFile(*file, "measured");
+            if (!name) {
+                return tl::unexpected(name.error());
+            }
+            *file = *name;
+        }
+        return {};
+    }
+
+    /// Writes a file unless it is there already, and returns its path in the bundle.
+    Result<std::string> addFile(const std::string& file, std::string_view folder) {
+        const auto [known, isNew] = files_.try_emplace(file);
         if (isNew) {
             const fs::path path(file);
-            const Result<std::string> bytes =
-                isImage(path) ? readFile(path, BundleLimits{}.fileBytes)
-                              : failure(fmt::format("\"{}\" is no image", file));
+            const Result<std::string> bytes = readFile(path, BundleLimits{}.fileBytes);
             if (!bytes) {
-                images_.erase(known);
+                files_.erase(known);
                 return tl::unexpected(bytes.error());
             }
-            known->second = fmt::format("images/{}{}", unused(path.stem().string(), imageStems_),
+            known->second = fmt::format("{}/{}{}", folder, unused(path.stem().string(), stems_),
                                         path.extension().string());
             write(known->second, *bytes);
         }
@@ -131,8 +155,8 @@ class BundleWriter {
     }
 
     void* zip_;
-    std::map<std::string, std::string> images_; ///< maps a file to its path in the bundle
-    std::set<std::string> imageStems_;
+    std::map<std::string, std::string> files_; ///< maps a file to its path in the bundle
+    std::set<std::string> stems_;
     std::set<std::string> presets_;
     bool hasFailed_ = false;
 };
@@ -194,8 +218,8 @@ class BundleReader {
         if (hasMode && (mode & S_IFMT) != 0 && !S_ISREG(mode)) {
             return "it is no ordinary file";
         }
-        if (!isPreset(entry) && !isImage(entry)) {
-            return "it is neither a preset nor an image";
+        if (!isPreset(entry) && !isImage(entry) && !isMeasuredFile(entry)) {
+            return "it is neither a preset nor an image nor a measured file";
         }
         std::error_code unreadable;
         return fs::exists(folder_ / entry, unreadable) ? "the bundle has two files of this name"
@@ -294,6 +318,13 @@ Result<std::vector<BundleOutcome>> exportBundle(const fs::path& file,
     std::vector<BundleOutcome> outcomes;
     for (const BundledPreset& preset : presets) {
         outcomes.push_back(writer.add(preset));
+    }
+    const bool areAllLost =
+        !presets.empty() && std::ranges::none_of(outcomes, [](const BundleOutcome& outcome) {
+            return outcome.problem.empty();
+        });
+    if (areAllLost) {
+        return outcomes;
     }
     // The list of files is written last: without it nothing can be read.
     if (zipClose(zip.release(), nullptr) != ZIP_OK || writer.hasFailed()) {

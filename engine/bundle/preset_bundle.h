@@ -10,8 +10,8 @@
 
 namespace patina {
 
-// A bundle is a zip file of presets with the images that they name, and a picture of each:
-// <name>.patina.json, images/<name>, pictures/<name>.png.
+// A bundle is a zip file of presets with the images and measured files that they name, and a
+// picture of each: <name>.patina.json, images/<name>, measured/<name>, pictures/<name>.png.
 
 /// Is a preset to put into a bundle.
 struct BundledPreset {
@@ -35,9 +35,9 @@ struct BundleLimits {
     std::uint64_t bytes = std::uint64_t(2) << 30; ///< limits all files together, unpacked
 };
 
-/// Writes presets into a bundle and returns an outcome for each; a preset whose images cannot be
-/// read is left out. The file is replaced whole or not at all; then the error says that it cannot
-/// be written.
+/// Writes presets into a bundle and returns an outcome for each; a preset whose files cannot be
+/// read is left out, and where none is left nothing is written. The file is replaced whole or not
+/// at all; then the error says that it cannot be written.
 Result<std::vector<BundleOutcome>> exportBundle(const std::filesystem::path& file,
                                                 const std::vector<BundledPreset>& presets);
 
@@ -47,8 +47,8 @@ struct BundleImport {
     std::vector<BundleOutcome> outcomes;
 };
 
-/// Unpacks the presets and images of a bundle into a new folder below `folder`, named after the
-/// bundle. Paths that lead out of the bundle, links and anything else are refused, each with an
+/// Unpacks the presets and their files of a bundle into a new folder below `folder`, named after
+/// the bundle. Paths that lead out of the bundle, links and anything else are refused, each with an
 /// outcome. Fails, and leaves no folder, when the bundle cannot be read or is larger than the
 /// limits.
 Result<BundleImport> importBundle(const std::filesystem::path& file,

@@ -84,6 +84,27 @@ TEST_F(PresetBundle, PresetsWithImages_ComeOutAsTheyWentIn) {
     EXPECT_FALSE(fs::exists(out() / "set/pictures"));
 }
 
+TEST_F(PresetBundle, MeasuredFile_GoesWithItsPreset) {
+    writeFile(folder_ / "paint.binary", "measurements");
+    Material measured = material("Measured");
+    measured.model.id = "measured";
+    measured.model.parameters["file"] = (folder_ / "paint.binary").string();
+    ASSERT_TRUE(exportBundle(file(), {{"paint", measured}}));
+    ASSERT_EQ(refused(), "");
+    EXPECT_EQ(readFile(out() / "set/measured/paint.binary"), "measurements");
+    const auto json = nlohmann::json::parse(readFile(out() / "set/paint.patina.json"));
+    EXPECT_EQ(json["parameters"]["file"], "measured/paint.binary");
+}
+
+TEST_F(PresetBundle, WithNoPresetThatCanBeRead_IsNotWritten) {
+    Material lost = material("Lost");
+    lost.textures["diffuse.color"].file = (folder_ / "nowhere.png").string();
+    const auto outcomes = exportBundle(file(), {{"lost", lost}});
+    ASSERT_TRUE(outcomes);
+    EXPECT_NE(outcomes->front().problem, "");
+    EXPECT_FALSE(fs::exists(file()));
+}
+
 TEST_F(PresetBundle, PresetWhoseImageIsMissing_IsLeftOutAndTold) {
     Material broken = material("Broken");
     broken.textures["diffuse.color"].file = (folder_ / "absent.png").string();
@@ -149,7 +170,7 @@ TEST_F(PresetBundle, LinksAndOtherFiles_AreRefused) {
     EXPECT_EQ(refused(), "link.png: it is no ordinary file\n");
     EXPECT_FALSE(fs::exists(out() / "set"));
     writeZip({"run.sh", "twice.png", "twice.png"});
-    EXPECT_EQ(refused(), "run.sh: it is neither a preset nor an image\n"
+    EXPECT_EQ(refused(), "run.sh: it is neither a preset nor an image nor a measured file\n"
                          "twice.png: the bundle has two files of this name\n");
 }
 
