@@ -2,6 +2,7 @@
 #include "cli/lobe_drawing.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -291,25 +292,14 @@ std::vector<PlotShape> errorDrawing(const std::vector<LobeSubject>& subjects, gl
 
 std::vector<PlotShape> sliceDrawing(const HalfDifferenceSlice& slice, const std::string& name,
                                     LobeScale scale, glm::ivec2 size) {
-    // The few cells next to the horizon may be a thousand times the others.
-    constexpr double brightestDegrees = 75.0;
-    const int brightest = static_cast<int>(slice.size * brightestDegrees / 90.0);
-    double largest = 1e-300;
-    for (int row = 0; row < brightest; ++row) {
-        for (int column = 0; column < slice.size; ++column) {
-            const glm::dvec3& f = slice.at(column, row);
-            largest = std::max({largest, f.x, f.y, f.z});
-        }
-    }
+    const double white = whiteOf(std::array{&slice});
     const double edge = std::min(size.x - edgeRight - edgeLeft, size.y - edgeTop - edgeBottom);
     const double cell = edge / slice.size;
     const glm::dvec2 corner(edgeLeft, edgeTop + edge);
     std::vector<PlotShape> shapes;
     for (int row = 0; row < slice.size; ++row) {
         for (int column = 0; column < slice.size; ++column) {
-            const glm::dvec3& f = slice.at(column, row);
-            const glm::dvec3 color(lobeLength(scale, f.x, largest), lobeLength(scale, f.y, largest),
-                                   lobeLength(scale, f.z, largest));
+            const glm::dvec3 color = shownColor(slice.at(column, row), scale, white);
             const glm::dvec2 low = corner + cell * glm::dvec2(column, -(row + 1));
             shapes.push_back({PlotShape::Kind::Rectangle, low, low + glm::dvec2(cell), color, {}});
         }
@@ -324,7 +314,7 @@ std::vector<PlotShape> sliceDrawing(const HalfDifferenceSlice& slice, const std:
             "half vector from the normal, to the right, in degrees");
     addText(shapes, {edgeLeft + edge + 20.0, edgeTop}, name);
     addText(shapes, {edgeLeft + edge + 20.0, edgeTop + 2.0 * textHeight},
-            fmt::format("white: {:.3g} 1/sr or more, {}", largest, wordOf(scale)));
+            fmt::format("white: {:.3g} 1/sr or more, {}", white, wordOf(scale)));
     return shapes;
 }
 

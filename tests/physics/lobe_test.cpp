@@ -333,6 +333,18 @@ TEST(HalfDifferenceSlice, OfLambert_IsEven) {
     }
 }
 
+TEST(HalfDifferenceSlice, WithAHighlight_IsShownSoThatTheRestIsNotBlack) {
+    HalfDifferenceSlice slice{10, std::vector<glm::dvec3>(100, glm::dvec3(0.2))};
+    slice.cells.back() = glm::dvec3(1000.0);
+    const double white = whiteOf(std::array{&std::as_const(slice)});
+    EXPECT_DOUBLE_EQ(white, 0.2);
+    EXPECT_EQ(shownColor(slice.cells.back(), LobeScale::Linear, white), glm::dvec3(1.0));
+    EXPECT_NEAR(shownColor(glm::dvec3(0.1), LobeScale::Linear, white).x, 0.735, 1e-3); // in sRGB
+    slice.cells.assign(100, glm::dvec3(0.0));
+    slice.cells.front().y = 7.0;
+    EXPECT_DOUBLE_EQ(whiteOf(std::array{&std::as_const(slice)}), 7.0);
+}
+
 TEST(LobeScale, OfALength_IsUndoneByItsInverse) {
     for (const LobeScale scale : {LobeScale::Linear, LobeScale::CubeRoot, LobeScale::Log}) {
         EXPECT_EQ(lobeLength(scale, 0.0, 2.0), 0.0);

@@ -11,6 +11,7 @@
 #include "accuracy/cost_text.h"
 #include "accuracy/plot_colors.h"
 #include "accuracy/plot_library.h"
+#include "text/mixed_color.h"
 
 namespace patina {
 namespace {

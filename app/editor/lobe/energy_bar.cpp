@@ -5,10 +5,10 @@
 
 #include <QPainter>
 
-#include "accuracy/plot_colors.h"
 #include "core/color.h"
 #include "measure/lobe/lobe_lines.h"
 #include "text/display_number.h"
+#include "text/mixed_color.h"
 
 namespace patina {
 namespace {

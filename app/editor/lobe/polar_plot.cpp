@@ -12,6 +12,7 @@
 #include "accuracy/plot_colors.h"
 #include "accuracy/plot_library.h"
 #include "text/display_number.h"
+#include "text/mixed_color.h"
 
 namespace patina {
 namespace {

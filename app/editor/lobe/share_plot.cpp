@@ -7,6 +7,7 @@
 #include "accuracy/plot_colors.h"
 #include "accuracy/plot_library.h"
 #include "text/as_text.h"
+#include "text/mixed_color.h"
 
 namespace patina {
 namespace {
@@ -60,7 +61,7 @@ void SharePlot::addMarks(double top) {
     if (top > headroom && kind_ != LobePlot::Float32) {
         addLine({0.0, 1.0}, {90.0, 1.0}, QPen(QColor(220, 70, 60), 1.0));
     }
-    double height = top;
+    double height = 0.9 * top; // below the line of 1, which marks would lie on
     for (const LobeSubject& subject : subjects()) {
         for (const LobeMark& mark : subject.lines.marks) {
             addLine({mark.degrees, 0.0}, {mark.degrees, top},

@@ -8,10 +8,10 @@
 #include <QFontMetricsF>
 #include <QPainter>
 
-#include "accuracy/plot_colors.h"
 #include "lobe/lobe_subjects.h"
 #include "text/as_text.h"
 #include "text/display_number.h"
+#include "text/mixed_color.h"
 
 namespace patina {
 namespace {
@@ -19,33 +19,22 @@ namespace {
 constexpr double degreesOfRadian = 180.0 / std::numbers::pi;
 constexpr double gap = 14.0; ///< pixels between squares
 
-/// The few cells next to the horizon may be a thousand times the others, and count for no scale.
-constexpr double brightestDegrees = 75.0;
-
-double largestOf(const std::vector<NamedSlice>& slices) {
-    double largest = 0.0;
+double whiteOf(const std::vector<NamedSlice>& slices) {
+    std::vector<const HalfDifferenceSlice*> all;
     for (const NamedSlice& each : slices) {
-        const int size = each.slice.size;
-        for (int row = 0; row < size * brightestDegrees / 90.0; ++row) {
-            for (int column = 0; column < size; ++column) {
-                const glm::dvec3& f = each.slice.at(column, row);
-                largest = std::max({largest, f.x, f.y, f.z});
-            }
-        }
+        all.push_back(&each.slice);
     }
-    return largest;
+    return patina::whiteOf(all);
 }
 
-QImage pictureOf(const HalfDifferenceSlice& slice, LobeScale scale, double largest) {
+QImage pictureOf(const HalfDifferenceSlice& slice, LobeScale scale, double white) {
     QImage picture(slice.size, slice.size, QImage::Format_RGB32);
-    const auto channel = [&](double f) {
-        return static_cast<int>(std::lround(255.0 * lobeLength(scale, f, largest)));
-    };
+    const auto level = [](double shown) { return static_cast<int>(std::lround(255.0 * shown)); };
     for (int row = 0; row < slice.size; ++row) {
         for (int column = 0; column < slice.size; ++column) {
-            const glm::dvec3& f = slice.at(column, row);
+            const glm::dvec3 color = shownColor(slice.at(column, row), scale, white);
             picture.setPixel(column, slice.size - 1 - row,
-                             qRgb(channel(f.x), channel(f.y), channel(f.z)));
+                             qRgb(level(color.x), level(color.y), level(color.z)));
         }
     }
     return picture;
@@ -83,10 +72,10 @@ void SlicePlot::paint(QPainter& painter, const QSizeF& size) const {
     const QColor base = palette().color(QPalette::Base);
     const QColor ink = mixed(base, palette().color(QPalette::Text), 0.8);
     const double line = QFontMetricsF(font()).height();
-    const double largest = largestOf(slices_);
+    const double white = whiteOf(slices_);
     for (std::size_t i = 0; i < slices_.size(); ++i) {
         const QRectF square = squareOf(i, size);
-        painter.drawImage(square, pictureOf(slices_[i].slice, scale_, largest));
+        painter.drawImage(square, pictureOf(slices_[i].slice, scale_, white));
         painter.setPen(mixed(base, palette().color(QPalette::Text), 0.4));
         painter.drawRect(square);
         painter.setPen(slices_.size() > 1 ? lobeColor(i, palette()) : ink);
@@ -109,7 +98,7 @@ void SlicePlot::paint(QPainter& painter, const QSizeF& size) const {
         const QRectF first = squareOf(0, size);
         const QString what = tr("right: half vector from the normal · up: light from the half "
                                 "vector · white: %1 1/sr or more")
-                                 .arg(roundText(largest));
+                                 .arg(roundText(white));
         painter.drawText(QRectF(first.left(), first.bottom() + line + 4.0,
                                 size.width() - first.left(), line + 2.0),
                          Qt::AlignLeft | Qt::AlignVCenter, what);

@@ -12,11 +12,11 @@
 
 #include <glm/geometric.hpp>
 
-#include "accuracy/plot_colors.h"
 #include "core/color.h"
 #include "lobe/lobe_subjects.h"
 #include "text/as_text.h"
 #include "text/display_number.h"
+#include "text/mixed_color.h"
 
 namespace patina {
 namespace {

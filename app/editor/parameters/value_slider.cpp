@@ -12,15 +12,10 @@
 #include <QWheelEvent>
 
 #include "parameters/value_slider_accessible.h"
+#include "text/mixed_color.h"
 
 namespace patina {
 namespace {
-
-QColor mixed(const QColor& from, const QColor& to, double share) {
-    const auto mix = [share](float a, float b) { return static_cast<float>(a + (b - a) * share); };
-    return QColor::fromRgbF(mix(from.redF(), to.redF()), mix(from.greenF(), to.greenF()),
-                            mix(from.blueF(), to.blueF()));
-}
 
 struct Colors {
     QColor groove;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "measure/lobe/lobe_model.h"
+#include "measure/lobe/lobe_scale.h"
 
 namespace patina {
 
@@ -26,5 +28,14 @@ struct HalfDifferenceSlice {
 
 /// Returns the slice with so many cells along each side.
 HalfDifferenceSlice halfDifferenceSlice(const LobeModel& model, int size);
+
+/// Returns the value in 1/sr that is white in a picture of slices: one cell of twenty has as much
+/// in its strongest channel. Near a highlight and the horizon a few have a thousand times as much,
+/// and all others would be black beside them. 0 where all are 0.
+double whiteOf(std::span<const HalfDifferenceSlice* const> slices);
+
+/// Returns the colour of a cell on a screen, each channel 0 .. 1: f as light, or on a scale that is
+/// steeper for what is dark.
+glm::dvec3 shownColor(const glm::dvec3& f, LobeScale scale, double white);
 
 } // namespace patina
