@@ -68,6 +68,7 @@ QWidget* labelled(const QString& text, QWidget* widget) {
     layout->setContentsMargins(0, 0, 0, 0);
     auto* label = new QLabel(text);
     label->setBuddy(widget);
+    label->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Preferred); // is never cut off
     layout->addWidget(label);
     layout->addWidget(widget, 1);
     return row;
