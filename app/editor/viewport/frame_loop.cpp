@@ -44,6 +44,7 @@ void FrameLoop::open() {
     }
     renderer_ = std::move(*renderer);
     renderer_->setTextures(viewed_.sources().textures);
+    renderer_->setTables(viewed_.sources().tables);
     const ViewContext::Current current(context_);
     stopwatch_.open();
     catalogIsNew_ = viewed_.catalog() != nullptr;
@@ -390,6 +391,14 @@ Image FrameLoop::pictureOf(const Scene& scene, View wanted, bool display) {
     Result<Image> picture = renderer_->capture(scene, wanted, viewed_.sources().meshes, display);
     targets_.noteUse();
     return picture ? std::move(*picture) : Image();
+}
+
+Image FrameLoop::shownPicture(bool display, std::optional<double> exposure) {
+    if (!renderer_ || !isUpToDate() || isInspecting() || !renderer_->job().hasPicture()) {
+        return {};
+    }
+    const ViewContext::Current current(context_);
+    return renderer_->job().read(display, exposure).value_or(Image());
 }
 
 Renderer& FrameLoop::lend() {

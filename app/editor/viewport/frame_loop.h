@@ -107,6 +107,10 @@ class FrameLoop : public QObject {
     /// taken to be of what the frames show: where they are up to date it has their samples, too.
     Image pictureOf(const Scene& scene, View view, bool display);
 
+    /// Returns the picture on the screen, for which nothing is drawn; see FrameJob::read(). Empty
+    /// while it is not of what would be drawn now, and where another thing is shown in its place.
+    Image shownPicture(bool display, std::optional<double> exposure = {});
+
     /// Lends the renderer for a picture that takes several turns. No frame is drawn until it is
     /// taken back.
     Renderer& lend();

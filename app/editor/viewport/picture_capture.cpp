@@ -20,6 +20,9 @@ PictureCapture::PictureCapture(FrameLoop& frames, const ViewedScene& viewed)
 }
 
 Image PictureCapture::linearPicture() {
+    if (Image shown = frames_.shownPicture(false, 0.0); !shown.pixels.empty()) {
+        return shown;
+    }
     Scene unexposed = viewed_.sources().scene();
     unexposed.exposure = 0.0;
     return frames_.pictureOf(unexposed, frames_.view(), false);

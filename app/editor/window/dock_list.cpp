@@ -8,6 +8,7 @@
 #include "docks/environment_dock.h"
 #include "docks/fog_dock.h"
 #include "docks/fresnel_dock.h"
+#include "docks/histogram_dock.h"
 #include "docks/lights_dock.h"
 #include "docks/messages_dock.h"
 #include "docks/model_dock.h"
@@ -51,6 +52,7 @@ std::vector<DockEntry> dockList() {
         {"effects", tr("Effects"), DockPlace::Bottom, make<EffectsDock>},
         {"accuracy", tr("Accuracy"), DockPlace::Bottom, make<AccuracyDock>},
         {"lobe", tr("Lobe"), DockPlace::Bottom, make<LobeDock>},
+        {"histogram", tr("Histogram"), DockPlace::Bottom, make<HistogramDock>},
         {"sheets", tr("Contact Sheet"), DockPlace::Bottom, make<SheetsDock>},
     };
 }
