@@ -66,15 +66,17 @@ vec3 cauchyIndex(vec3 wavelengths, float A, float B, float C) {
     return vec3(A) + w * (vec3(B) + w * C);
 }
 
-// One term of Sellmeier's equation, B lambda^2 / (lambda^2 - C).
+// One term of Sellmeier's equation, B lambda^2 / (lambda^2 - C), at most 1e6 B: nearer than a
+// millionth of lambda^2 to its pole it no longer rises.
 vec3 sellmeierTerm(vec3 wavelengths2, float B, float C) {
-    return B * wavelengths2 / (wavelengths2 - vec3(C));
+    vec3 apart = wavelengths2 - vec3(C);
+    vec3 side = 2.0 * step(vec3(0.0), apart) - vec3(1.0);
+    return B * wavelengths2 / (side * max(abs(apart), 1e-6 * wavelengths2));
 }
 
 // Sellmeier's dispersion, n^2 = 1 + sum B lambda^2 / (lambda^2 - C), per channel (Sellmeier 1871);
 // wavelengths in micrometres, C in um^2: the squares of the wavelengths at which the material
-// absorbs, which must not be among those asked for. Glass makers publish B and C of three terms;
-// a term that is not there has B = 0.
+// absorbs. Glass makers publish B and C of three terms; a term that is not there has B = 0.
 vec3 sellmeierIndex(vec3 wavelengths, vec3 B, vec3 C) {
     vec3 w2 = wavelengths * wavelengths;
     vec3 n2 = vec3(1.0) + sellmeierTerm(w2, B.x, C.x) + sellmeierTerm(w2, B.y, C.y)

@@ -25,8 +25,10 @@ float gratingShare(Grating p) {
 //   d |b.(l + v)| = m lambda
 // and along the grooves, t, light is mirrored. In the plane of l and v seen from above, whose area
 // is cos(theta) times the solid angle, order m is therefore a line of one wavelength each; a
-// channel that sees S(lambda) of it sees E d / m S(d |b.(l + v)| / m), E the order's share. Lines
-// are as wide along the grooves as the slopes of the surface make them: twice the slope's width.
+// channel that sees S(lambda) of it sees E d / m S(d |b.(l + v)| / m), E the order's share. Where
+// 1/d varies by a share of itself from groove to groove, so does the wavelength that order m sends
+// somewhere, by the same share in every order: each order's S is as much wider. Lines are as wide
+// along the grooves as the slopes of the surface make them: twice the slope's width.
 vec3 grating(Directions d, Grating p) {
     Directions g = alongGrain(d, p.tangentAngle);
     float width = 2.0 * slopeWidth(p.roughness);
@@ -34,7 +36,7 @@ vec3 grating(Directions d, Grating p) {
     float share = gratingShare(p);
     for (int order = 1; order <= p.orders; ++order) {
         float spread = p.grooveDistance / float(order);
-        across += share * spread * channelsSee(spread * abs(g.bH));
+        across += share * spread * channelsSee(spread * abs(g.bH), p.irregularity);
         share *= p.falloff;
     }
     vec3 lobe = PI * d.nl * gratingLine(g.tH, width) * across;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "physics_cases.h"
 
 namespace patina::physics::fresnel_values_test {
@@ -16,6 +19,72 @@ Subject conductor(double eta, double k, double outside = 1.0) {
 
 Subject dielectric(double outside, double inside) {
     return {"fresnel", "dielectric", {{"index.outside", outside}, {"index.inside", inside}}};
+}
+
+/// Returns the index of a clear material by constants at one wavelength in nm, from how much it
+/// reflects facing the light.
+double indexByConstants(Values values, double wavelength) {
+    values["wavelength"] = glm::dvec3(wavelength);
+    const double r = std::sqrt(Subject("fresnel", "dispersive", values).reflectance(1.0));
+    return (1.0 + r) / (1.0 - r);
+}
+
+/// Returns the constants of water at 20 degrees (Daimon and Masumura, Appl. Opt. 46, 2007).
+Values water() {
+    return {{"sellmeier.b", glm::dvec3(0.5684027565, 0.1726177391, 0.02086189578)},
+            {"sellmeier.c", glm::dvec3(0.005101829712, 0.01821153936, 0.02620722293)},
+            {"sellmeier.b4", 0.1130748688},
+            {"sellmeier.c4", 10.69792721},
+            {"temperature", 20.0},
+            {"temperature.measured", 20.0},
+            {"temperature.slope", -1e-4}};
+}
+
+TEST(DispersiveFresnel, OfBk7_HasTheIndicesOfItsDataSheet) {
+    const Values bk7{{"sellmeier.b", glm::dvec3(1.03961212, 0.231792344, 1.01046945)},
+                     {"sellmeier.c", glm::dvec3(0.00600069867, 0.0200179144, 103.560653)},
+                     {"temperature", 22.0},
+                     {"temperature.measured", 22.0}};
+    for (const auto& [wavelength, index] :
+         {std::pair(435.8343, 1.52668), std::pair(486.1327, 1.52238), std::pair(587.5618, 1.51680),
+          std::pair(656.2725, 1.51432), std::pair(1013.98, 1.50731)}) {
+        EXPECT_NEAR(indexByConstants(bk7, wavelength), index, 1e-5) << wavelength;
+    }
+}
+
+TEST(DispersiveFresnel, OfWater_HasItsIndexAndDispersionAndFallsWithWarmth) {
+    // By refractiveindex.info 1.3334 at the line d, and Abbe's number 55.76.
+    const double d = indexByConstants(water(), 587.5618);
+    EXPECT_NEAR(d, 1.3334, 5e-5);
+    const double spread = indexByConstants(water(), 486.1327) - indexByConstants(water(), 656.2725);
+    EXPECT_NEAR((d - 1.0) / spread, 55.76, 0.02);
+    Values warm = water();
+    warm["temperature"] = 30.0;
+    EXPECT_NEAR(indexByConstants(warm, 587.5618), d - 1e-3, 1e-12);
+}
+
+TEST(DispersiveFresnel, ByCauchysConstants_FollowsThePowersOfTheWavelength) {
+    const Values values{{"formula", std::string("cauchy")},
+                        {"cauchy", glm::dvec3(1.5, 0.004, 0.0002)},
+                        {"temperature", 20.0},
+                        {"temperature.measured", 20.0}};
+    EXPECT_NEAR(indexByConstants(values, 500.0), 1.5 + 0.004 * 4.0 + 0.0002 * 16.0, rounding);
+}
+
+TEST(DispersiveFresnel, AtAPoleOrWithANegativeSquare_ReflectsAShareOfTheLight) {
+    for (const double b : {-100.0, 1.0, 100.0}) {
+        for (const double wavelength : {1.0, 550.0, 1e6}) {
+            const double square = wavelength * wavelength * 1e-6;
+            const double pole = std::min(square, 10000.0);
+            const Values values{{"sellmeier.b", glm::dvec3(b, b, -b)},
+                                {"sellmeier.c", glm::dvec3(pole)},
+                                {"wavelength", glm::dvec3(wavelength)}};
+            for (const double c : {0.0, 0.5, 1.0}) {
+                const double r = Subject("fresnel", "dispersive", values).reflectance(c);
+                EXPECT_TRUE(r >= 0.0 && r <= 1.0) << b << ' ' << wavelength << ' ' << c << ' ' << r;
+            }
+        }
+    }
 }
 
 TEST(DielectricFresnel, EqualIndices_ReflectNothingAtAnyAngle) {
