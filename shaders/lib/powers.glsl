@@ -10,8 +10,8 @@
 const int POWER_RATIONAL = 1;
 const int POWER_GAUSSIAN = 2;
 
-// A Gaussian on the sphere, e^(-e d): the power for small angles. The error is 0.27 / e at most
-// where e > 5. J. Wang et al., All-Frequency Rendering of Dynamic, Spatially-Varying Reflectance,
+// A Gaussian on the sphere, e^(-e d): the power for small angles. The error is 0.29 / e at most
+// where e >= 5. J. Wang et al., All-Frequency Rendering of Dynamic, Spatially-Varying Reflectance,
 // ACM TOG 28(5), 2009.
 float gaussianPower(float d, float c, float e) {
     return c > 0.0 ? exp2(-1.4426950408889634 * (e * d)) : 0.0;

@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Proofs by machine of the errors that shaders and their descriptors state: Sollya bounds what a
+// fit is off, Gappa what float adds. They read the shaders that ship: a line
+//
+//   // uses FILE FUNCTION [as NAME]; "OLD" is "NEW"; ...
+//
+// of a script makes a function of a shader known to it, with what is said of its text on the
+// proof's interval replaced, and
+//
+//   // states FILE: SENTENCE
+//
+// is an error unless the file has that sentence. Further lines of these are indented.
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "support/program.h"
+
+namespace patina::tests::proofs_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path proofsFolder() {
+    return fs::path(PATINA_SOURCE_DIR) / "tests/proofs";
+}
+
+fs::path shaderFile(const std::string& name) {
+    return fs::path(PATINA_SOURCE_DIR) / "shaders" / name;
+}
+
+/// Returns a text with one space where it has white space, and without the marks of comments.
+std::string inOneLine(const std::string& text, bool keepsComments) {
+    static const std::regex comment("//[^\n]*");
+    static const std::regex mark("\n[ \t]*//[ \t]*");
+    static const std::regex space("\\s+");
+    const std::string bare =
+        keepsComments ? std::regex_replace(text, mark, " ") : std::regex_replace(text, comment, "");
+    return std::regex_replace(bare, space, " ");
+}
+
+/// Is a function of a shader as a proof needs it.
+struct ShippedFunction {
+    std::vector<std::string> arguments;
+    /// Are the variables, in order, with what each is; the last one is what is returned.
+    std::vector<std::pair<std::string, std::string>> lines;
+};
+
+/// Is one "uses" line of a script.
+struct Use {
+    std::string file;
+    std::string function;
+    std::string name;                  ///< is what the proof calls it
+    std::vector<std::string> values{}; ///< are its arguments in a script of Gappa
+    std::vector<std::pair<std::string, std::string>> replaced{};
+};
+
+std::optional<Use> useIn(const std::string& line) {
+    static const std::regex form(
+        R"(^(?://|#) uses (\S+) (\w+)(?:\(([^)]*)\))?(?: as (\w+))?(;.*)?$)");
+    static const std::regex replacement("\"([^\"]*)\" is \"([^\"]*)\"");
+    std::smatch found;
+    if (!std::regex_match(line, found, form)) {
+        return std::nullopt;
+    }
+    Use use{.file = found[1], .function = found[2], .name = found[4].matched ? found[4] : found[2]};
+    std::istringstream values(found[3].str());
+    for (std::string value; std::getline(values >> std::ws, value, ',');) {
+        use.values.push_back(value);
+    }
+    const std::string rest = found[5];
+    for (std::sregex_iterator at(rest.begin(), rest.end(), replacement), end; at != end; ++at) {
+        use.replaced.emplace_back((*at)[1], (*at)[2]);
+    }
+    return use;
+}
+
+std::vector<std::string> argumentsOf(const std::string& list) {
+    static const std::regex argument(R"((\w+) (\w+))");
+    std::vector<std::string> names;
+    for (std::sregex_iterator at(list.begin(), list.end(), argument), end; at != end; ++at) {
+        const std::string type = (*at)[1];
+        const std::string name = (*at)[2];
+        if (type == "Incidence") {
+            names.push_back(name + "_c");
+            names.push_back(name + "_versine");
+        } else {
+            names.push_back(name);
+        }
+    }
+    return names;
+}
+
+/// Reads a function of straight-line code; throws what is wrong with it.
+ShippedFunction shippedFunction(const Use& use) {
+    const std::string text = inOneLine(readFile(shaderFile(use.file)), false);
+    const std::string head = "float " + use.function + "(";
+    const std::size_t first = text.find(head);
+    if (first == std::string::npos) {
+        throw std::runtime_error(use.file + " has no function " + use.function);
+    }
+    const std::size_t close = text.find(')', first);
+    const std::size_t open = text.find('{', close);
+    std::size_t last = open + 1;
+    for (int depth = 1; depth > 0; ++last) {
+        depth += text[last] == '{' ? 1 : text[last] == '}' ? -1 : 0;
+    }
+    std::string body = text.substr(open + 1, last - open - 2);
+    for (const auto& [from, to] : use.replaced) {
+        const std::size_t at = body.find(from);
+        if (at == std::string::npos) {
+            throw std::runtime_error(use.function + " has no " + from);
+        }
+        body.replace(at, from.size(), to);
+    }
+    static const std::regex field(R"(\b(i)\.(c|versine)\b)");
+    body = std::regex_replace(body, field, "$1_$2");
+    static const std::regex statement(R"(^\s*(?:float (\w+) =|return) (.*)$)");
+    ShippedFunction function{
+        argumentsOf(text.substr(first + head.size(), close - first - head.size())), {}};
+    std::istringstream statements(body);
+    for (std::string part; std::getline(statements, part, ';');) {
+        if (part.find_first_not_of(' ') == std::string::npos) {
+            continue;
+        }
+        std::smatch found;
+        if (!std::regex_match(part, found, statement)) {
+            throw std::runtime_error(use.function + " is no straight line: " + part);
+        }
+        function.lines.emplace_back(found[1].matched ? found[1].str() : use.name, found[2].str());
+    }
+    return function;
+}
+
+/// Returns an expression with `rename` put around the names and `number` around the numbers.
+std::string rewritten(const std::string& expression, const auto& rename, const auto& number) {
+    static const std::regex word(R"([A-Za-z_]\w*|\d+\.?\d*(?:e[-+]?\d+)?)");
+    std::string text;
+    std::size_t at = 0;
+    for (std::sregex_iterator found(expression.begin(), expression.end(), word), end; found != end;
+         ++found) {
+        const std::string token = found->str();
+        text += expression.substr(at, static_cast<std::size_t>(found->position()) - at);
+        text +=
+            std::isdigit(static_cast<unsigned char>(token[0])) != 0 ? number(token) : rename(token);
+        at = static_cast<std::size_t>(found->position()) + token.size();
+    }
+    return text + expression.substr(at);
+}
+
+std::string plain(const std::string& token) {
+    return token;
+}
+
+/// Returns a procedure of Sollya.
+std::string sollyaText(const Use& use) {
+    const ShippedFunction function = shippedFunction(use);
+    std::set<std::string> own(function.arguments.begin(), function.arguments.end());
+    for (const auto& [name, expression] : function.lines) {
+        own.insert(name);
+    }
+    const auto rename = [&own](const std::string& name) {
+        return own.contains(name) ? "v_" + name : name;
+    };
+    std::string arguments;
+    for (const std::string& name : function.arguments) {
+        arguments += (arguments.empty() ? "" : ", ") + rename(name);
+    }
+    std::string variables;
+    std::string text;
+    for (const auto& [name, expression] : function.lines) {
+        const std::string value = rewritten(expression, rename, plain);
+        const bool isLast = &expression == &function.lines.back().second;
+        variables += isLast ? "" : (variables.empty() ? "var " : ", ") + rename(name);
+        text += isLast ? "return " + value + "; " : rename(name) + " = " + value + "; ";
+    }
+    return fmt::format("{} = proc({}) {{ {}{}}};\n", use.name, arguments,
+                       variables.empty() ? "" : variables + "; ", text);
+}
+
+/// Returns definitions for Gappa: NAME with every operation and number rounded, and MNAME without.
+std::string gappaText(const Use& use, std::set<std::string>& exact) {
+    const ShippedFunction function = shippedFunction(use);
+    const auto rename = [&](const std::string& name) {
+        const auto at = std::find(function.arguments.begin(), function.arguments.end(), name);
+        if (at != function.arguments.end()) {
+            return use.values.at(static_cast<std::size_t>(at - function.arguments.begin()));
+        }
+        const bool isLocal = std::ranges::any_of(
+            function.lines, [&](const auto& line) { return line.first == name; });
+        return isLocal && name != use.name ? use.name + "_" + name : name;
+    };
+    std::string text;
+    for (const auto& [variable, expression] : function.lines) {
+        const std::string name = rename(variable);
+        text += fmt::format(
+            "{} rnd= {};\n", name,
+            rewritten(expression, rename, [](const std::string& n) { return "rnd(" + n + ")"; }));
+        text += fmt::format("M{} = {};\n", name,
+                            rewritten(
+                                expression,
+                                [&](const std::string& n) {
+                                    const std::string to = rename(n);
+                                    return exact.contains(to) ? "M" + to : to;
+                                },
+                                plain));
+        exact.insert(name);
+    }
+    return text;
+}
+
+/// Returns the metals of a descriptor, a number or a name per channel.
+std::string metalsText(const std::string& file) {
+    const auto descriptor = nlohmann::json::parse(readFile(shaderFile(file)));
+    std::string names;
+    std::string eta;
+    std::string k;
+    for (const auto& value : descriptor.at("parameters").at(0).at("values")) {
+        for (std::size_t i = 0; value.contains("fills") && i < 3; ++i) {
+            const std::string comma = names.empty() ? "" : ", ";
+            names += comma + '"' + value.at("id").get<std::string>() + '"';
+            eta += comma + value.at("fills").at("eta").at(i).dump();
+            k += comma + value.at("fills").at("k").at(i).dump();
+        }
+    }
+    return fmt::format("names = [|{}|];\neta = [|{}|];\nk = [|{}|];\n", names, eta, k);
+}
+
+/// Returns a script with what it uses in it; throws what is wrong with it.
+std::string completed(const fs::path& script) {
+    static const std::regex states(R"(^(?://|#) states (\S+): (.*)$)");
+    static const std::regex metals(R"(^// uses (\S+\.json)$)");
+    const bool isGappa = script.extension() == ".gappa";
+    std::set<std::string> exact;
+    static const std::regex continued("\n(?://|#)     +");
+    std::istringstream lines(std::regex_replace(readFile(script), continued, " "));
+    std::string text = isGappa ? "" : readFile(proofsFolder() / "bounds.sollya");
+    for (std::string line; std::getline(lines, line);) {
+        std::smatch found;
+        if (const std::optional<Use> use = useIn(line)) {
+            text += isGappa ? gappaText(*use, exact) : sollyaText(*use);
+        } else if (std::regex_match(line, found, metals)) {
+            text += metalsText(found[1]);
+        } else if (std::regex_match(line, found, states)) {
+            const std::string file = inOneLine(readFile(shaderFile(found[1])), true);
+            if (file.find(found[2].str()) == std::string::npos) {
+                throw std::runtime_error(found[1].str() + " does not state: " + found[2].str());
+            }
+        } else {
+            text += line + '\n';
+        }
+    }
+    return text;
+}
+
+std::optional<fs::path> installed(const std::string& program) {
+    for (const fs::path folder : {"/usr/bin", "/usr/local/bin"}) {
+        if (fs::exists(folder / program)) {
+            return folder / program;
+        }
+    }
+    return std::nullopt;
+}
+
+Outcome outcomeOf(const fs::path& script, const std::string& text) {
+    const std::string program = script.extension().string().substr(1);
+    const TemporaryFolder folder;
+    writeFile(folder / "script", text + (program == "sollya" ? "quit;\n" : ""));
+    Start start;
+    start.arguments = {(folder / "script").string()};
+    return run(*installed(program), start);
+}
+
+bool isMissing(const fs::path& script) {
+    return !installed(script.extension().string().substr(1));
+}
+
+class Proof : public testing::TestWithParam<fs::path> {};
+
+TEST_P(Proof, HoldsForTheShadersThatShip) {
+    if (isMissing(GetParam())) {
+        GTEST_SKIP() << "apt-get install sollya gappa";
+    }
+    const Outcome outcome = outcomeOf(GetParam(), completed(GetParam()));
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.out << outcome.err;
+    EXPECT_EQ(outcome.out.find("not proved"), std::string::npos) << outcome.out;
+    if (GetParam().extension() == ".sollya") {
+        const std::string script = readFile(GetParam());
+        static const std::regex claims("(^|\n)claim\\(");
+        static const std::regex proofs("(^|\n)proved: ");
+        const auto count = [](const std::string& text, const std::regex& what) {
+            return std::distance(std::sregex_iterator(text.begin(), text.end(), what), {});
+        };
+        EXPECT_EQ(count(outcome.out, proofs), count(script, claims)) << outcome.out << outcome.err;
+    }
+}
+
+std::vector<fs::path> scripts() {
+    std::vector<fs::path> found;
+    for (const auto& entry : fs::directory_iterator(proofsFolder())) {
+        const fs::path& path = entry.path();
+        if ((path.extension() == ".sollya" && path.stem() != "bounds") ||
+            path.extension() == ".gappa") {
+            found.push_back(path);
+        }
+    }
+    std::ranges::sort(found);
+    return found;
+}
+
+INSTANTIATE_TEST_SUITE_P(, Proof, testing::ValuesIn(scripts()), [](const auto& test) {
+    return test.param.stem().string() + '_' + test.param.extension().string().substr(1);
+});
+
+/// A proof must fail where a coefficient is one millionth off.
+TEST(Proofs, OfAWrongCoefficient_Fail) {
+    const std::vector<std::array<std::string, 3>> wrong{
+        {"elementary.sollya", "0.9999999669", "0.9999989669"},
+        {"fresnel.gappa", "rnd(5.55473)", "rnd(5.55474)"}};
+    for (const auto& [name, from, to] : wrong) {
+        const fs::path script = proofsFolder() / name;
+        if (isMissing(script)) {
+            GTEST_SKIP() << "apt-get install sollya gappa";
+        }
+        std::string text = completed(script);
+        const std::size_t at = text.find(from);
+        ASSERT_NE(at, std::string::npos) << name;
+        text.replace(at, from.size(), to);
+        const std::size_t further = text.find("claim(\"acos2 of small angles");
+        text.erase(std::min(further, text.size()));
+        const Outcome outcome = outcomeOf(script, text);
+        const bool isRefused = outcome.out.find("not proved: acos2") != std::string::npos;
+        EXPECT_TRUE(script.extension() == ".gappa" ? outcome.exitCode == 1 : isRefused)
+            << outcome.out << outcome.err;
+    }
+}
+
+} // namespace
+} // namespace patina::tests::proofs_test
