@@ -16,6 +16,8 @@ namespace patina {
 struct ProgramText {
     std::string vertex;
     std::string fragment;
+
+    friend auto operator<=>(const ProgramText&, const ProgramText&) = default;
 };
 
 /// Is what `patina-cost` reads on its standard input, as JSON: programs, each to be compiled for

@@ -2,6 +2,7 @@
 #include "predict/family_compiler.h"
 
 #include <chrono>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -75,13 +76,34 @@ CompileRequest requestFor(std::span<const GpuFamily* const> families) {
     return request;
 }
 
+/// Holds programs without repetition, and for each of the given ones which of them it is: presets
+/// of one model often differ in values alone.
+struct DistinctPrograms {
+    std::vector<ProgramText> texts;
+    std::vector<std::size_t> indices;
+};
+
+DistinctPrograms distinct(std::vector<ProgramText> programs) {
+    DistinctPrograms distinct;
+    std::map<ProgramText, std::size_t> known;
+    for (ProgramText& program : programs) {
+        const auto [found, isNew] = known.emplace(std::move(program), known.size());
+        if (isNew) {
+            distinct.texts.push_back(found->first);
+        }
+        distinct.indices.push_back(found->second);
+    }
+    return distinct;
+}
+
 } // namespace
 
 Result<CompiledForFamilies> compileForFamilies(std::span<const GpuFamily* const> families,
                                                std::vector<ProgramText> programs,
                                                const FamilyCompilerOptions& options) {
     CompileRequest request = requestFor(families);
-    request.programs = std::move(programs);
+    DistinctPrograms wanted = distinct(std::move(programs));
+    request.programs = std::move(wanted.texts);
     const std::size_t count = request.programs.size();
     CompiledForFamilies compiled;
     do {
@@ -114,6 +136,11 @@ Result<CompiledForFamilies> compileForFamilies(std::span<const GpuFamily* const>
         const auto done = std::ptrdiff_t(compiled.programs.size() - before);
         request.programs.erase(request.programs.begin(), request.programs.begin() + done);
     } while (!request.programs.empty());
+    std::vector<Result<FamilyStatistics>> all;
+    for (const std::size_t index : wanted.indices) {
+        all.push_back(compiled.programs[index]);
+    }
+    compiled.programs = std::move(all);
     return compiled;
 }
 
