@@ -66,6 +66,7 @@ TEST_F(HistogramPanel, MoreExposure_ClipsMoreAndSaysSo) {
 
 TEST_F(HistogramPanel, OfLight_MovesByTheExposure) {
     panel().findChild<QComboBox*>()->setCurrentIndex(1);
+    ASSERT_TRUE(waitFor([this] { return text().startsWith("Half"); }));
     const auto median = [this] { return brightnessOf(*plot().histogram()).median; };
     const double before = median();
     setExposure(2.0);

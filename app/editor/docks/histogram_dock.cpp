@@ -41,7 +41,10 @@ HistogramDock::HistogramDock(const DockContext& context)
     rest_.setSingleShot(true);
     rest_.setInterval(restMs);
     connect(&rest_, &QTimer::timeout, this, &HistogramDock::read);
-    connect(scale_, &QComboBox::currentIndexChanged, this, &HistogramDock::read);
+    connect(scale_, &QComboBox::currentIndexChanged, this, [this] {
+        asks_ = true;
+        read();
+    });
     connect(&views_, &CompareArea::viewAdded, this, &HistogramDock::follow);
     for (SideView* view : views_.views()) {
         follow(view);
@@ -61,6 +64,7 @@ void HistogramDock::follow(SideView* view) {
 }
 
 void HistogramDock::showEvent(QShowEvent* event) {
+    asks_ = true;
     readSoon();
     QWidget::showEvent(event);
 }
@@ -75,20 +79,27 @@ void HistogramDock::read() {
     if (!isVisible()) {
         return;
     }
-    if (scale_->currentIndex() == 0) {
-        readLevels();
+    FrameLoop& frames = views_.active().viewport().frames();
+    const bool isOfLevels = scale_->currentIndex() == 0;
+    const Image picture = frames.shownPicture(isOfLevels);
+    if (picture.pixels.empty()) {
+        if (asks_ && !frames.isDrawing()) {
+            asks_ = false;
+            frames.refresh();
+        }
+        return; // the next frame is read
+    }
+    asks_ = false;
+    if (isOfLevels) {
+        showLevels(picture);
     } else {
-        readStops();
+        showStops(picture);
     }
     plot_->setAccessibleDescription(text_->text());
 }
 
-void HistogramDock::readLevels() {
-    const Image picture = views_.active().viewport().frames().shownPicture(true);
-    if (picture.pixels.empty()) {
-        return; // the next frame is read
-    }
-    const H histogram = levelHistogram(picture);
+void HistogramDock::showLevels(const Image& display) {
+    const H histogram = levelHistogram(display);
     const QString clipped =
         histogram.clippedAny == 0.0
             ? tr("No pixel is clipped.")
@@ -103,12 +114,8 @@ void HistogramDock::readLevels() {
     plot_->setHistogram(HistogramPlot::Scale::Levels, histogram);
 }
 
-void HistogramDock::readStops() {
-    const Image picture = views_.active().viewport().frames().shownPicture(false);
-    if (picture.pixels.empty()) {
-        return;
-    }
-    const H histogram = stopHistogram(picture);
+void HistogramDock::showStops(const Image& linear) {
+    const H histogram = stopHistogram(linear);
     const BrightnessRange range = brightnessOf(histogram);
     text_->setText(
         tr("Half of the pixels are above %1 stops, the brightest at %2; %3 have more "

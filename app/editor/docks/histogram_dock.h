@@ -16,7 +16,8 @@ class SideView;
 
 /// Shows how bright the pixels of the active view are, as the screen shows them or in stops of
 /// light, and how many are clipped. It reads the picture that is there, once nothing has changed
-/// for a moment; no frame is drawn for it.
+/// for a moment; a frame is drawn for it only where a view that rests has given its picture back
+/// when the panel is shown or the scale chosen.
 class HistogramDock : public QWidget {
     Q_OBJECT
 
@@ -30,8 +31,8 @@ class HistogramDock : public QWidget {
     void follow(SideView* view);
     void readSoon();
     void read();
-    void readLevels();
-    void readStops();
+    void showLevels(const Image& display);
+    void showStops(const Image& linear);
 
     Document& document_;
     CompareArea& views_;
@@ -39,6 +40,7 @@ class HistogramDock : public QWidget {
     HistogramPlot* plot_;
     QLabel* text_;
     QTimer rest_;
+    bool asks_ = false; ///< for a frame, where there is no picture to read
 };
 
 } // namespace patina
