@@ -167,7 +167,7 @@ TEST(Cost, Scaling_HasALawForEachAxis) {
 
 TEST(Cost, Scaling_DrawsPixelsUpToTheSize) {
     const Outcome outcome = patina({"cost", "--model", "lambert", "--size", "48x48", "--scaling",
-                                    "--csv"});
+                                    "--seconds", "2", "--csv"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("pixels,2304,"), std::string::npos) << outcome.out;
     EXPECT_EQ(outcome.out.find("pixels,4096,"), std::string::npos) << outcome.out;

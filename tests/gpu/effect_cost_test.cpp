@@ -188,7 +188,7 @@ TEST_F(EffectCostTest, SlowFrames_EndInTime) {
     rows_ = effectRows(scene_, 0, *catalog);
     const auto secondsOf = [this](double seconds, bool mayShrink) {
         auto meter = EffectCostMeter::create({scene_, scene_.camera, meshSource(), rows_, catalog},
-                                             {{512, 512}, 60, {}, seconds, mayShrink});
+                                             {{256, 256}, 60, {}, seconds, mayShrink});
         EXPECT_TRUE(meter);
         const auto began = std::chrono::steady_clock::now();
         while (!(*meter)->finished()) {
@@ -202,11 +202,11 @@ TEST_F(EffectCostTest, SlowFrames_EndInTime) {
     const double enough = 0.2 * first.secondsNeeded;
     const auto [time, costs] = secondsOf(enough, false);
     EXPECT_LT(time, compiling + 1.5 * enough);
-    EXPECT_EQ(costs.size, glm::ivec2(512));
+    EXPECT_EQ(costs.size, glm::ivec2(256));
     EXPECT_GT(costs.secondsNeeded, enough);
     const auto [smaller, shrunk] = secondsOf(enough, true);
     EXPECT_LT(smaller, compiling + 1.5 * enough);
-    EXPECT_LT(shrunk.size.x, 512);
+    EXPECT_LT(shrunk.size.x, 256);
 }
 
 TEST_F(EffectCostTest, StepByStep_ProgressGrowsToOne) {
