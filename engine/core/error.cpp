@@ -23,7 +23,8 @@ std::string printable(std::string text) {
 std::string Error::text() const {
     std::string out = file;
     if (line > 0) {
-        out += fmt::format("{}{}:{}", out.empty() ? "" : ":", line, column);
+        out += fmt::format("{}{}", out.empty() ? "" : ":", line);
+        out += column > 0 ? fmt::format(":{}", column) : "";
     }
     if (!out.empty()) {
         out += ": ";

@@ -13,6 +13,8 @@
 #include <unistd.h>
 #include <vulkan/vulkan.h>
 
+#include "vulkan/spirv_loops.h"
+
 namespace patina {
 namespace {
 
@@ -210,6 +212,19 @@ int occurrences(std::string_view text, std::string_view word) {
     return count;
 }
 
+/// Returns a list that Vulkan fills: it is asked for the length first.
+template <class Entry, class Asked>
+std::vector<Entry> listed(VkDevice device, const Asked& asked, VkStructureType type,
+                          VkResult (*fill)(VkDevice, const Asked*, std::uint32_t*, Entry*)) {
+    std::uint32_t count = 0;
+    fill(device, &asked, &count, nullptr);
+    Entry empty{};
+    empty.sType = type;
+    std::vector<Entry> entries(count, empty);
+    fill(device, &asked, &count, entries.data());
+    return entries;
+}
+
 const char* stageName(VkShaderStageFlags stages) {
     return (stages & VK_SHADER_STAGE_FRAGMENT_BIT) != 0 ? "fragment" : "vertex";
 }
@@ -242,8 +257,11 @@ class NullDevice::Implementation {
         if (!vertex || !fragment) {
             return tl::unexpected(vertex ? fragment.error() : vertex.error());
         }
-        const auto built = pipeline(program, whole->handle, vertex->handle, fragment->handle);
-        return built ? Result<StageStatistics>(statisticsOf(built->handle))
+        // Listings take the driver longer than all else, and say nothing but which loops are left.
+        const bool hasListings = hasLoops(program.vertex) || hasLoops(program.fragment);
+        const auto built =
+            pipeline(program, whole->handle, vertex->handle, fragment->handle, hasListings);
+        return built ? Result<StageStatistics>(statisticsOf(built->handle, hasListings))
                      : tl::unexpected(built.error());
     }
 
@@ -311,7 +329,8 @@ class NullDevice::Implementation {
     }
 
     Result<Owned<VkPipeline>> pipeline(const SpirvProgram& program, VkPipelineLayout layout,
-                                       VkShaderModule vertex, VkShaderModule fragment) const {
+                                       VkShaderModule vertex, VkShaderModule fragment,
+                                       bool hasListings) const {
         std::array<VkPipelineShaderStageCreateInfo, 2> stages{};
         for (auto& stage : stages) {
             stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
@@ -385,8 +404,10 @@ class NullDevice::Implementation {
         VkGraphicsPipelineCreateInfo wanted{};
         wanted.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO;
         wanted.pNext = &targets;
-        wanted.flags = VK_PIPELINE_CREATE_CAPTURE_STATISTICS_BIT_KHR |
-                       VK_PIPELINE_CREATE_CAPTURE_INTERNAL_REPRESENTATIONS_BIT_KHR;
+        wanted.flags = VK_PIPELINE_CREATE_CAPTURE_STATISTICS_BIT_KHR;
+        if (hasListings) {
+            wanted.flags |= VK_PIPELINE_CREATE_CAPTURE_INTERNAL_REPRESENTATIONS_BIT_KHR;
+        }
         wanted.stageCount = std::uint32_t(stages.size());
         wanted.pStages = stages.data();
         wanted.pVertexInputState = &input;
@@ -404,58 +425,47 @@ class NullDevice::Implementation {
         return owned(result, made, vkDestroyPipeline, "the program");
     }
 
-    StageStatistics statisticsOf(VkPipeline pipeline) const {
-        VkPipelineInfoKHR asked{VK_STRUCTURE_TYPE_PIPELINE_INFO_KHR, nullptr, pipeline};
-        std::uint32_t count = 0;
-        executables_(device_.handle, &asked, &count, nullptr);
-        VkPipelineExecutablePropertiesKHR empty{};
-        empty.sType = VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_PROPERTIES_KHR;
-        std::vector<VkPipelineExecutablePropertiesKHR> executables(count, empty);
-        executables_(device_.handle, &asked, &count, executables.data());
+    StageStatistics statisticsOf(VkPipeline pipeline, bool hasListings) const {
+        const VkPipelineInfoKHR asked{VK_STRUCTURE_TYPE_PIPELINE_INFO_KHR, nullptr, pipeline};
+        const auto executables =
+            listed(device_.handle, asked, VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_PROPERTIES_KHR,
+                   executables_);
         StageStatistics all;
-        for (std::uint32_t i = 0; i < count; ++i) {
+        for (std::size_t i = 0; i < executables.size(); ++i) {
+            const VkPipelineExecutableInfoKHR one{VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_INFO_KHR,
+                                                  nullptr, pipeline, std::uint32_t(i)};
             Statistics& numbers = all[stageName(executables[i].stages)];
-            numbers = executableStatistics(pipeline, i);
+            numbers = executableStatistics(one);
             numbers["Subgroup size"] = executables[i].subgroupSize;
-            numbers["Loops"] = loopsOf(pipeline, i);
+            numbers["Loops"] = hasListings ? loopsOf(one) : 0;
             // RADV counts the smallest waves, of which a larger one takes the room of several.
             numbers["Subgroups per SIMD"] *= double(smallestWave_) / executables[i].subgroupSize;
         }
         return all;
     }
 
-    Statistics executableStatistics(VkPipeline pipeline, std::uint32_t index) const {
-        VkPipelineExecutableInfoKHR asked{VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_INFO_KHR, nullptr,
-                                          pipeline, index};
-        std::uint32_t count = 0;
-        statistics_(device_.handle, &asked, &count, nullptr);
-        VkPipelineExecutableStatisticKHR empty{};
-        empty.sType = VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_STATISTIC_KHR;
-        std::vector<VkPipelineExecutableStatisticKHR> found(count, empty);
-        statistics_(device_.handle, &asked, &count, found.data());
+    Statistics executableStatistics(const VkPipelineExecutableInfoKHR& executable) const {
         Statistics numbers;
-        for (const VkPipelineExecutableStatisticKHR& statistic : found) {
+        for (const VkPipelineExecutableStatisticKHR& statistic :
+             listed(device_.handle, executable, VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_STATISTIC_KHR,
+                    statistics_)) {
             numbers[statistic.name] = numberIn(statistic);
         }
         return numbers;
     }
 
     /// Counts the loops that are left in a stage, by the driver's listing of its code.
-    int loopsOf(VkPipeline pipeline, std::uint32_t index) const {
-        VkPipelineExecutableInfoKHR asked{VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_INFO_KHR, nullptr,
-                                          pipeline, index};
-        std::uint32_t count = 0;
-        listings_(device_.handle, &asked, &count, nullptr);
-        VkPipelineExecutableInternalRepresentationKHR empty{};
-        empty.sType = VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_INTERNAL_REPRESENTATION_KHR;
-        std::vector<VkPipelineExecutableInternalRepresentationKHR> listings(count, empty);
-        listings_(device_.handle, &asked, &count, listings.data());
+    int loopsOf(const VkPipelineExecutableInfoKHR& executable) const {
+        auto listings =
+            listed(device_.handle, executable,
+                   VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_INTERNAL_REPRESENTATION_KHR, listings_);
         std::vector<std::string> texts;
         for (VkPipelineExecutableInternalRepresentationKHR& listing : listings) {
             texts.emplace_back(listing.dataSize, '\0');
             listing.pData = texts.back().data();
         }
-        listings_(device_.handle, &asked, &count, listings.data());
+        auto count = std::uint32_t(listings.size());
+        listings_(device_.handle, &executable, &count, listings.data());
         for (std::size_t i = 0; i < listings.size(); ++i) {
             if (std::string_view(listings[i].name) == "ACO IR") {
                 return occurrences(texts[i], "loop-header");

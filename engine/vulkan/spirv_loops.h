@@ -15,6 +15,9 @@ struct CountedLoop {
     std::vector<std::uint32_t> once; ///< is the whole module, but with one round of this loop
 };
 
+/// Tells whether a module has loops at all.
+bool hasLoops(std::span<const std::uint32_t> module);
+
 /// Returns a fragment stage in SPIR-V after the optimiser's passes: functions inlined, constants
 /// followed to where they are used.
 Result<std::vector<std::uint32_t>> optimisedSpirv(std::span<const std::uint32_t> module);
