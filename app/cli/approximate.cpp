@@ -251,7 +251,7 @@ void checkOnDevice(const ApproximateSubject& subject, CheaperWays& ways,
         return;
     }
     const std::function<bool()> isStopped = [&work] {
-        work.tell("checking on the graphics device ");
+        work.report("checking on the graphics device ");
         return work.isStopped();
     };
     const auto count = checkedOnDevice(subject.subject, ways, subject.catalog->roots.front().folder,
@@ -293,8 +293,8 @@ Checked<int> approximate(const ApproximateRequest& request) {
     options.ofValues = subject->ofValues;
     LongWork work;
     const auto progress = [&work](double share, const CheaperWays& soFar) {
-        work.tell(fmt::format("{:3.0f} %  {} changes, {} tried, {} cheaper ways ", 100.0 * share,
-                              soFar.moves, soFar.tried, soFar.ways.size()));
+        work.report(fmt::format("{:3.0f} %  {} changes, {} tried, {} cheaper ways ", 100.0 * share,
+                                soFar.moves, soFar.tried, soFar.ways.size()));
         return !work.isStopped();
     };
     auto ways =
@@ -305,7 +305,7 @@ Checked<int> approximate(const ApproximateRequest& request) {
     if (!ways->ways.empty()) {
         checkOnDevice(*subject, *ways, options, work);
     }
-    work.tell({});
+    work.report({});
     report(ways->notes);
     std::cout << (request.json ? writeJson(waysJson(*ways, *subject)) : waysText(*ways, *subject));
     if (!request.output.empty() && !ways->ways.empty()) {

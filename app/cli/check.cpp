@@ -105,10 +105,10 @@ void tellLeftOut(const StabilitySweep& sweep, const SweepOptions& how) {
 void runSweep(StabilitySweep& sweep, LongWork& work) {
     while (!sweep.finished() && !work.isStopped()) {
         sweep.step();
-        work.tell(
+        work.report(
             fmt::format("{:3.0f} %  {} cases ", 100.0 * sweep.progress(), sweep.report().cases));
     }
-    work.tell({});
+    work.report({});
 }
 
 void printFinding(const SweepKey& key, const SweepTally& tally) {

@@ -94,10 +94,10 @@ Checked<Sweep> swept(CostSweep::Subject subject, const CostRequest& options, Lon
         (*sweep)->step(std::chrono::milliseconds(200));
         const SweepStep step = (*sweep)->doing();
         if (step.secondsInAll > wanted.seconds && !std::exchange(isWarned, true)) {
-            work.tell({});
+            work.report({});
             std::cerr << durationText(step.secondsInAll);
         }
-        work.tell(stepText(step));
+        work.report(stepText(step));
     }
     if (!(*sweep)->problems().empty()) {
         return tl::unexpected((*sweep)->problems());
@@ -129,8 +129,8 @@ Checked<std::vector<ScalingCurve>> scaled(CostSweep::Subject subject, const Cost
     while (!(*sweep)->finished() && !work.isStopped()) {
         (*sweep)->step();
         const ScalingSweep::Turn turn = (*sweep)->turn();
-        work.tell(fmt::format("{} of {}: {}, round {} of {}", turn.number, turn.of,
-                              axisText(turn.axis), turn.round, turn.rounds));
+        work.report(fmt::format("{} of {}: {}, round {} of {}", turn.number, turn.of,
+                                axisText(turn.axis), turn.round, turn.rounds));
     }
     if (!(*sweep)->problems().empty()) {
         return tl::unexpected((*sweep)->problems());
@@ -150,8 +150,8 @@ Checked<std::vector<ModelCost>> ranked(CostSweep::Subject subject, const CostReq
     while (!(*ranking)->finished() && !work.isStopped()) {
         (*ranking)->step();
         const ModelRanking::Turn turn = (*ranking)->turn();
-        work.tell(fmt::format("{:3.0f} %  model {} of {}: {}", 100.0 * (*ranking)->progress(),
-                              turn.number, turn.of, turn.label));
+        work.report(fmt::format("{:3.0f} %  model {} of {}: {}", 100.0 * (*ranking)->progress(),
+                                turn.number, turn.of, turn.label));
     }
     if (!(*ranking)->problems().empty()) {
         return tl::unexpected((*ranking)->problems());

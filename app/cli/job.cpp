@@ -106,7 +106,7 @@ class ShardRun {
             judge(*before);
             return {};
         }
-        longWork_.tell(fmt::format("{} of {}: {}", number, subject_.presets.size(), preset));
+        longWork_.report(fmt::format("{} of {}: {}", number, subject_.presets.size(), preset));
         const auto result = work_.resultOf(preset);
         if (longWork_.isStopped()) {
             return {};
@@ -176,7 +176,7 @@ Checked<int> runJob(const JobSubject& subject, JobWork& work, LongWork& longWork
             return tl::unexpected(oneError(finished.error()));
         }
     }
-    longWork.tell({});
+    longWork.report({});
     const JobTally& tally = run.tally();
     std::cout << fmt::format("{}: {} of {} presets: {} done now, {} before; {} failed{}\n",
                              subject.options.results, head.count(), head.presets, tally.done,

@@ -27,7 +27,7 @@ LongWork::LongWork() : isWatched_(isatty(STDERR_FILENO) == 1) {
 }
 
 LongWork::~LongWork() {
-    tell({});
+    report({});
     std::signal(SIGINT, before_);
 }
 
@@ -35,7 +35,7 @@ bool LongWork::isStopped() const {
     return stopWished;
 }
 
-void LongWork::tell(const std::string& text) {
+void LongWork::report(const std::string& text) {
     if (isWatched_) {
         std::cerr << emptyLine << text << std::flush;
     }

@@ -17,7 +17,7 @@ class LongWork {
     bool isStopped() const;
 
     /// Writes the progress to standard error over the text before; only where that is a terminal.
-    void tell(const std::string& text);
+    void report(const std::string& text);
 
     /// Is the exit status that shells expect of a program that Ctrl-C has ended.
     static constexpr int stoppedStatus = 130;

@@ -141,7 +141,7 @@ Checked<int> match(const MatchRequest& request) {
     const FitOptions options{.error = *matchErrorOf(request.error)};
     ModelMatches matches =
         fittedMaterials(*starts, aim->target, options, *catalog, [&](double done, const auto&) {
-            work.tell(fmt::format("{:3.0f} %  fitting {} models ", 100.0 * done, starts->size()));
+            work.report(fmt::format("{:3.0f} %  fitting {} models ", 100.0 * done, starts->size()));
             return !work.isStopped();
         });
     if (!request.withoutTime && request.allModels && !work.isStopped()) {

@@ -66,7 +66,7 @@ Checked<Image> PictureMaker::draw(const Scene& scene, const MeshSource& meshes, 
     if (frame.messages.size() > frame.warnings) {
         return tl::unexpected(frame.messages);
     }
-    tell(frame.messages);
+    reportOnce(frame.messages);
     if (auto looked = lookAtTextures(); !looked) {
         return tl::unexpected(looked.error());
     }
@@ -82,18 +82,18 @@ Checked<void> PictureMaker::lookAtTextures() {
     if (isNeeded) {
         return tl::unexpected(std::move(problems));
     }
-    tell(problems);
+    reportOnce(problems);
     return {};
 }
 
-void PictureMaker::tell(const Errors& warnings) {
+void PictureMaker::reportOnce(const Errors& warnings) {
     Errors fresh;
     for (const Error& warning : warnings) {
-        if (std::find(told_.begin(), told_.end(), warning) == told_.end()) {
+        if (std::find(reported_.begin(), reported_.end(), warning) == reported_.end()) {
             fresh.push_back(warning);
         }
     }
-    addNew(told_, fresh);
+    addNew(reported_, fresh);
     report(fresh);
 }
 

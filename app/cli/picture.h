@@ -37,7 +37,7 @@ class PictureMaker {
     PictureMaker() = default;
 
     Checked<void> lookAtTextures();
-    void tell(const Errors& warnings);
+    void reportOnce(const Errors& warnings);
 
     std::unique_ptr<gl::HeadlessContext> context_;
     std::unique_ptr<Renderer> renderer_;
@@ -45,7 +45,7 @@ class PictureMaker {
     std::vector<std::string> neededTextures_;
     std::shared_ptr<const EnvironmentImage> environment_;
     int samples_ = 0;
-    Errors told_; ///< holds the warnings that were given
+    Errors reported_; ///< holds the warnings that were given
 };
 
 /// Says where an image goes: a file, or "-" for a PNG on standard output.

@@ -278,7 +278,7 @@ Checked<int> renderAll(const CLI::App& command, const RenderOptions& options,
         if (longWork.isStopped()) {
             return LongWork::stoppedStatus;
         }
-        longWork.tell(preset);
+        longWork.report(preset);
         if (const auto drawn = work.resultOf(preset); !drawn) {
             report(drawn.error());
             status = 1;

@@ -238,7 +238,7 @@ Checked<int> drawSheet(const SheetOptions& options) {
     SheetMaker maker(*plan, request->sheet, options.form(), studio.cells());
     LongWork work;
     const auto isWhole = maker.run([&work](int done, int cells) {
-        work.tell(fmt::format("cell {} of {}", done + 1, cells));
+        work.report(fmt::format("cell {} of {}", done + 1, cells));
         return !work.isStopped();
     });
     if (const auto& problem = studio.cells().meterProblem()) {

@@ -111,9 +111,10 @@ Result<FamilyStatistics> compiled(const ProgramText& text,
 
 } // namespace
 
-int serveCompilation(const std::string& text, const std::function<void(const std::string&)>& tell) {
+int serveCompilation(const std::string& text,
+                     const std::function<void(const std::string&)>& report) {
     const auto tellError = [&](const Error& error) {
-        tell(nlohmann::json{{"error", error.text()}}.dump());
+        report(nlohmann::json{{"error", error.text()}}.dump());
         return 1;
     };
     const auto request = compileRequestIn(text);
@@ -129,9 +130,9 @@ int serveCompilation(const std::string& text, const std::function<void(const std
         devices.push_back({family.id, std::move(*device)});
     }
     const std::string driver = devices.empty() ? std::string() : devices.front().device.driver();
-    tell(nlohmann::json{{"driver", driver}}.dump());
+    report(nlohmann::json{{"driver", driver}}.dump());
     for (const ProgramText& program : request->programs) {
-        tell(toJson(compiled(program, devices)).dump());
+        report(toJson(compiled(program, devices)).dump());
     }
     return 0;
 }

@@ -9,6 +9,6 @@ namespace patina {
 /// Answers a CompileRequest, line by line, and returns the exit status of the program: 1 where the
 /// request is none or the driver cannot answer it.
 int serveCompilation(const std::string& request,
-                     const std::function<void(const std::string&)>& tell);
+                     const std::function<void(const std::string&)>& report);
 
 } // namespace patina

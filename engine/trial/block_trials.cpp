@@ -54,16 +54,16 @@ class TrialDrawer {
 
     /// Calls `tell` with the block's hash before the driver gets its code, and with the mistakes
     /// after that.
-    void tryOut(const Block& block, const std::function<void(const TrialReport&)>& tell) {
+    void tryOut(const Block& block, const std::function<void(const TrialReport&)>& report) {
         const Checked<ProgramSource> source = trialProgram(block, *catalog_);
         if (!source) {
-            tell({nameOf(block), true, {}, source.error()});
+            report({nameOf(block), true, {}, source.error()});
             return;
         }
         const std::string hash = hashIn(*source, block);
-        tell({nameOf(block), false, hash});
+        report({nameOf(block), false, hash});
         const auto program = compileProgram(*source);
-        tell({nameOf(block), true, hash, program ? drawnMistakes(block) : program.error()});
+        report({nameOf(block), true, hash, program ? drawnMistakes(block) : program.error()});
     }
 
   private:
@@ -95,22 +95,22 @@ const Block* blockNamed(const Catalog& catalog, const std::string& name) {
 
 } // namespace
 
-void tryBlocks(const TrialRequest& request, const std::function<void(const TrialReport&)>& tell) {
+void tryBlocks(const TrialRequest& request, const std::function<void(const TrialReport&)>& report) {
     const std::array<BlockRoot, 2> roots{BlockRoot{request.shaders, true},
                                          BlockRoot{request.own, false}};
     const auto catalog = std::make_shared<const Catalog>(loadCatalog(roots));
     TrialDrawer drawer(catalog);
     if (!drawer.open()) {
-        tell({{}, true});
+        report({{}, true});
         return;
     }
     for (const std::string& name : request.blocks) {
-        tell({name, false});
+        report({name, false});
         const Block* block = blockNamed(*catalog, name);
         if (block == nullptr) {
-            tell({name, true});
+            report({name, true});
         } else {
-            drawer.tryOut(*block, tell);
+            drawer.tryOut(*block, report);
         }
     }
 }

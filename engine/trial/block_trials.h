@@ -19,6 +19,6 @@ struct TrialRequest {
 
 /// Compiles each block and draws it once, and calls `tell` before and after each one. A block may
 /// crash, hang or exhaust this process.
-void tryBlocks(const TrialRequest& request, const std::function<void(const TrialReport&)>& tell);
+void tryBlocks(const TrialRequest& request, const std::function<void(const TrialReport&)>& report);
 
 } // namespace patina

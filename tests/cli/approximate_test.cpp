@@ -206,7 +206,8 @@ TEST(Approximate, FolderOfTheBlockItself_IsRefused) {
 
 TEST(Approximate, ShippedBlock_GetsAnIdOfItsOwn) {
     const TemporaryFolder folder;
-    const Outcome outcome = approximated({"phong", "--seconds", "4", "--cases", "1000", "-o", folder / "models"});
+    const Outcome outcome =
+        approximated({"phong", "--seconds", "8", "--cases", "1000", "-o", folder / "models"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     const Catalog catalog = catalogWith(folder.path());
     EXPECT_EQ(catalog.errors, Errors());
@@ -214,7 +215,7 @@ TEST(Approximate, ShippedBlock_GetsAnIdOfItsOwn) {
 }
 
 TEST(Approximate, Preset_HasItsValuesFolded) {
-    const Outcome outcome = approximated({gold, "--seconds", "4", "--cases", "1000", "--json"});
+    const Outcome outcome = approximated({gold, "--seconds", "10", "--cases", "1000", "--json"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     const auto ways = nlohmann::json::parse(outcome.out).at("ways");
     EXPECT_TRUE(std::ranges::any_of(ways, [](const auto& way) { return way.at("forValues"); }))
@@ -262,9 +263,9 @@ TEST(Approximate, DeepAndEndlessTexts_EndWithAMessage) {
 TEST(Approximate, WithoutSollyaAndDriver_SaysWhatToInstallAndCountsInstructions) {
     const TemporaryFolder folder;
     writePaper(disc, folder.path());
-    const Outcome outcome =
-        approximated({(folder / "models/edwards.glsl").string(), "--seconds", "4", "--cases", "1000", "--json"},
-                     {{"PATH", "/nowhere"}, {"VK_DRIVER_FILES", "/nowhere.json"}});
+    const Outcome outcome = approximated(
+        {(folder / "models/edwards.glsl").string(), "--seconds", "8", "--cases", "1000", "--json"},
+        {{"PATH", "/nowhere"}, {"VK_DRIVER_FILES", "/nowhere.json"}});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_NE(outcome.err.find("apt-get install sollya"), std::string::npos) << outcome.err;
     EXPECT_NE(outcome.err.find("mesa-vulkan-drivers"), std::string::npos) << outcome.err;

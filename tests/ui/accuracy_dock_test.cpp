@@ -4,7 +4,7 @@
 
 #include <QTimer>
 
-#include "docks/long_line.h"
+#include "docks/elided_label.h"
 #include "support/full_disk.h"
 #include "ui/accuracy_fixture.h"
 
@@ -151,7 +151,7 @@ TEST_F(AccuracyPanel, StateInASmallWindow_IsReadInFull) {
     document().setBlock(pathOf(kinds::fog), "exponential");
     window().resize(1280, 720);
     settle();
-    const auto& line = *dock().findChild<LongLine*>("state");
+    const auto& line = *dock().findChild<ElidedLabel*>("state");
     EXPECT_EQ(line.shown(), line.text());
     EXPECT_GE(line.height(), line.heightForWidth(line.width()));
 }

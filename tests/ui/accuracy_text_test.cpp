@@ -12,7 +12,7 @@
 #include "accuracy/cost_plot.h"
 #include "accuracy/cost_text.h"
 #include "accuracy/plot_library.h"
-#include "docks/long_line.h"
+#include "docks/elided_label.h"
 
 namespace patina::tests::accuracy_text_test {
 namespace {
@@ -40,10 +40,10 @@ TEST(NumberText, MeasuredNumbers_AreWrittenAsTheFieldsWriteTheirs) {
     QLocale::setDefault(before);
 }
 
-TEST(LongLine, WithoutRoom_EndsInDotsAndTellsAllInItsTooltip) {
+TEST(ElidedLabel, WithoutRoom_EndsInDotsAndTellsAllInItsTooltip) {
     const QString text = "256 × 256 pixels, 31,447 of them shaded; errors against the same frame";
-    LongLine line;
-    line.tell(text);
+    ElidedLabel line;
+    line.setElidedText(text);
     line.resize(1000, 20);
     EXPECT_EQ(line.shown(), text);
     line.resize(100, 20);

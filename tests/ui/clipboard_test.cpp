@@ -24,7 +24,7 @@ struct Desk : FixtureDocument {
     Errors told;
 
     Desk() {
-        QObject::connect(&document, &Document::told, &actions,
+        QObject::connect(&document, &Document::reported, &actions,
                          [this](const Error& error) { told.push_back(error); });
     }
     void set(const std::string& id, const Value& value) { document.setValue(model(), id, value); }

@@ -16,7 +16,7 @@ struct CopiedForm : Form {
     Errors told;
 
     CopiedForm() {
-        QObject::connect(&document, &Document::told, &window,
+        QObject::connect(&document, &Document::reported, &window,
                          [this](const Error& error) { told.push_back(error); });
     }
 

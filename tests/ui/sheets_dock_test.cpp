@@ -8,7 +8,7 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "docks/long_line.h"
+#include "docks/elided_label.h"
 #include "docks/notice_bar.h"
 #include "scene/scene_file.h"
 #include "sheet/sheet_file.h"
@@ -65,8 +65,8 @@ class SheetsPanel : public WindowFixture {
 };
 
 TEST_F(SheetsPanel, TitleOfTheColumns_StandsAboveTheCells) {
-    LongLine* title = nullptr;
-    for (LongLine* each : panel().findChildren<LongLine*>()) {
+    ElidedLabel* title = nullptr;
+    for (ElidedLabel* each : panel().findChildren<ElidedLabel*>()) {
         title = each->text() == "Metalness" ? each : title;
     }
     ASSERT_NE(title, nullptr);

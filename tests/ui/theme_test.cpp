@@ -21,7 +21,7 @@ class DesktopLook : public testing::Test {
   protected:
     DesktopLook() { qputenv("XDG_CONFIG_HOME", QByteArray::fromStdString(empty_.path().string())); }
 
-    void tell(unsigned scheme, const QString& key = "color-scheme") {
+    void report(unsigned scheme, const QString& key = "color-scheme") {
         const QString group = "org.freedesktop.appearance";
         ASSERT_TRUE(QMetaObject::invokeMethod(
             &theme_, "settingChanged", Qt::DirectConnection, Q_ARG(QString, group),
@@ -37,28 +37,28 @@ class DesktopLook : public testing::Test {
 };
 
 TEST_F(DesktopLook, Dark_DarkensThePalette) {
-    tell(preferLight);
+    report(preferLight);
     const int light = windowLightness();
-    tell(preferDark);
+    report(preferDark);
     EXPECT_TRUE(theme_.isDark());
     EXPECT_LT(windowLightness(), light / 2);
 }
 
 TEST_F(DesktopLook, NoPreferenceAfterDark_IsLightAgain) {
-    tell(preferDark);
-    tell(noPreference);
+    report(preferDark);
+    report(noPreference);
     EXPECT_FALSE(theme_.isDark());
 }
 
 TEST_F(DesktopLook, AnotherSetting_ChangesNothing) {
-    tell(preferDark);
-    tell(preferLight, "contrast");
+    report(preferDark);
+    report(preferLight, "contrast");
     EXPECT_TRUE(theme_.isDark());
 }
 
 TEST_F(DesktopLook, LookOfTheUser_Wins) {
     theme_.setLook(Look::Light);
-    tell(preferDark);
+    report(preferDark);
     EXPECT_FALSE(theme_.isDark());
 }
 

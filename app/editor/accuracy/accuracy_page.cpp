@@ -53,7 +53,7 @@ MeasureEnd sweepCosts(const CostSweep::Subject& subject, const CostSweep::Option
         (*sweep)->step(sweepSlice);
         const SweepStep step = (*sweep)->doing();
         const bool isAnother = step.of > 1 && std::exchange(told, step.number) != step.number;
-        control.tell(step.progress(), stepText(step, (*sweep)->chart()), isAnother);
+        control.report(step.progress(), stepText(step, (*sweep)->chart()), isAnother);
         const std::size_t points = (*sweep)->chart().points.size();
         if (std::exchange(shown, points) != points) {
             show();

@@ -83,7 +83,7 @@ Errors timeMatches(const MatchTask& task, ModelMatches& matches, Worker::Control
     while (!(*ranking)->finished() && !control.isCancelled()) {
         (*ranking)->step();
         const ModelRanking::Turn turn = (*ranking)->turn();
-        control.tell((*ranking)->progress(), MatchPage::tr("Measuring times"));
+        control.report((*ranking)->progress(), MatchPage::tr("Measuring times"));
         if (std::exchange(number, turn.number) != turn.number) {
             show();
         }
@@ -106,15 +106,15 @@ MeasureEnd fit(const MatchTask& task, Worker::Control& control, const TakeMatche
         }
     }
     std::size_t shown = 0;
-    ModelMatches matches = fittedMaterials(starts, aim->target, {}, *task.catalog,
-                                           [&](double done, const ModelMatches& soFar) {
-                                               control.tell(done, MatchPage::tr("Fitting models"));
-                                               if (soFar.rows.size() > shown) {
-                                                   shown = soFar.rows.size();
-                                                   control.show([take, soFar] { take(soFar); });
-                                               }
-                                               return !control.isCancelled();
-                                           });
+    ModelMatches matches = fittedMaterials(
+        starts, aim->target, {}, *task.catalog, [&](double done, const ModelMatches& soFar) {
+            control.report(done, MatchPage::tr("Fitting models"));
+            if (soFar.rows.size() > shown) {
+                shown = soFar.rows.size();
+                control.show([take, soFar] { take(soFar); });
+            }
+            return !control.isCancelled();
+        });
     control.show([take, matches] { take(matches); });
     Errors problems = matches.problems;
     if (!matches.rows.empty() && !control.isCancelled()) {

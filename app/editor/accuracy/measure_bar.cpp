@@ -8,7 +8,7 @@
 #include <QProgressBar>
 #include <QToolButton>
 
-#include "docks/long_line.h"
+#include "docks/elided_label.h"
 #include "docks/panel.h"
 
 namespace patina {
@@ -23,7 +23,7 @@ MeasureBar::MeasureBar(const QString& what, const QStringList& endings, QWidget*
     : QWidget(parent), what_(what), row_(new QHBoxLayout(this)),
       start_(textButton(tr("Measure"), what, this)),
       stop_(textButton(tr("Stop"), tr("Stop and keep what was measured so far"), this)),
-      progress_(new QProgressBar(this)), text_(new LongLine(this)),
+      progress_(new QProgressBar(this)), text_(new ElidedLabel(this)),
       export_(textButton(tr("Export"), tr("Write what was measured to a file"), this)) {
     text_->setObjectName("state");
     progress_->setRange(0, progressSteps);
@@ -77,7 +77,7 @@ void MeasureBar::setExportable(bool exportable) {
 }
 
 void MeasureBar::setText(const QString& text) {
-    text_->tell(text);
+    text_->setElidedText(text);
 }
 
 QString MeasureBar::text() const {

@@ -9,7 +9,7 @@ class QToolButton;
 
 namespace patina {
 
-class LongLine;
+class ElidedLabel;
 
 /// Is the row above what a page measured: start, stop, progress, a sentence, export.
 class MeasureBar : public QWidget {
@@ -44,7 +44,7 @@ class MeasureBar : public QWidget {
     QToolButton* start_;
     QToolButton* stop_;
     QProgressBar* progress_;
-    LongLine* text_;
+    ElidedLabel* text_;
     QToolButton* export_;
 };
 

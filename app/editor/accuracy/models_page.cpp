@@ -39,7 +39,7 @@ using TakeCosts = std::function<void(const std::vector<ModelCost>&, const QStrin
 class Predicted {
   public:
     Predicted(const CostSweep::Subject& subject, Worker::Control& control) {
-        control.tell(0.0, ModelsPage::tr("Compiling for other graphics cards"));
+        control.report(0.0, ModelsPage::tr("Compiling for other graphics cards"));
         std::vector<const GpuFamily*> families;
         for (const GpuFamily& family : gpuFamilies()) {
             families.push_back(&family);
@@ -90,7 +90,7 @@ MeasureEnd rankModels(const CostSweep::Subject& subject, const CostSweep::Option
     while (!(*ranking)->finished() && !control.isCancelled()) {
         (*ranking)->step();
         const ModelRanking::Turn turn = (*ranking)->turn();
-        control.tell((*ranking)->progress(), turnText(turn));
+        control.report((*ranking)->progress(), turnText(turn));
         if (std::exchange(number, turn.number) != turn.number) {
             show();
         }

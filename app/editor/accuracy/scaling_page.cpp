@@ -45,7 +45,7 @@ MeasureEnd sweepScaling(const CostSweep::Subject& subject, const ScalingSweep::O
     int shown = 0;
     while (!(*sweep)->finished() && !control.isCancelled()) {
         (*sweep)->step();
-        control.tell((*sweep)->progress(), turnText((*sweep)->turn()));
+        control.report((*sweep)->progress(), turnText((*sweep)->turn()));
         if ((*sweep)->rounds() != shown) {
             shown = (*sweep)->rounds();
             control.show([take, curves = (*sweep)->curves(),

@@ -32,7 +32,7 @@ bool Worker::Control::isSuperseded() const {
     });
 }
 
-void Worker::Control::tell(double share, const QString& doing, bool isAnother) {
+void Worker::Control::report(double share, const QString& doing, bool isAnother) {
     if (isAnother || sinceTold_.elapsed() >= tellEveryMs) {
         sinceTold_.restart();
         show([worker = &worker_, share, doing] {

@@ -76,7 +76,7 @@ class Worker : public QObject {
 
         /// Emits progressed() if 50 ms have passed since the last time, or if `isAnother` says that
         /// something else is done now.
-        void tell(double share, const QString& doing = {}, bool isAnother = false);
+        void report(double share, const QString& doing = {}, bool isAnother = false);
 
         /// Calls a function in the thread that asked, unless the request is forgotten by then.
         void show(std::function<void()> news) const;

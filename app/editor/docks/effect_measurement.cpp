@@ -68,7 +68,7 @@ MeasureEnd EffectMeasurement::meter(const EffectCostMeter::Subject& subject, std
     });
     while (!(*meter)->finished() && !control.isCancelled()) {
         (*meter)->step();
-        control.tell((*meter)->progress());
+        control.report((*meter)->progress());
     }
     control.show([this, costs = (*meter)->costs()] {
         if (measured_) {

@@ -85,7 +85,7 @@ void MaterialActions::setStartValues(bool isRemoval) {
     const std::string& model = material->model.id;
     const nlohmann::json wanted = isRemoval ? nlohmann::json() : parametersJson(material->model);
     if (const auto written = writeStartValues(startValueFolder(), model, wanted); !written) {
-        Q_EMIT document_.told(written.error());
+        Q_EMIT document_.reported(written.error());
         return;
     }
     StartValues all = document_.startValues();

@@ -54,9 +54,9 @@ void PresetActions::addAll() {
     redo_ = add(tr("Redo"), QKeySequence::Redo, &PresetActions::redo);
     connect(&edits_, &PresetEdits::importFailed, this,
             [this](const QString& folder, const QString& problem) {
-                context_.files.tell({folder.toStdString(), 0, 0, problem.toStdString(), {}});
+                context_.files.report({folder.toStdString(), 0, 0, problem.toStdString(), {}});
             });
-    connect(&edits_, &PresetEdits::done, this, &PresetActions::tell);
+    connect(&edits_, &PresetEdits::done, this, &PresetActions::report);
     connect(&edits_.undoStack(), &QUndoStack::indexChanged, this, [this] {
         isLastEdit_ = true;
         update();
@@ -192,12 +192,12 @@ void PresetActions::redo() {
 }
 
 /// What was not done is a message each.
-void PresetActions::tell(const QString& what, const std::vector<PresetOutcome>& outcomes) {
+void PresetActions::report(const QString& what, const std::vector<PresetOutcome>& outcomes) {
     const auto failed = std::ranges::count_if(
         outcomes, [](const PresetOutcome& outcome) { return !outcome.isDone(); });
     for (const PresetOutcome& outcome : outcomes) {
         if (!outcome.isDone()) {
-            context_.files.tell({outcome.entry->file.string(), 0, 0, outcome.problem, {}});
+            context_.files.report({outcome.entry->file.string(), 0, 0, outcome.problem, {}});
         }
     }
     sayDone(failed == 0

@@ -48,7 +48,7 @@ class PresetActions : public QObject {
     void moveToTrash();
     void undo();
     void redo();
-    void tell(const QString& what, const std::vector<PresetOutcome>& outcomes);
+    void report(const QString& what, const std::vector<PresetOutcome>& outcomes);
     void sayDone(const QString& text);
 
     DockContext context_;

@@ -32,7 +32,7 @@ PresetTransfer::PresetTransfer(const DockContext& context, NoticeBar& notice, QW
                 const QString done = tr("Imported into %1").arg(QDir(folder).dirName());
                 Q_EMIT imported(folder, told(done, outcomes));
             });
-    connect(&bundles_, &PresetBundles::failed, &context_.files, &FileActions::tell);
+    connect(&bundles_, &PresetBundles::failed, &context_.files, &FileActions::report);
 }
 
 void PresetTransfer::exportPresets(const std::vector<PresetPtr>& presets) {
@@ -61,7 +61,7 @@ QString PresetTransfer::told(const QString& done, const std::vector<BundleOutcom
     int failed = 0;
     for (const BundleOutcome& outcome : outcomes) {
         if (!outcome.problem.empty()) {
-            context_.files.tell({outcome.name, 0, 0, outcome.problem, {}});
+            context_.files.report({outcome.name, 0, 0, outcome.problem, {}});
             ++failed;
         }
     }

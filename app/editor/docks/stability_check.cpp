@@ -81,7 +81,7 @@ StabilityOutcome checkStability(const Catalog& catalog, const Material& material
     StabilitySweep sweep(std::move(*variants), options);
     while (!sweep.finished() && !control.isCancelled()) {
         sweep.step();
-        control.tell(sweep.progress(), QObject::tr("%1 cases").arg(shown(sweep.report().cases)));
+        control.report(sweep.progress(), QObject::tr("%1 cases").arg(shown(sweep.report().cases)));
     }
     StabilityOutcome outcome = outcomeOf(sweep);
     if (!context) {

@@ -130,7 +130,7 @@ class Document : public QObject {
     void changed(const patina::DocumentChange& change);
     void modifiedChanged(bool modified);
     /// Something is to be told the user.
-    void told(const patina::Error& message);
+    void reported(const patina::Error& message);
     /// The user named this file, which then may be read.
     void fileNamed(const std::filesystem::path& file);
     /// The artist is about to change this value.

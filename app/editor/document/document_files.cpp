@@ -210,7 +210,7 @@ bool holdsParked(const std::filesystem::path& path, const Catalog& catalog) {
 DocumentFiles::DocumentFiles(Document& document, QObject* parent)
     : QObject(parent), document_(document), withheld_(document) {}
 
-void DocumentFiles::tell(const Errors& messages) {
+void DocumentFiles::report(const Errors& messages) {
     for (const Error& error : messages) {
         Q_EMIT message(error);
     }
@@ -244,7 +244,7 @@ void DocumentFiles::startFrom(const Scene& scene) {
 
 bool DocumentFiles::openScene(const std::filesystem::path& path, const ReadingRights& rights) {
     const std::optional<Errors> notes = takeScene(path, rights);
-    tell(notes.value_or(Errors()));
+    report(notes.value_or(Errors()));
     return notes.has_value();
 }
 
@@ -253,7 +253,7 @@ std::optional<Errors> DocumentFiles::takeScene(const std::filesystem::path& path
                                                const ReadingRights& rights) {
     Checked<SceneReading> reading = readScene(path, document_.catalog(), rights);
     if (!reading) {
-        tell(reading.error());
+        report(reading.error());
         return std::nullopt;
     }
     Checked<ComparedSides> compared =
@@ -336,7 +336,7 @@ bool DocumentFiles::recover(const std::filesystem::path& copy, const DocumentFil
 bool DocumentFiles::openPreset(const std::filesystem::path& path, const ReadingRights& rights) {
     const Checked<PresetReading> reading = readPreset(path, document_.catalog(), rights);
     if (!reading) {
-        tell(reading.error());
+        report(reading.error());
         return false;
     }
     DocumentState state = document_.state();
@@ -351,7 +351,7 @@ bool DocumentFiles::openPreset(const std::filesystem::path& path, const ReadingR
     const int object = std::max(document_.selection().object(), 0);
     *materialAt(state, object, Side::A) = reading->material;
     start(std::move(state), {DocumentFile::Kind::Preset, path, reading->readOnly}, object);
-    tell(reading->notes);
+    report(reading->notes);
     return true;
 }
 
@@ -359,7 +359,7 @@ bool DocumentFiles::applyPreset(const std::filesystem::path& path, Side side,
                                 const ReadingRights& rights) {
     const Checked<PresetReading> reading = readPreset(path, document_.catalog(), rights);
     if (!reading) {
-        tell(reading.error());
+        report(reading.error());
         return false;
     }
     if (side == Side::B && !document_.state().second) {
@@ -367,7 +367,7 @@ bool DocumentFiles::applyPreset(const std::filesystem::path& path, Side side,
     } else {
         document_.replaceMaterials(side, reading->material, tr("Preset %1").arg(titleOf(path)));
     }
-    tell(reading->notes);
+    report(reading->notes);
     return true;
 }
 
@@ -429,7 +429,7 @@ bool DocumentFiles::saveScene(const std::filesystem::path& path) {
     }
     document_.nameScene(saved.name);
     for (const Object& object : document_.state().scene.objects) {
-        tell(imagesOutside(object.material, path));
+        report(imagesOutside(object.material, path));
     }
     savedState_ = document_.state();
     isRecovered_ = false;
@@ -473,7 +473,7 @@ bool DocumentFiles::savePreset(const std::filesystem::path& path, const BlockPat
         Q_EMIT message(written.error());
         return false;
     }
-    tell(imagesOutside(saved, path));
+    report(imagesOutside(saved, path));
     if (file_.kind != DocumentFile::Kind::Scene) {
         if (!(*materialAt(document_.state(), of.index, of.side) == saved)) {
             const QString label = tr("Name %1").arg(QString::fromStdString(saved.name));

@@ -77,7 +77,7 @@ class DocumentFiles : public QObject {
     void start(DocumentState state, DocumentFile file, int object = 0);
     std::optional<Errors> takeScene(const std::filesystem::path& path, const ReadingRights& rights);
     bool savePreset(const std::filesystem::path& path, const BlockPath& of, const Material& saved);
-    void tell(const Errors& messages);
+    void report(const Errors& messages);
     bool isOwnFile(const std::filesystem::path& path) const;
     bool mayOverwrite(const std::filesystem::path& path);
     void setFile(DocumentFile file);

@@ -61,7 +61,7 @@ void ClipboardActions::duplicateLight() {
 void ClipboardActions::paste() {
     const Result<CopiedJson> copied = copiedJson();
     if (!copied) {
-        tell({copied.error()});
+        report({copied.error()});
     } else if (copied->format() == sceneFormat.name) {
         pasteScene(*copied);
     } else {
@@ -73,29 +73,29 @@ void ClipboardActions::pasteMaterial(const CopiedJson& copied) {
     const auto reading =
         materialFromJson(placed(copied), "", document_.catalog(), rightsOf(copied));
     if (!reading) {
-        tell(reading.error());
+        report(reading.error());
         return;
     }
     if (!document_.material(document_.selection().side())) {
-        tell({{{}, 0, 0, "there is no object to paste the material onto", "an object"}});
+        report({{{}, 0, 0, "there is no object to paste the material onto", "an object"}});
         return;
     }
     const QString name = QString::fromStdString(reading->material.name);
     document_.replaceMaterials(document_.selection().side(), reading->material,
                                tr("Paste %1").arg(name.isEmpty() ? tr("material") : name));
-    tell(reading->notes);
+    report(reading->notes);
 }
 
 void ClipboardActions::pasteScene(const CopiedJson& copied) {
     const auto reading = sceneFromJson(placed(copied), document_.catalog(), rightsOf(copied));
     if (!reading) {
-        tell(reading.error());
+        report(reading.error());
         return;
     }
     const std::vector<Object>& objects = reading->scene.objects;
     const std::vector<Light>& lights = reading->scene.lights;
     if (objects.empty() && lights.empty()) {
-        tell({{{}, 1, 1, "the scene has neither objects nor lights", "one of them"}});
+        report({{{}, 1, 1, "the scene has neither objects nor lights", "one of them"}});
         return;
     }
     files_.withheld().add(reading->outside);
@@ -114,7 +114,7 @@ void ClipboardActions::pasteScene(const CopiedJson& copied) {
     } else {
         document_.editAsOneStep(tr("Paste objects and lights"), addThem);
     }
-    tell(reading->notes);
+    report(reading->notes);
 }
 
 bool ClipboardActions::mayReadAll(const Material& material) const {
@@ -150,10 +150,10 @@ LocatedJson ClipboardActions::placed(const CopiedJson& copied) const {
 }
 
 /// Tells errors as errors of the clipboard, not of the document's file.
-void ClipboardActions::tell(Errors messages) {
+void ClipboardActions::report(Errors messages) {
     for (Error& message : messages) {
         message.file = message.file == files_.file().path.string() ? std::string() : message.file;
-        Q_EMIT document_.told(inClipboard(std::move(message)));
+        Q_EMIT document_.reported(inClipboard(std::move(message)));
     }
 }
 

@@ -40,7 +40,7 @@ class ClipboardActions : public QObject {
     std::vector<Object> editedObjects() const;
     const Light* currentLight() const;
     LocatedJson placed(const CopiedJson& copied) const;
-    void tell(Errors messages);
+    void report(Errors messages);
 
     Document& document_;
     DocumentFiles& files_;

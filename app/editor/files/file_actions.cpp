@@ -159,9 +159,9 @@ void FileActions::noteSaved(const QString& file) {
         Q_EMIT saved();
         return;
     }
-    tell({file.toStdString(), 0, 0,
-          "the preset is saved, but lights, fog, objects and side B are not part of it",
-          "Save As with a scene file to keep them too"});
+    report({file.toStdString(), 0, 0,
+            "the preset is saved, but lights, fog, objects and side B are not part of it",
+            "Save As with a scene file to keep them too"});
 }
 
 void FileActions::askAndOpen() {
@@ -387,7 +387,7 @@ void FileActions::replaceObject(const std::vector<Object>& objects) {
 
 void FileActions::meshFailed(const QString& mesh, const Error& why) {
     wanted_.erase(mesh);
-    tell(why);
+    report(why);
 }
 
 void FileActions::noteLinks(const QString& mesh, const std::vector<std::string>& places) {
@@ -455,8 +455,8 @@ void FileActions::openRead(const QStringList& files, Side side) {
         load(mesh);
     }
     for (const QString& file : documents) {
-        tell({file.toStdString(), 0, 0, "is not opened: there is room for one scene or preset",
-              "beside it a preset for the other side, and meshes"});
+        report({file.toStdString(), 0, 0, "is not opened: there is room for one scene or preset",
+                "beside it a preset for the other side, and meshes"});
     }
     dropRead(others, side);
 }
@@ -592,8 +592,8 @@ void FileActions::openDocument(const QString& file) {
 
 void FileActions::tellOutside(const QString& file) {
     if (!files_.withheld().all().empty()) {
-        tell({file.toStdString(), 0, 0, "names files outside its folder, which are not read",
-              "File > Allow Files Outside, where you trust it"});
+        report({file.toStdString(), 0, 0, "names files outside its folder, which are not read",
+                "File > Allow Files Outside, where you trust it"});
     }
 }
 

@@ -73,7 +73,7 @@ class FileActions : public QObject {
     /// cancels.
     bool mayLoseDocument();
 
-    void tell(const Error& message) { Q_EMIT files_.message(message); }
+    void report(const Error& message) { Q_EMIT files_.message(message); }
 
     static Kind kindOf(const QString& file);
 

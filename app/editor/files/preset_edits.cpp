@@ -175,15 +175,15 @@ class ImportCommand : public QUndoCommand {
         if (std::exchange(isNew_, false)) {
             return;
         }
-        tell(fromTrash(trashed_, folder_) ? QString() : QObject::tr("it is not in the trash"));
+        report(fromTrash(trashed_, folder_) ? QString() : QObject::tr("it is not in the trash"));
     }
     void undo() override {
-        tell(toTrash(folder_, trashed_) ? QString()
-                                        : QObject::tr("it could not be moved to the trash"));
+        report(toTrash(folder_, trashed_) ? QString()
+                                          : QObject::tr("it could not be moved to the trash"));
     }
 
   private:
-    void tell(const QString& problem) {
+    void report(const QString& problem) {
         setObsolete(!problem.isEmpty());
         edits_.presets_.scan();
         if (!problem.isEmpty()) {

@@ -17,7 +17,7 @@
 #include "accuracy/cost_subject.h"
 #include "core/atomic_file.h"
 #include "docks/effect_label.h"
-#include "docks/long_line.h"
+#include "docks/elided_label.h"
 #include "docks/panel.h"
 #include "lobe/energy_bar.h"
 #include "lobe/polar_plot.h"
@@ -57,7 +57,7 @@ LobeDock::LobeDock(const DockContext& context)
       scale_(new QComboBox(this)), term_(new QComboBox(this)), snapshots_(new QAction(this)),
       forget_(textButton(tr("Without Presets"), tr("Take the presets that were dropped here away"),
                          this)),
-      note_(new LongLine(this)), worker_({.name = tr("Plotting the reflectance")}),
+      note_(new ElidedLabel(this)), worker_({.name = tr("Plotting the reflectance")}),
       timer_({.name = tr("Timing materials"), .canCancel = true}) {
     setAcceptDrops(true);
     forget_->setObjectName("forget presets");
@@ -164,7 +164,7 @@ void LobeDock::takePick(SideView& view, const Hit& hit) {
                     : std::nullopt;
     if (!picked_) {
         forgetPick();
-        note_->tell(tr("No light reaches that place."));
+        note_->setElidedText(tr("No light reaches that place."));
         return;
     }
     polar_->setLight(picked_->incoming().angle * 180.0 / std::numbers::pi);
@@ -237,7 +237,7 @@ void LobeDock::takeTimes(const std::vector<LobeMaterial>& materials,
                      .arg(asText(materials[i].name), times_[static_cast<qsizetype>(i)],
                           leftOutText(materials[i]));
     }
-    note_->tell(notes.join(' '));
+    note_->setElidedText(notes.join(' '));
 }
 
 QString LobeDock::leftOutText(const LobeMaterial& material) const {
@@ -485,7 +485,7 @@ void LobeDock::show(const Answer& answer) {
                                                    asText(subject.lines.note));
         }
     }
-    note_->tell(notes.join(' '));
+    note_->setElidedText(notes.join(' '));
     if (shownPage() == Page::Albedo) {
         const bool isThere = !answer.subjects.empty() &&
                              answer.subjects.front().lines.lines.front().values.size() > 1;

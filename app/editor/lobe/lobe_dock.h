@@ -24,7 +24,7 @@ namespace patina {
 class EnergyBar;
 class EvalGpu;
 class LobePlotWidget;
-class LongLine;
+class ElidedLabel;
 class PaintedPlot;
 class PolarPlot;
 class SideView;
@@ -126,7 +126,7 @@ class LobeDock : public QWidget {
     QAction* snapshots_;
     QToolButton* forget_;               ///< takes the dropped presets away
     std::vector<LobeMaterial> dropped_; ///< are presets that were dropped on the dock
-    LongLine* note_;
+    ElidedLabel* note_;
     QToolButton* time_ = nullptr;
     QStringList times_; ///< say the time of each material; empty where nobody measured them
     std::optional<PickedIncidence> picked_; ///< is empty where the light was turned by hand

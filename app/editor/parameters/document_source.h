@@ -41,7 +41,7 @@ class DocumentSource : public ParameterSource {
     bool isLocked(std::string_view parameterId) const override;
     void setLocked(const std::vector<std::string>& parameterIds, bool locked) override;
 
-    void tell(const Error& message) override { Q_EMIT document_.told(message); }
+    void report(const Error& message) override { Q_EMIT document_.reported(message); }
 
   private:
     Document& document_;

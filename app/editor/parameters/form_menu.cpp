@@ -149,20 +149,20 @@ void FormMenu::paste(ParameterRow& row) const {
     if (copied && areCopiedValues(*copied)) {
         take(pastedOnto(parameter, *copied, *source_), tr("Paste %1").arg(row.editor()->name()));
     } else if (!copied && hasCopiedJson()) {
-        source_->tell(copied.error());
+        source_->report(copied.error());
     } else {
-        source_->tell(inClipboard({{},
-                                   1,
-                                   1,
-                                   "this is no value of " + parameter.label,
-                                   infoOf(parameter.type).expected(parameter)}));
+        source_->report(inClipboard({{},
+                                     1,
+                                     1,
+                                     "this is no value of " + parameter.label,
+                                     infoOf(parameter.type).expected(parameter)}));
     }
 }
 
 void FormMenu::paste(const Rows& rows) const {
     const Result<CopiedJson> copied = copiedJson();
     if (!copied) {
-        source_->tell(copied.error());
+        source_->report(copied.error());
         return;
     }
     take(pastedOnto(block_, parametersOf(unlocked(rows)), *copied, *source_), tr("Paste values"));
@@ -174,7 +174,7 @@ void FormMenu::take(const PastedValues& pasted, const QString& label) const {
         form_.refresh();
     }
     for (const Error& problem : pasted.problems) {
-        source_->tell(problem);
+        source_->report(problem);
     }
 }
 

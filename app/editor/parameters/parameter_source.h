@@ -63,7 +63,7 @@ class ParameterSource {
     virtual void setLocked(const std::vector<std::string>&, bool) {}
 
     /// Tells the user what was left out.
-    virtual void tell(const Error&) {}
+    virtual void report(const Error&) {}
 };
 
 } // namespace patina

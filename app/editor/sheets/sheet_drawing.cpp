@@ -279,14 +279,15 @@ SheetEnd SheetDrawing::Work::draw(const Request& request, Worker::Control& contr
     CellMaker& cells = (*studio)->cellsOf(request_, std::nullopt);
     const double all = double(due.size() + unmeasured.size());
     for (std::size_t i = 0; i < due.size() && !control.isCancelled(); ++i) {
-        control.tell(double(i) / all, SheetDrawing::tr("Cell %1 of %2").arg(i + 1).arg(due.size()));
+        control.report(double(i) / all,
+                       SheetDrawing::tr("Cell %1 of %2").arg(i + 1).arg(due.size()));
         drawCell(due[i], cells);
         show(due[i], control);
         ++end.drawn;
     }
     for (std::size_t i = 0; i < unmeasured.size() && !control.isCancelled(); ++i) {
-        control.tell(double(due.size() + i) / all,
-                     SheetDrawing::tr("Measuring %1 of %2").arg(i + 1).arg(unmeasured.size()));
+        control.report(double(due.size() + i) / all,
+                       SheetDrawing::tr("Measuring %1 of %2").arg(i + 1).arg(unmeasured.size()));
         measureCell(unmeasured[i], cells, control);
         show(unmeasured[i], control);
     }
@@ -370,8 +371,8 @@ Checked<bool> SheetDrawing::Work::write(const Request& request, const std::files
     const SheetForm form = sheetFormOf(file);
     SheetMaker maker(*plan, request.sheet, form, (*studio)->cellsOf(request, form));
     const auto isWhole = maker.run([&control](int done, int cells) {
-        control.tell(double(done) / double(cells),
-                     SheetDrawing::tr("Writing: cell %1 of %2").arg(done + 1).arg(cells));
+        control.report(double(done) / double(cells),
+                       SheetDrawing::tr("Writing: cell %1 of %2").arg(done + 1).arg(cells));
         return !control.isCancelled();
     });
     if (!isWhole || !*isWhole) {

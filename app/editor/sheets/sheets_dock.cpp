@@ -11,7 +11,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "docks/long_line.h"
+#include "docks/elided_label.h"
 #include "docks/notice_bar.h"
 #include "docks/panel.h"
 #include "document/document.h"
@@ -47,8 +47,9 @@ constexpr int longestName = 24; ///< letters of a name in a message
 
 SheetsDock::SheetsDock(const DockContext& context)
     : context_(context), document_(context.document), controls_(new SheetControls(this)),
-      notice_(new NoticeBar(this)), xTitle_(new LongLine(this)), yTitle_(new VerticalTitle(this)),
-      grid_(new SheetGrid(this)), state_(new LongLine(this)), progress_(new QProgressBar(this)),
+      notice_(new NoticeBar(this)), xTitle_(new ElidedLabel(this)),
+      yTitle_(new VerticalTitle(this)), grid_(new SheetGrid(this)), state_(new ElidedLabel(this)),
+      progress_(new QProgressBar(this)),
       stop_(textButton(tr("Stop"), tr("Stop drawing and keep the cells that are there"), this)),
       drawing_(programFolder(), this) {
     settle_.setSingleShot(true);
@@ -170,7 +171,7 @@ void SheetsDock::follow() {
     const int object = document_.selection().object();
     if (object < 0) {
         grid_->table().clear();
-        xTitle_->tell({});
+        xTitle_->setElidedText({});
         yTitle_->setText({});
         notice_->say(tr("There is no object to draw."));
         return;
@@ -234,7 +235,7 @@ void SheetsDock::showControls() {
 void SheetsDock::showPlan(const PlannedSheet& planned) {
     notice_->clear();
     grid_->table().setSheet(planned);
-    xTitle_->tell(asText(planned.plan->x().title));
+    xTitle_->setElidedText(asText(planned.plan->x().title));
     yTitle_->setText(planned.plan->y() ? asText(planned.plan->y()->title) : QString());
     if (const QModelIndex wished = std::exchange(wished_, {}); wished.isValid()) {
         choose(wished);
@@ -245,7 +246,7 @@ void SheetsDock::showPlan(const PlannedSheet& planned) {
 /// first thing there is that the other one does not go through.
 void SheetsDock::showRefusal(const SheetRefusal& why) {
     grid_->table().clear();
-    xTitle_->tell({});
+    xTitle_->setElidedText({});
     yTitle_->setText({});
     QStringList words;
     QStringList names;
@@ -309,23 +310,23 @@ void SheetsDock::showEnd(const SheetEnd& end) {
     }
     const auto& plan = grid_->table().plan();
     const int cells = plan ? plan->columns() * plan->rows() : 0;
-    state_->tell(!plan         ? QString()
-                 : end.isWhole ? tr("%1 × %2 cells").arg(plan->columns()).arg(plan->rows())
-                               : tr("Stopped: %1 of %2 cells are out of date")
-                                     .arg(grid_->table().dueCells())
-                                     .arg(cells));
+    state_->setElidedText(!plan         ? QString()
+                          : end.isWhole ? tr("%1 × %2 cells").arg(plan->columns()).arg(plan->rows())
+                                        : tr("Stopped: %1 of %2 cells are out of date")
+                                              .arg(grid_->table().dueCells())
+                                              .arg(cells));
     showRunning();
 }
 
 void SheetsDock::showWritten(const QString& file, const Errors& problems) {
     for (const Error& problem : problems) {
-        context_.files.tell(problem);
+        context_.files.report(problem);
     }
     if (!problems.empty()) {
         notice_->say(tr("%1 is not written: %2")
                          .arg(QFileInfo(file).fileName(), asText(problems.front().text())));
     } else if (!file.isEmpty()) {
-        state_->tell(tr("%1 is written").arg(QFileInfo(file).fileName()));
+        state_->setElidedText(tr("%1 is written").arg(QFileInfo(file).fileName()));
         Q_EMIT saved(file);
     }
     showRunning();
@@ -333,7 +334,7 @@ void SheetsDock::showWritten(const QString& file, const Errors& problems) {
 
 void SheetsDock::showProgress(double share, const QString& doing) {
     progress_->setValue(static_cast<int>(std::lround(share * progressSteps)));
-    state_->tell(doing);
+    state_->setElidedText(doing);
     showRunning();
 }
 
@@ -370,14 +371,14 @@ void SheetsDock::open(const QString& file) {
     const auto reading = readSheet(file.toStdString());
     if (!reading) {
         for (const Error& error : reading.error()) {
-            context_.files.tell(error);
+            context_.files.report(error);
         }
         notice_->say(tr("%1 cannot be read: %2")
                          .arg(QFileInfo(file).fileName(), asText(reading.error().front().text())));
         return;
     }
     for (const Error& note : reading->notes) {
-        context_.files.tell(note);
+        context_.files.report(note);
     }
     if (!reading->sheet.preset.empty()) {
         context_.files.applyPreset(asText(reading->sheet.preset), document_.selection().side());

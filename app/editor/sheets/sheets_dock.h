@@ -17,7 +17,7 @@ class QToolButton;
 
 namespace patina {
 
-class LongLine;
+class ElidedLabel;
 class NoticeBar;
 class SheetControls;
 class SheetGrid;
@@ -88,10 +88,10 @@ class SheetsDock : public QWidget {
     int revision_ = 0;             ///< counts changes of meshes and pictures
     SheetControls* controls_;
     NoticeBar* notice_;
-    LongLine* xTitle_;
+    ElidedLabel* xTitle_;
     VerticalTitle* yTitle_;
     SheetGrid* grid_;
-    LongLine* state_;
+    ElidedLabel* state_;
     QProgressBar* progress_;
     QToolButton* stop_;
     QTimer settle_;

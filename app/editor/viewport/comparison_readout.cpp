@@ -13,8 +13,8 @@ namespace patina {
 
 ComparisonReadout::ComparisonReadout(const Document& document, const ComparisonMeter& meter)
     : document_(document), meter_(meter) {
-    connect(&meter_, &ComparisonMeter::framesChanged, this, &ComparisonReadout::tell);
-    connect(&meter_, &ComparisonMeter::numbersChanged, this, &ComparisonReadout::tell);
+    connect(&meter_, &ComparisonMeter::framesChanged, this, &ComparisonReadout::publish);
+    connect(&meter_, &ComparisonMeter::numbersChanged, this, &ComparisonReadout::publish);
 }
 
 void ComparisonReadout::watch(QWidget& widget, std::function<QRect()> place) {
@@ -32,12 +32,12 @@ bool ComparisonReadout::eventFilter(QObject* watched, QEvent* event) {
                 static_cast<QMouseEvent*>(event)->position() - QPointF(place.topLeft());
             pointer_ = QPointF(at.x() / place.width(), at.y() / place.height());
         }
-        tell();
+        publish();
     }
     return QObject::eventFilter(watched, event);
 }
 
-void ComparisonReadout::tell() {
+void ComparisonReadout::publish() {
     const bool isPixelKnown = pointer_ && meter_.isUpToDate() && document_.isComparing();
     Q_EMIT changed(isPixelKnown ? pixelText(*meter_.frames(), meter_.other(), *pointer_)
                                 : comparisonText(meter_.numbers()),

@@ -37,7 +37,7 @@ class ComparisonReadout : public QObject {
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
-    void tell();
+    void publish();
 
     const Document& document_;
     const ComparisonMeter& meter_;

@@ -87,7 +87,7 @@ DockContext MainWindow::dockContext() {
 
 void MainWindow::connectParts() {
     connect(&documentFiles_, &DocumentFiles::message, &messages_, &MessageLog::add);
-    connect(&document_, &Document::told, &messages_, &MessageLog::add);
+    connect(&document_, &Document::reported, &messages_, &MessageLog::add);
     connect(&meshes_, &MeshLibrary::remarked, &messages_, &MessageLog::addNote);
     onChange(document_, DocumentChange::Drawn, &meshes_, [this] {
         meshes_.wantOpenness(std::ranges::any_of(sides, [this](Side side) {

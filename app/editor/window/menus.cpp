@@ -323,7 +323,7 @@ void Menus::makeTurntable(QMenu* menu) {
             const bool isTurning = turntable.turning() == what;
             const auto done = turntable.setTurning(isTurning ? std::nullopt : std::optional(what));
             if (!done) {
-                parts_.files.tell(done.error());
+                parts_.files.report(done.error());
             }
         });
         action->setCheckable(true);

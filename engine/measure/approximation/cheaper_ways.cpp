@@ -78,7 +78,7 @@ class CheaperSearch {
     }
 
     /// Reports, and keeps the wish to stop.
-    void tell() {
+    void report() {
         const double share = std::min(secondsGone() / options_.seconds, 1.0);
         if (!found_.isStopped && !progress_(share, found_)) {
             found_.isStopped = true;
@@ -206,13 +206,13 @@ class CheaperSearch {
                     done.push_back(ways[i]);
                 }
             }
-            tell();
+            report();
         }
         return done;
     }
 
     bool stopsNow() {
-        tell();
+        report();
         return isOver();
     }
 
@@ -255,7 +255,7 @@ class CheaperSearch {
                 ways.push_back({{i}, {}, {}, 0.0, false});
             }
             judge(ways);
-            tell();
+            report();
             for (const TriedWay& way : priced(std::move(ways))) {
                 if (*way.cost < worthwhile * found_.exact.cost) {
                     useful_.push_back(way);

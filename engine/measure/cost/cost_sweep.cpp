@@ -196,11 +196,11 @@ class CostSweep::Implementation {
         doing_ = {SweepStep::Work::Point, point.levels, 0.0};
         IncrementalCapture capture(drawn_->renderer(), drawn_->meshes(),
                                    frames_.captured(point.levels));
-        std::function<void(double)> tell = [this](double done) {
+        std::function<void(double)> report = [this](double done) {
             doing_.share = drawnShare * done;
         };
         Result<LinearFrame> frame;
-        co_await draw(std::move(capture), patience_, std::move(tell), frame);
+        co_await draw(std::move(capture), patience_, std::move(report), frame);
         if (!frame) {
             problems_.push_back(frame.error());
             co_return;

@@ -51,11 +51,11 @@ Steps ConvergedFrame::draw(int series, LinearFrame& half) {
     frame.view.environmentSeries = series;
     frame.view.environmentSamples = half_;
     IncrementalCapture capture(wish_.renderer, wish_.meshes, std::move(frame));
-    std::function<void(double)> tell = [this, series](double done) {
+    std::function<void(double)> report = [this, series](double done) {
         progress_ = eachHalf * (series - 1 + done);
     };
     Result<LinearFrame> drawn;
-    co_await patina::draw(std::move(capture), patience_, std::move(tell), drawn);
+    co_await patina::draw(std::move(capture), patience_, std::move(report), drawn);
     if (drawn) {
         half = std::move(*drawn);
     } else {

@@ -113,11 +113,11 @@ std::unique_ptr<ReferenceFrame> GroundTruthFrame::reference(SurfaceBuffer buffer
 Steps GroundTruthFrame::draw(const std::optional<LinearFrame>& computed) {
     const double before = progress_;
     IncrementalCapture capture(wish_.renderer, wish_.meshes, wish_.drawn);
-    std::function<void(double)> tell = [this, before](double done) {
+    std::function<void(double)> report = [this, before](double done) {
         progress_ = before + (1.0 - before - preparedShare) * done;
     };
     Result<LinearFrame> drawn;
-    co_await patina::draw(std::move(capture), patience_, std::move(tell), drawn);
+    co_await patina::draw(std::move(capture), patience_, std::move(report), drawn);
     if (!drawn) {
         problem_ = drawn.error();
         co_return;

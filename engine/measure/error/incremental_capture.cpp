@@ -84,14 +84,14 @@ Result<bool> proceed(Steps& run, const std::optional<Error>& problem) {
 }
 
 Steps draw(IncrementalCapture capture, const std::chrono::milliseconds& patience,
-           std::function<void(double)> tell, Result<LinearFrame>& drawn) {
+           std::function<void(double)> report, Result<LinearFrame>& drawn) {
     Result<bool> done = capture.step(patience);
     while (done && !*done) {
-        tell(capture.progress());
+        report(capture.progress());
         co_yield Steps::Pause();
         done = capture.step(patience);
     }
-    tell(1.0);
+    report(1.0);
     drawn = done ? capture.frame() : tl::unexpected(done.error());
     co_yield Steps::Pause();
 }

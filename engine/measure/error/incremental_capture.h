@@ -47,6 +47,6 @@ Result<bool> proceed(Steps& run, const std::optional<Error>& problem);
 /// Draws the frame in steps, each of about the current `patience`, and calls `tell` after each with
 /// the share that is done (0 .. 1). `drawn` gets the frame or the error.
 Steps draw(IncrementalCapture capture, const std::chrono::milliseconds& patience,
-           std::function<void(double)> tell, Result<LinearFrame>& drawn);
+           std::function<void(double)> report, Result<LinearFrame>& drawn);
 
 } // namespace patina

@@ -7,13 +7,13 @@ namespace patina {
 
 /// Is a line of text that never widens its parent: text without room is elided and shown by the
 /// tool tip. With word wrap nothing is elided.
-class LongLine : public QLabel {
+class ElidedLabel : public QLabel {
     Q_OBJECT
 
   public:
-    explicit LongLine(QWidget* parent = nullptr);
+    explicit ElidedLabel(QWidget* parent = nullptr);
 
-    void tell(const QString& text);
+    void setElidedText(const QString& text);
 
     /// Returns the text as it is drawn now, perhaps elided.
     QString shown() const;

@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "docks/long_line.h"
+#include "docks/elided_label.h"
 
 #include <QPainter>
 #include <QStyle>
 
 namespace patina {
 
-LongLine::LongLine(QWidget* parent) : QLabel(parent) {
+ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
     setTextFormat(Qt::PlainText);
     setTextInteractionFlags(Qt::TextSelectableByMouse);
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
 }
 
-void LongLine::tell(const QString& text) {
+void ElidedLabel::setElidedText(const QString& text) {
     setText(text);
     setToolTip(text);
 }
 
-QString LongLine::shown() const {
+QString ElidedLabel::shown() const {
     if (wordWrap()) {
         return text();
     }
     return fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width());
 }
 
-void LongLine::paintEvent(QPaintEvent* event) {
+void ElidedLabel::paintEvent(QPaintEvent* event) {
     if (shown() == text()) {
         return QLabel::paintEvent(event);
     }
