@@ -88,12 +88,12 @@ TEST(CompileErrors, LostFileNumber_IsFoundInTheLine) {
 
 TEST(CompileErrors, NvidiaLog_NamesFileAndLine) {
     EXPECT_EQ(firstOf("1(9) : error C1503: undefined variable \"x\"\n"),
-              "lib/a.glsl:9:0: undefined variable \"x\"");
+              "lib/a.glsl:9: undefined variable \"x\"");
 }
 
 TEST(CompileErrors, AppleLog_NamesFileAndLine) {
     EXPECT_EQ(firstOf("ERROR: 2:4: Use of undeclared identifier 'x'"),
-              "models/b.glsl:4:0: Use of undeclared identifier 'x'");
+              "models/b.glsl:4: Use of undeclared identifier 'x'");
 }
 
 TEST(CompileErrors, Warnings_AreLeftOut) {

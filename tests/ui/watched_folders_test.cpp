@@ -122,7 +122,7 @@ TEST_F(WatchedFolders, ChangeWhileAnotherFileNeverRests_IsSeen) {
                      [&] { writeFile(shaders() / "models/other.json", std::to_string(++rounds)); });
     restless.start(30);
     writeModel("Second");
-    EXPECT_TRUE(QTest::qWaitFor([&] { return label() == "Second"; }, 3000)) << rounds;
+    EXPECT_TRUE(QTest::qWaitFor([&] { return label() == "Second"; }, waitMs)) << rounds;
 }
 
 TEST_F(WatchedFolders, ShaderThatDoesNotCompile_IsToldThoughNobodyChoseIt) {
