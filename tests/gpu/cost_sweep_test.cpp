@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -96,7 +97,13 @@ class CostTimesTest : public CostSweepTest {
         scene_.objects[0].mesh = "builtin:plane";
         scene_.objects[0].rotation = {90.0, 0.0, 0.0}; // faces the camera
     }
+
+    static void TearDownTestSuite() { known_.reset(); }
+
+    static std::optional<CostChart> known_; ///< is that of the known block, once it was measured
 };
+
+std::optional<CostChart> CostTimesTest::known_;
 
 /// The block's work is known, its times are the machine's: whoever else is busy on it may spoil one
 /// measurement. What is wrong with the instrument would spoil all of them.
@@ -117,6 +124,7 @@ TEST_F(CostTimesTest, KnownBlock_HasItsRatiosAndErrors) {
         }
     }
     EXPECT_EQ(off, "");
+    known_ = chart;
     EXPECT_NEAR(chart.find({{"work", "half"}})->error.p99, 0.01, 1e-6);
     EXPECT_NEAR(chart.find({{"work", "quarter"}})->error.max, 0.1, 1e-6);
     EXPECT_NEAR(chart.find({{"slip", "small"}})->error.mean, 0.001, 1e-6);
@@ -137,7 +145,8 @@ TEST_F(CostTimesTest, Twice_GivesTheSameFront) {
         }
         return levels;
     };
-    EXPECT_EQ(frontLevels(measured(false)), frontLevels(measured(false)));
+    const CostChart first = known_ ? *known_ : measured(false);
+    EXPECT_EQ(frontLevels(first), frontLevels(measured(false)));
 }
 
 TEST_F(CostSweepTest, WhatIsDone_IsToldFromTheStart) {
