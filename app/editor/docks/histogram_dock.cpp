@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "docks/histogram_dock.h"
 
+#include <utility>
+
 #include <QComboBox>
 #include <QLabel>
 #include <QVBoxLayout>
@@ -39,7 +41,6 @@ HistogramDock::HistogramDock(const DockContext& context)
     layout->addWidget(plot_, 1);
     layout->addWidget(text_);
     rest_.setSingleShot(true);
-    rest_.setInterval(restMs);
     connect(&rest_, &QTimer::timeout, this, &HistogramDock::read);
     connect(scale_, &QComboBox::currentIndexChanged, this, [this] {
         asks_ = true;
@@ -52,13 +53,17 @@ HistogramDock::HistogramDock(const DockContext& context)
     onChange(document_, DocumentChange::Current, this, &HistogramDock::readSoon);
 }
 
-/// Further samples of a picture that rests do not put its reading off.
+/// Further samples of a picture that rests do not put its reading off. One that was to be read
+/// while the next sample was drawn is read behind that, before another begins.
 void HistogramDock::follow(SideView* view) {
     const FrameLoop& frames = view->viewport().frames();
     connect(&frames, &FrameLoop::frameDrawn, this, [this, view, &frames] {
         const bool isFurther = frames.samples() > 1 && rest_.isActive();
         if (view == &views_.active() && !isFurther) {
             readSoon();
+            if (std::exchange(isOwed_, false) && frames.samples() > 1) {
+                rest_.start(0);
+            }
         }
     });
 }
@@ -71,7 +76,7 @@ void HistogramDock::showEvent(QShowEvent* event) {
 
 void HistogramDock::readSoon() {
     if (isVisible()) {
-        rest_.start();
+        rest_.start(restMs);
     }
 }
 
@@ -83,7 +88,8 @@ void HistogramDock::read() {
     const bool isOfLevels = scale_->currentIndex() == 0;
     const Image picture = frames.shownPicture(isOfLevels);
     if (picture.pixels.empty()) {
-        if (asks_ && !frames.isDrawing()) {
+        isOwed_ = frames.isDrawing();
+        if (asks_ && !isOwed_) {
             asks_ = false;
             frames.refresh();
         }

@@ -41,6 +41,7 @@ class HistogramDock : public QWidget {
     QLabel* text_;
     QTimer rest_;
     bool asks_ = false; ///< for a frame, where there is no picture to read
+    bool isOwed_ = false; ///< the view was drawing when it was to be read
 };
 
 } // namespace patina
