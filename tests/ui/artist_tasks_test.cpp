@@ -7,6 +7,7 @@
 
 #include <QApplication>
 #include <QComboBox>
+#include <QDialog>
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QListWidget>
@@ -23,6 +24,8 @@
 #include "parameters/preview_button.h"
 #include "parameters/texture_line.h"
 #include "parameters/value_slider.h"
+#include "sheets/sheet_grid.h"
+#include "sheets/sheets_dock.h"
 #include "ui/hand.h"
 #include "ui/preset_window.h"
 #include "viewport/side_view.h"
@@ -313,6 +316,23 @@ TEST_F(ArtistTask, ImageOfMarbleIsSwapped) {
     EXPECT_TRUE(QTest::qWaitFor([&] { return picture() != before; }, waitMs));
     hand.key(window(), Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(imageOf(), file);
+}
+
+TEST_F(ArtistTask, SheetIsMadeAndACellTaken) {
+    hand.key(*view().viewport(), Qt::Key_K, Qt::ControlModifier);
+    auto* search = window().findChild<QDialog*>("commandPalette")->findChild<QLineEdit*>();
+    hand.type(*search, "contact sheet");
+    hand.key(*search, Qt::Key_Return);
+    settle();
+    auto* panel = window().findChild<SheetsDock*>();
+    ASSERT_TRUE(panel != nullptr && panel->isVisible());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return panel->isIdle(); }, waitMs));
+    const QImage before = picture();
+    auto& grid = *panel->findChild<SheetGrid*>();
+    const int stepsBefore = steps();
+    hand.click(*grid.viewport(), grid.visualRect(grid.table().index(0, 0)).center());
+    EXPECT_EQ(steps(), stepsBefore + 1);
+    EXPECT_NE(picture(), before);
 }
 
 TEST_F(ArtistTask, ComparisonIsExported) {
