@@ -278,6 +278,7 @@ Outcome outcomeOf(const fs::path& script, const std::string& text) {
     writeFile(folder / "script", text + (program == "sollya" ? "quit;\n" : ""));
     Start start;
     start.arguments = {(folder / "script").string()};
+    start.timeLimitSeconds = 600.0;  // the longest takes half a minute where nothing else runs
     return run(*installed(program), start);
 }
 
