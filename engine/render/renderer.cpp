@@ -20,7 +20,7 @@ Result<std::unique_ptr<Renderer>> Renderer::create(Options options) {
         return tl::unexpected(checked.error());
     }
     auto shared = std::make_shared<RenderResources>(std::move(options.programCache));
-    shared->shadows.setMaxTexels(options.shadowTexels);
+    shared->shadows.setLimits({options.shadowTexels, options.shadowBytes});
     return std::unique_ptr<Renderer>(new Renderer(std::move(shared)));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 
@@ -27,6 +28,8 @@ class Renderer {
                                             ///< on disk
         /// Limits the texels of a shadow map per side, a power of two.
         int shadowTexels = largestShadowTexels;
+        /// Limits the memory of all shadow maps together.
+        std::int64_t shadowBytes = std::int64_t(256) << 20;
     };
 
     static Result<std::unique_ptr<Renderer>> create(Options options);

@@ -37,7 +37,7 @@ void FrameDescription::write(const PreparedFrame& frame, FrameGpu& gpu, ProgramP
                              const std::optional<Error>& shadowError) {
     countPrograms(frame, gpu.report);
     const int lostLights = gpu.data.lostLights();
-    const int lostShadows = gpu.shared.shadows.lost();
+    const int lostShadows = gpu.shadows.lost();
     if (sources_ == frame.sources && lostLights == lostLights_ && lostShadows == lostShadows_ &&
         shadowError == shadowError_) {
         return;

@@ -46,6 +46,7 @@ void FrameJob::followCatalog() {
         pass->forget();
     }
     gpu_.environment.forget();
+    gpu_.shadows.setCatalog(catalog_);
     description_.forget();
 }
 
@@ -105,6 +106,7 @@ FrameJob::Progress FrameJob::step(Deadline deadline) {
         static_cast<void>(gpu_.fitTarget(plan_, showsSceneRefracted(*plan_.effects, *catalog_)));
         return Progress::Done;
     }
+    gpu_.shadows.noteStep();
     const bool isFirst = std::exchange(at_.isFirstStep, false);
     if (isFirst) {
         beginReport();
@@ -146,6 +148,7 @@ FrameJob::Progress FrameJob::pause() {
 
 FrameJob::Progress FrameJob::fail(const Error& error) {
     description_.writeFailure(gpu_.report, error);
+    gpu_.shadows.giveBack();
     isNeedless_ = gpu_.isSketch;
     return Progress::Done;
 }
@@ -187,7 +190,7 @@ bool FrameJob::prepareSome() {
 
 /// Returns true when the frame has so many triangles that it is drawn in steps.
 bool FrameJob::isLarge() {
-    return plan_.hasManyTriangles(passes_.shadows.pendingTriangles(prepared_, gpu_));
+    return plan_.hasManyTriangles(gpu_.shadows.pendingTriangles());
 }
 
 FrameJob::Progress FrameJob::draw(Deadline deadline) {
@@ -227,6 +230,7 @@ FrameJob::Progress FrameJob::finish() {
     hasPicture_ = !gpu_.isSketch;
     shared_->meshes.endFrame();
     shared_->textures.endFrame();
+    gpu_.shadows.giveBack();
     gpu_.report.isWaiting = gpu_.textures.budget.isWaiting;
     description_.write(prepared_, gpu_, passes_.programs, passes_.shadows.error());
     isNeedless_ = gpu_.isSketch && Clock::now() - began_ < longestQuick / sketchShare;
@@ -293,6 +297,7 @@ void FrameJob::drawUnseen() {
         leaveState();
     }
     failure_.reset();
+    gpu_.shadows.giveBack();
     gpu_.report = std::move(before);
 }
 

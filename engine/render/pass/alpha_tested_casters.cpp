@@ -17,11 +17,11 @@ constexpr const char* opacityId = "opacity";
 } // namespace
 
 std::size_t AlphaTestedCasters::add(const Material& material, double opacity) {
-    if (casters_.size() == count_) {
+    const std::size_t number = tests_.size();
+    if (casters_.size() == number) {
         casters_.emplace_back();
-        hasChanged_ = true;
     }
-    Caster& caster = casters_[count_];
+    Caster& caster = casters_[number];
     const TextureUse& use = material.textures.find(opacityId)->second;
     const auto known = caster.material.textures.find(opacityId);
     const bool isSame = known != caster.material.textures.end() && known->second == use &&
@@ -30,14 +30,14 @@ std::size_t AlphaTestedCasters::add(const Material& material, double opacity) {
         caster.material.opacity = opacity;
         caster.material.textures.insert_or_assign(opacityId, use);
         caster.pipeline.reset();
-        hasChanged_ = true;
     }
-    return count_++;
+    tests_.push_back({opacity, use});
+    return number;
 }
 
 Result<void> AlphaTestedCasters::prepare(const std::shared_ptr<const Catalog>& catalog,
                                          ProgramCache& programs, const GpuTextureStore& textures) {
-    for (std::size_t i = 0; i < count_; ++i) {
+    for (std::size_t i = 0; i < tests_.size(); ++i) {
         Caster& caster = casters_[i];
         if (!caster.pipeline || caster.pipeline->catalog != catalog) {
             auto made = pipelineFor(caster.material, catalog, programs);
@@ -46,10 +46,8 @@ Result<void> AlphaTestedCasters::prepare(const std::shared_ptr<const Catalog>& c
             }
             caster.pipeline = std::move(*made);
         }
-        const std::uint64_t state =
+        tests_[i].state =
             textures.stateOf(caster.pipeline->effects.textures.front(), caster.material);
-        hasChanged_ = hasChanged_ || state != caster.state;
-        caster.state = state;
     }
     return {};
 }

@@ -16,6 +16,15 @@
 
 namespace patina {
 
+/// Holds what the shadows of an alpha-tested material depend on.
+struct AlphaTest {
+    double opacity = 1.0; ///< is the value that the image modifies, 0 .. 1
+    TextureUse image;
+    std::uint64_t state = 0; ///< is GpuTextureStore::stateOf() of the image
+
+    friend bool operator==(const AlphaTest&, const AlphaTest&) = default;
+};
+
 /// Holds the materials of a frame whose shadows are cut out by an image, and the programs that draw
 /// them into shadow maps.
 class AlphaTestedCasters {
@@ -24,7 +33,7 @@ class AlphaTestedCasters {
     void forget() { pipelines_.clear(); }
 
     /// Begins a frame.
-    void clear() { count_ = 0; }
+    void clear() { tests_.clear(); }
 
     /// Adds a material and returns its index. `opacity`, 0 .. 1, is the value that its image
     /// modifies.
@@ -35,18 +44,15 @@ class AlphaTestedCasters {
     Result<void> prepare(const std::shared_ptr<const Catalog>& catalog, ProgramCache& programs,
                          const GpuTextureStore& textures);
 
-    /// Returns true when the shadows of a material have changed since noteDrawn().
-    bool hasChanged() const { return hasChanged_; }
-    void noteDrawn() { hasChanged_ = false; }
+    /// Returns what the shadows of each material depend on.
+    const std::vector<AlphaTest>& tests() const { return tests_; }
 
     /// Makes the program of a material current and binds its data and its image.
     void use(std::size_t number, const glm::mat4& worldToMap, FrameTextures& textures);
 
   private:
-    /// Holds the parts of a material on which its shadows depend.
     struct Caster {
-        Material material;       ///< has only the opacity and its image
-        std::uint64_t state = 0; ///< is GpuTextureStore::stateOf() of the image
+        Material material; ///< has only the opacity and its image
         std::shared_ptr<const Pipeline> pipeline;
     };
     using Key = std::tuple<TextureChannel, TextureMode, bool>;
@@ -55,10 +61,8 @@ class AlphaTestedCasters {
     pipelineFor(const Material& material, const std::shared_ptr<const Catalog>& catalog,
                 ProgramCache& programs);
 
-    std::vector<Caster> casters_; ///< holds the frame's materials in its first count_ entries; the
-                                  ///< others keep their memory
-    std::size_t count_ = 0;
-    bool hasChanged_ = false;
+    std::vector<AlphaTest> tests_; ///< has one for each of the frame's materials
+    std::vector<Caster> casters_;  ///< holds those materials first; the others keep their memory
     std::map<Key, std::shared_ptr<const Pipeline>> pipelines_;
     UniformBuffer data_;
 };

@@ -187,10 +187,10 @@ void FrameData::feedScene(const FramePlan& plan, const Pipeline& pipeline, std::
     UniformBuffer& data = scenes_[lights];
     const Pipeline* fed = fedScenes_[lights];
     if (fed == nullptr || fed->sceneKey != pipeline.sceneKey || fed->catalog != pipeline.catalog) {
-        const PackedScene packed = packScene(
-            data.staging(), pipeline,
-            {*plan.scene, *plan.effects, gpu_.shared.shadows.views(), &plan.lightLists, lights},
-            plan.cameraToWorld);
+        const PackedScene packed =
+            packScene(data.staging(), pipeline,
+                      {*plan.scene, *plan.effects, gpu_.shadows.views(), &plan.lightLists, lights},
+                      plan.cameraToWorld);
         note(data.upload(packed.vec4s));
         lostLights_ = std::max(lostLights_, packed.lostLights);
         fedScenes_[lights] = &pipeline;

@@ -24,7 +24,7 @@ void FrameGpu::beginObjects() {
     glEnable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_DITHER);
-    shared.shadows.bind();
+    shadows.bind();
 }
 
 void FrameGpu::endObjects() {

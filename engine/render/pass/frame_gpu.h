@@ -4,6 +4,7 @@
 #include "render/gpu/hdr_target.h"
 #include "render/pass/frame_data.h"
 #include "render/pass/frame_environment.h"
+#include "render/pass/frame_shadows.h"
 #include "render/pass/render_resources.h"
 
 namespace patina {
@@ -13,7 +14,7 @@ namespace patina {
 struct FrameGpu {
     /// Keeps a reference to `resources`, which must outlive it.
     explicit FrameGpu(RenderResources& resources)
-        : shared(resources), textures{shared.textures}, data(*this) {}
+        : shared(resources), textures{shared.textures}, shadows(shared.shadows), data(*this) {}
 
     /// Returns the target that is drawn into; a sketch has its own, so that the frames' target is
     /// kept.
@@ -35,6 +36,7 @@ struct FrameGpu {
     RenderResources& shared;
     FrameReport report;
     FrameTextures textures;
+    FrameShadows shadows;
     FrameData data;
     FrameEnvironment environment;
     HdrTarget frameTarget;

@@ -8,7 +8,7 @@ namespace patina {
 void RenderResources::setCatalog(std::shared_ptr<const Catalog> changed) {
     catalog = std::move(changed);
     pipelines.setCatalog(catalog);
-    shadows.setCatalog(catalog);
+    shadows.forget();
 }
 
 } // namespace patina

@@ -10,7 +10,7 @@
 #include "render/gpu/measured_store.h"
 #include "render/lights/environment_pictures.h"
 #include "render/pass/pipeline_store.h"
-#include "render/pass/shadow_maps.h"
+#include "render/pass/shadow_map_pool.h"
 
 namespace patina {
 
@@ -32,7 +32,7 @@ struct RenderResources {
     GpuTextureStore textures;
     MeasuredStore measured;
     EnvironmentPictures environments;
-    ShadowMaps shadows;
+    ShadowMapPool shadows;
 };
 
 } // namespace patina

@@ -13,11 +13,27 @@
 
 namespace patina {
 
-/// Holds the shadow casters of a frame, and knows whether they have changed since the shadow maps
-/// were drawn.
+/// Holds the shadow casters of a frame.
 class ShadowCasters {
   public:
     static constexpr std::size_t solid = std::numeric_limits<std::size_t>::max();
+
+    /// Holds what decides a caster's shadow besides its place.
+    struct Shape {
+        std::uint64_t serial = 0; ///< is GpuMesh::serial()
+        std::size_t alphaTested = solid;
+
+        friend bool operator==(const Shape&, const Shape&) = default;
+    };
+
+    /// Holds all on which the shadows of a frame's casters depend.
+    struct Record {
+        std::vector<CasterBox> boxes;
+        std::vector<Shape> shapes;
+        std::vector<AlphaTest> alphaTests;
+
+        friend bool operator==(const Record&, const Record&) = default;
+    };
 
     /// Is a run of casters of one mesh that a map sees. Either all are solid, or all have the same
     /// alpha-tested material.
@@ -37,12 +53,11 @@ class ShadowCasters {
     /// Makes the programs of alpha-tested casters; fails when one does not compile.
     Result<void> prepare(ProgramCache& programs, const GpuTextureStore& textures);
 
-    std::span<const CasterBox> boxes() const { return boxes_; }
+    std::span<const CasterBox> boxes() const { return record_.boxes; }
     std::int64_t triangles() const;
 
-    /// Returns true when any caster differs in shape or place from noteDrawn().
-    bool hasChanged() const;
-    void noteDrawn();
+    /// Returns what prepare() has found.
+    const Record& record() const { return record_; }
 
     /// Collects the casters that a map sees, sorted by mesh, into `runs` and `instances`.
     void gather(const glm::dmat4& worldToMap, std::vector<Run>& runs, InstanceBuffer& instances);
@@ -53,24 +68,13 @@ class ShadowCasters {
     }
 
   private:
-    /// Holds what decides a caster's shadow besides its place.
-    struct Shape {
-        std::uint64_t serial = 0; ///< is GpuMesh::serial()
-        std::size_t alphaTested = solid;
-
-        friend bool operator==(const Shape&, const Shape&) = default;
-    };
-
     void sortByMesh();
     bool isSeen(const glm::dmat4& worldToMap, std::size_t caster) const;
 
     std::shared_ptr<const Catalog> catalog_;
     std::vector<const GpuMesh*> meshes_;
-    std::vector<CasterBox> boxes_;
-    std::vector<Shape> shapes_;
+    Record record_;
     AlphaTestedCasters alphaTested_;
-    std::vector<CasterBox> drawnBoxes_;
-    std::vector<Shape> drawnShapes_;
     std::vector<std::size_t> byMesh_; ///< has the indices of casters, sorted by mesh
 };
 

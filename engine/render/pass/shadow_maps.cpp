@@ -6,93 +6,72 @@
 #include "render/gpu/binding.h"
 
 namespace patina {
-namespace {
 
-/// The maps are kept for this many plans without shadows in a row, since another view may use them.
-constexpr int plansKept = 64;
-
-} // namespace
-
-void ShadowMaps::setCatalog(std::shared_ptr<const Catalog> catalog) {
-    catalog_ = std::move(catalog);
-    casters_.setCatalog(catalog_);
-    drawer_.forget();
-    layers_.forget();
+bool ShadowMaps::areOf(const ShadowWish& wish) const {
+    return haveSizeOf(wish.views) && layers_.areOf(wish.views.all()) &&
+           casters_ == wish.casters.record();
 }
 
-void ShadowMaps::clearCasters() {
-    casters_.clear();
-    layers_.clearViews();
+bool ShadowMaps::haveSizeOf(const ShadowViews& views) const {
+    return texture_.size().x == views.texels() && texture_.layers() == views.layers();
 }
 
-Result<void> ShadowMaps::plan(const Scene& scene, const Scene& effects,
-                              const glm::dmat4& cameraToWorld, ProgramCache& programs,
-                              const GpuTextureStore& textures) {
-    ++planNumber_;
-    hasNewImages_ = false;
-    isAnother_ = false;
-    const int texels =
-        layers_.place({scene, effects, *catalog_, cameraToWorld, casters_.boxes()}, maxTexels_);
-    if (layers_.needed() == 0) {
-        if (++unneeded_ > plansKept) {
-            layers_.forget();
-            texture_ = gl::TextureArray();
-        }
-        return {};
+Result<bool> ShadowMaps::plan(const ShadowWish& wish) {
+    if (auto prepared = drawer_.prepare(wish.catalog, wish.programs); !prepared) {
+        return tl::unexpected(prepared.error());
     }
-    unneeded_ = 0;
-    if (Result<void> made = prepare(programs, textures, texels); !made) {
-        layers_.clearViews();
-        layers_.forget();
+    const Result<bool> made = makeTexture(wish.views);
+    if (!made) {
         return made;
     }
-    const bool allAnew = casters_.hasChanged();
-    isAnother_ = layers_.plan(allAnew) || hasNewImages_;
-    if (isAnother_) {
+    const bool allAnew = *made || casters_ != wish.casters.record();
+    if (layers_.plan(wish.views.all(), allAnew)) {
         drawer_.restart();
     }
     if (allAnew) {
-        casters_.noteDrawn();
+        casters_ = wish.casters.record();
     }
-    return {};
+    return made;
 }
 
-Result<void> ShadowMaps::prepare(ProgramCache& programs, const GpuTextureStore& textures,
-                                 int texels) {
-    Result<void> made = drawer_.prepare(*catalog_, programs);
-    if (made) {
-        made = casters_.prepare(programs, textures);
+Result<bool> ShadowMaps::makeTexture(const ShadowViews& views) {
+    if (haveSizeOf(views)) {
+        return false;
     }
-    return made ? makeTexture(texels, layers_.needed()) : made;
-}
-
-Result<void> ShadowMaps::makeTexture(int texels, int layers) {
-    if (texture_.size().x == texels && texture_.layers() == layers) {
-        return {};
-    }
-    layers_.forget();
-    texture_ = gl::TextureArray();
+    release();
     while (glGetError() != GL_NO_ERROR) {
     }
-    texture_ = gl::TextureArray::create(glm::ivec2(texels), layers, GL_DEPTH_COMPONENT32F);
+    texture_ =
+        gl::TextureArray::create(glm::ivec2(views.texels()), views.layers(), GL_DEPTH_COMPONENT32F);
     if (glGetError() == GL_OUT_OF_MEMORY) {
-        texture_ = gl::TextureArray();
+        release();
         return failure("there is not enough graphics memory for the shadows");
     }
-    hasNewImages_ = true;
-    return drawer_.check(texture_);
+    if (auto checked = drawer_.check(texture_); !checked) {
+        release();
+        return tl::unexpected(checked.error());
+    }
+    return true;
 }
 
-void ShadowMaps::drawSome(int triangles, FrameTextures& textures) {
-    drawer_.drawSome({texture_, layers_.layers(), casters_, textures}, triangles);
+void ShadowMaps::release() {
+    texture_ = gl::TextureArray();
+}
+
+void ShadowMaps::drawSome(int triangles, ShadowCasters& casters, FrameTextures& textures) {
+    drawer_.drawSome({texture_, layers_.layers(), casters, textures}, triangles);
 }
 
 void ShadowMaps::bind() const {
-    if (texture_.name() != 0) {
+    if (!areReleased()) {
         glActiveTexture(GL_TEXTURE0 + binding::shadowMaps);
         glBindTexture(GL_TEXTURE_2D_ARRAY, texture_.name());
         glActiveTexture(GL_TEXTURE0);
     }
+}
+
+std::int64_t ShadowMaps::bytes() const {
+    return std::int64_t(4) * texture_.size().x * texture_.size().y * texture_.layers();
 }
 
 } // namespace patina

@@ -31,7 +31,8 @@ std::vector<std::size_t> lightsInOrder(const Scene& scene, const Pipeline& pipel
 }
 
 SurfaceItems::SurfaceItems(RenderResources& shared, SurfaceOutput output)
-    : pipelines_(shared.programCache, output), shared_(shared), textures_{shared.textures} {
+    : pipelines_(shared.programCache, output), shared_(shared), textures_{shared.textures},
+      shadows_(shared.shadows) {
     viewData_.reserve(ViewLayout::vec4s);
     sceneData_.reserve(static_cast<std::size_t>(pipelines_.sceneCapacity()));
 }
@@ -39,6 +40,7 @@ SurfaceItems::SurfaceItems(RenderResources& shared, SurfaceOutput output)
 void SurfaceItems::setCatalog(std::shared_ptr<const Catalog> catalog) {
     catalog_ = std::move(catalog);
     pipelines_.setCatalog(catalog_);
+    shadows_.setCatalog(catalog_);
 }
 
 void SurfaceItems::prepare(const Scene& scene, const View& view, const MeshSource& meshes,
@@ -60,6 +62,7 @@ FogReach SurfaceItems::fogReach(const Scene& scene) const {
 }
 
 void SurfaceItems::end() {
+    shadows_.giveBack();
     shared_.meshes.endFrame();
     shared_.textures.endFrame();
 }
@@ -118,21 +121,22 @@ void SurfaceItems::choosePipelines(const Scene& scene, const EffectView& view) {
 /// Draws the shadow maps, which are those of the picture; where they cannot be made, everything is
 /// lit.
 void SurfaceItems::drawShadows(const Scene& scene) {
-    shared_.shadows.clearCasters();
+    shadows_.begin();
     for (const Item& item : items_) {
         if (isCaster(scene.objects[item.index], *catalog_)) {
-            shared_.shadows.addCaster(*item.mesh, {item.bounds, item.world},
-                                      scene.objects[item.index].material);
+            shadows_.addCaster(*item.mesh, {item.bounds, item.world},
+                               scene.objects[item.index].material);
         }
     }
-    const auto planned =
-        shared_.shadows.plan(scene, scene, cameraToWorld_, pipelines_.programs(), shared_.textures);
-    if (!planned) {
-        report_.messages.push_back(planned.error());
+    ProgramCache& programs = pipelines_.programs();
+    const auto planned = shadows_.plan(scene, scene, cameraToWorld_, programs, shared_.textures);
+    const auto held = planned ? shadows_.hold(true, programs) : tl::unexpected(planned.error());
+    if (!held) {
+        report_.messages.push_back(held.error());
     }
-    report_.shadowMaps = shared_.shadows.pending();
-    while (shared_.shadows.pending() > 0) {
-        shared_.shadows.drawSome(std::numeric_limits<int>::max(), textures_);
+    report_.shadowMaps = shadows_.pending();
+    while (shadows_.pending() > 0) {
+        shadows_.drawSome(std::numeric_limits<int>::max(), textures_);
     }
 }
 
@@ -147,9 +151,8 @@ void SurfaceItems::feed(const Scene& scene, const View& view) {
     const auto fed =
         std::ranges::find_if(items_, [](const Item& item) { return item.pipeline != nullptr; });
     if (fed != items_.end()) {
-        const PackedScene packed =
-            packScene(sceneData_.staging(), *fed->pipeline, {scene, scene, shared_.shadows.views()},
-                      cameraToWorld_);
+        const PackedScene packed = packScene(sceneData_.staging(), *fed->pipeline,
+                                             {scene, scene, shadows_.views()}, cameraToWorld_);
         report_.uploadedBuffers += sceneData_.upload(packed.vec4s) ? 1 : 0;
     }
     for (Item& item : items_) {
@@ -187,7 +190,7 @@ void SurfaceItems::draw(const Scene& scene, const std::function<void(const Item&
     glDisable(GL_DITHER);
     glDepthFunc(GL_LESS);
     sceneData_.bind(binding::scene);
-    shared_.shadows.bind();
+    shadows_.bind();
     for (std::size_t i = 0; i < items_.size(); ++i) {
         const Item& item = items_[i];
         if (!item.pipeline) {

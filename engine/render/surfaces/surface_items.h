@@ -11,6 +11,7 @@
 #include "render/gpu/uniform_buffer.h"
 #include "render/lights/fog_reach.h"
 #include "render/lights/frustum.h"
+#include "render/pass/frame_shadows.h"
 #include "render/pass/render_resources.h"
 #include "render/view.h"
 #include "shading/effects/effect_key.h"
@@ -76,6 +77,7 @@ class SurfaceItems {
     PipelineStore pipelines_;
     RenderResources& shared_;
     FrameTextures textures_;
+    FrameShadows shadows_;
     UniformBuffer viewData_;
     UniformBuffer sceneData_;
     EffectKey keys_;
