@@ -109,13 +109,13 @@ TEST_F(LongNames, InMenus_AreShortened) {
 }
 
 TEST_F(LongNames, OfAMaterial_MakeFileNamesThatCanBeWritten) {
-    const QString name = FileActions::asFileName(QString::fromStdString(longName + longName));
+    const QString name = SaveActions::asFileName(QString::fromStdString(longName + longName));
     EXPECT_LE(name.toUtf8().size(), 200);
     EXPECT_FALSE(name.isEmpty());
 }
 
 TEST_F(LongNames, OfAMaterialInAnotherScript_MakeFileNamesThatCanBeWritten) {
-    const QString chinese = FileActions::asFileName(QString(200, QChar(0x4e00)));
+    const QString chinese = SaveActions::asFileName(QString(200, QChar(0x4e00)));
     EXPECT_LE(chinese.toUtf8().size(), 200);
     EXPECT_TRUE(chinese.startsWith(QString(40, QChar(0x4e00))));
 }

@@ -34,7 +34,7 @@ class ChosenFile {
 TEST_F(Naming, PresetExportedUnderAnotherName_IsCalledAsItsFile) {
     const std::filesystem::path file = home("my blue.patina.json");
     const ChosenFile chosen(file);
-    window().files().exportPreset();
+    window().files().saving().exportPreset();
     EXPECT_EQ(readPreset(file, document().catalog())->material.name, "my blue");
     EXPECT_EQ(document().material(Side::A)->name, "my blue");
 }
@@ -45,7 +45,7 @@ TEST_F(Naming, PresetOfAMaterialWithoutAName_IsCalledAsItsFile) {
     document().replaceMaterial(Side::A, nameless, "Name");
     const std::filesystem::path file = home("untitled.patina.json");
     const ChosenFile chosen(file);
-    window().files().exportPreset();
+    window().files().saving().exportPreset();
     EXPECT_EQ(readPreset(file, document().catalog())->material.name, "untitled");
 }
 

@@ -131,7 +131,7 @@ TEST_F(OpenFiles, FileChangedByAnotherProgram_IsAskedAboutBeforeItIsReplaced) {
                                      std::filesystem::file_time_type::clock::now() +
                                          std::chrono::seconds(5));
     const Answer no(QMessageBox::No);
-    EXPECT_FALSE(window().files().save());
+    EXPECT_FALSE(window().files().saving().save());
     EXPECT_TRUE(no.wasAsked());
     EXPECT_EQ(readFile(home("ours.patina-scene.json")), "theirs");
 }
@@ -140,8 +140,8 @@ TEST_F(OpenFiles, FileThatOnlyWeWrote_IsReplacedWithoutAQuestion) {
     const QString scene = sceneFile("ours.patina-scene.json");
     window().files().open({scene}, Side::A);
     const Answer no(QMessageBox::No);
-    EXPECT_TRUE(window().files().save());
-    EXPECT_TRUE(window().files().save());
+    EXPECT_TRUE(window().files().saving().save());
+    EXPECT_TRUE(window().files().saving().save());
     EXPECT_FALSE(no.wasAsked());
 }
 

@@ -109,7 +109,7 @@ TEST_F(OpenedFiles, SceneFromTheFuture_IsSavedToAnotherFileOnly) {
         }
     });
     timer.start(20);
-    EXPECT_FALSE(window().files().save());
+    EXPECT_FALSE(window().files().saving().save());
     EXPECT_TRUE(asked);
     EXPECT_EQ(readFile(file), before);
 }

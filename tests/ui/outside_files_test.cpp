@@ -201,7 +201,7 @@ TEST_F(OutsideFilesWindow, SceneSavedElsewhere_IsOpenedWithItsMeshesUnasked) {
     std::filesystem::create_directory(home("elsewhere"));
     const std::filesystem::path file = home("elsewhere/b.patina-scene.json");
     ASSERT_TRUE(window().documentFiles().saveScene(file));
-    ASSERT_TRUE(window().files().save());
+    ASSERT_TRUE(window().files().saving().save());
     const Answer again(QMessageBox::No);
     openFile(file);
     EXPECT_FALSE(again.wasAsked());

@@ -130,7 +130,7 @@ TEST_F(PresetsDropped, OnAnObject_IsForThatObject) {
     Object beside = document().scene().objects.front();
     beside.name = "Beside";
     beside.translation = {100.0, 0.0, 0.0};
-    window().files().addObject(beside);
+    window().files().meshes().addObject(beside);
     ASSERT_EQ(document().selection().object(), 1);
     const Material before = document().scene().objects[1].material;
     drop(QRectF(WindowFixture::view().rect()).center());

@@ -30,7 +30,7 @@ TEST_F(RecipesTest, DockOfTheGuide_FollowsTheDocument) {
     const auto* label = qobject_cast<QLabel*>(dock.widget());
     ASSERT_NE(label, nullptr);
     EXPECT_EQ(label->text(), "1 object(s)");
-    window().files().addBeside(Object());
+    window().files().meshes().addBeside(Object());
     EXPECT_EQ(label->text(), "2 object(s)");
 }
 

@@ -41,7 +41,7 @@ class ShippedFiles : public WindowFixture {
             }
         });
         timer.start(20);
-        window().files().save();
+        window().files().saving().save();
         return offered;
     }
 

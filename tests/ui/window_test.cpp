@@ -245,7 +245,7 @@ TEST_F(Window, ObjectInAnEmptyScene_LooksLikeANewDocuments) {
     ASSERT_TRUE(document().scene().objects.empty());
     Object sphere;
     sphere.mesh = "builtin:sphere";
-    window().files().addObject(sphere);
+    window().files().meshes().addObject(sphere);
     EXPECT_EQ(document().scene().objects[0].material, start);
     EXPECT_EQ(document().selection().object(), 0);
 }
@@ -466,14 +466,14 @@ TEST_F(Window, SaveOfAPresetWithMoreThanItsMaterial_OffersAScene) {
         }
     });
     timer.start(20);
-    EXPECT_FALSE(window().files().save());
+    EXPECT_FALSE(window().files().saving().save());
     EXPECT_TRUE(offered.contains("*.patina-scene.json")) << offered.toStdString();
 }
 
 TEST_F(Window, AddedBuiltinMesh_StandsBesideTheOthers) {
     Object cube;
     cube.mesh = "builtin:cube";
-    window().files().addBeside(cube);
+    window().files().meshes().addBeside(cube);
     ASSERT_EQ(document().scene().objects.size(), 2u);
     EXPECT_GT(document().scene().objects[1].translation.x, 1.0);
 }
@@ -482,7 +482,7 @@ TEST_F(Window, Save_WritesAMovedCamera) {
     ASSERT_TRUE(window().documentFiles().saveScene(home("a.patina-scene.json")));
     const std::string before = readFile(home("a.patina-scene.json"));
     drag(Qt::LeftButton, Qt::NoModifier, {60, 20});
-    ASSERT_TRUE(window().files().save());
+    ASSERT_TRUE(window().files().saving().save());
     EXPECT_NE(readFile(home("a.patina-scene.json")), before);
 }
 
@@ -497,7 +497,7 @@ TEST_F(Window, SaveOfAFileThatIsGone_WritesItAgain) {
     ASSERT_TRUE(window().documentFiles().saveScene(home("a.patina-scene.json")));
     const std::string saved = readFile(home("a.patina-scene.json"));
     std::filesystem::remove(home("a.patina-scene.json"));
-    ASSERT_TRUE(window().files().save());
+    ASSERT_TRUE(window().files().saving().save());
     EXPECT_EQ(readFile(home("a.patina-scene.json")), saved);
 }
 
@@ -515,7 +515,7 @@ TEST_F(Window, SavedWork_LeavesNoCopy) {
     edit(document());
     const std::filesystem::path folder = home("XDG_STATE_HOME") / "patina/autosave";
     ASSERT_TRUE(waitUntil([&] { return copiesIn(folder) == 1; }));
-    ASSERT_TRUE(window().files().save());
+    ASSERT_TRUE(window().files().saving().save());
     EXPECT_EQ(copiesIn(folder), 0);
 }
 

@@ -36,7 +36,7 @@ ObjectActions::ObjectActions(Document& document, FileActions& files, QObject* pa
     add(
         tr("&Paste"), "Ctrl+V", [&files] { files.clipboard().paste(); }, [] { return true; });
     add(
-        tr("&Duplicate"), "Shift+D", [&files] { files.duplicateObjects(); }, any);
+        tr("&Duplicate"), "Shift+D", [&files] { files.meshes().duplicateObjects(); }, any);
     add(
         tr("&Hide"), "H",
         [&document, edited] {

@@ -61,7 +61,7 @@ PresetsDock::PresetsDock(const DockContext& context)
 void PresetsDock::build() {
     auto* save =
         textButton(tr("Save…"), tr("Save the active material as a preset of your own"), this);
-    connect(save, &QToolButton::clicked, &context_.files, &FileActions::exportPreset);
+    connect(save, &QToolButton::clicked, &context_.files.saving(), &SaveActions::exportPreset);
     auto* more = new QMenu(save);
     more->addAction(tr("Import presets…"), &transfer_, &PresetTransfer::importPresets);
     more->addAction(tr("Export these presets…"), this, &PresetsDock::exportBundle)

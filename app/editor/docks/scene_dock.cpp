@@ -133,7 +133,7 @@ void SceneDock::connectList() {
             [this](const std::vector<int>& rows) { document_.selection().setObjects(rows); });
     connect(list_, &CheckList::switched, this, &SceneDock::switchObject, Qt::QueuedConnection);
     connect(list_, &CheckList::renamed, this, &SceneDock::renameObject, Qt::QueuedConnection);
-    connect(list_, &CheckList::duplicateWished, &files_, &FileActions::duplicateObjects);
+    connect(list_, &CheckList::duplicateWished, &files_.meshes(), &MeshActions::duplicateObjects);
     connect(list_, &CheckList::removeWished, this,
             [this] { removeObjects(document_, document_.selection().editedObjects()); });
 }
@@ -144,7 +144,7 @@ void SceneDock::fillMenu() {
         meshes_->addAction(capitalised(name), this, [this, name] { addBuiltin(name); });
     }
     meshes_->addSeparator();
-    meshes_->addAction(tr("Import mesh…"), &files_, &FileActions::importMesh);
+    meshes_->addAction(tr("Import mesh…"), &files_.meshes(), &MeshActions::askAndImport);
 }
 
 void SceneDock::update() {
@@ -164,7 +164,7 @@ void SceneDock::addBuiltin(const std::string& name) {
     Object object;
     object.name = capitalised(name).toStdString();
     object.mesh = "builtin:" + name;
-    files_.addBeside(object);
+    files_.meshes().addBeside(object);
 }
 
 void SceneDock::switchObject(int index, bool on) {

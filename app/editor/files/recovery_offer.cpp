@@ -47,7 +47,7 @@ void RecoveryOffer::ask() {
 }
 
 void RecoveryOffer::recover(const Recovery& recovery) {
-    if (!files_.mayLoseDocument()) {
+    if (!files_.saving().mayLoseDocument()) {
         return;
     }
     autosave_.complete(recovery);

@@ -421,7 +421,7 @@ QString SheetsDock::suggestedName() const {
     const QString name = !sheet_.name.empty() ? asText(sheet_.name)
                          : material           ? asText(material->name)
                                               : QString();
-    return FileActions::asFileName(name.isEmpty() ? tr("Sheet") : name);
+    return SaveActions::asFileName(name.isEmpty() ? tr("Sheet") : name);
 }
 
 } // namespace patina

@@ -120,9 +120,9 @@ void MainWindow::connectParts() {
     connect(&documentFiles_, &DocumentFiles::fileChanged, this, &MainWindow::updateTitle);
     onChange(document_, DocumentChange::Scene, this, &MainWindow::updateTitle);
     connect(&document_, &Document::modifiedChanged, this, &QWidget::setWindowModified);
-    connect(files_, &FileActions::saved, &autosave_, &Autosave::discard);
+    connect(&files_->saving(), &SaveActions::saved, &autosave_, &Autosave::discard);
     connect(files_, &FileActions::documentReplaced, &autosave_, &Autosave::giveUp);
-    connect(files_, &FileActions::meshPlaced, this,
+    connect(&files_->meshes(), &MeshActions::placed, this,
             [this] { views_->active().frameCurrentObject(); });
     connect(files_, &FileActions::sheetWished, this, [this](const QString& file) {
         layout_->bringToFront("sheets");
@@ -190,7 +190,7 @@ void MainWindow::updateTitle() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!files_->mayLoseDocument()) {
+    if (!files_->saving().mayLoseDocument()) {
         event->ignore();
         return;
     }

@@ -83,10 +83,10 @@ void Menus::makeFileMenu() {
     recent_ = menu->addMenu(tr("Open &Recent"));
     connect(recent_, &QMenu::aboutToShow, this, &Menus::fillRecentFiles);
     menu->addSeparator();
-    add(menu, tr("&Save"), QKeySequence::Save, [this] { parts_.files.save(); });
-    add(menu, tr("Save &As…"), QKeySequence("Ctrl+Shift+S"), [this] { parts_.files.saveAs(); });
+    add(menu, tr("&Save"), QKeySequence::Save, [this] { parts_.files.saving().save(); });
+    add(menu, tr("Save &As…"), QKeySequence("Ctrl+Shift+S"), [this] { parts_.files.saving().saveAs(); });
     add(menu, tr("&Export Material as Preset…"), QKeySequence("Ctrl+E"),
-        [this] { parts_.files.exportPreset(); });
+        [this] { parts_.files.saving().exportPreset(); });
     add(menu, tr("Export Pict&ure…"), QKeySequence("Ctrl+Shift+E"), [this] { exportPicture(); });
     QAction* parked = menu->addAction(tr("&Keep Values of Other Models in Presets"));
     parked->setObjectName("keepParked");
@@ -99,7 +99,7 @@ void Menus::makeFileMenu() {
     });
     parked->setChecked(parts_.session.keepsParked());
     menu->addSeparator();
-    add(menu, tr("&Import Mesh…"), QKeySequence("Ctrl+I"), [this] { parts_.files.importMesh(); });
+    add(menu, tr("&Import Mesh…"), QKeySequence("Ctrl+I"), [this] { parts_.files.meshes().askAndImport(); });
     QAction* allow =
         add(menu, tr("Allow Files Ou&tside…"), {}, [this] { parts_.files.allowOutside(); });
     allow->setObjectName("allowOutside");
@@ -551,7 +551,7 @@ void Menus::exportPicture() {
     }
     const QString title = isComparing ? tr("Export picture: the views as they stand, with titles")
                                       : tr("Export picture");
-    parts_.pictures.ask(title, FileActions::asFileName(names.join(' ')), source);
+    parts_.pictures.ask(title, SaveActions::asFileName(names.join(' ')), source);
 }
 
 void Menus::takeSnapshot() {
