@@ -2,15 +2,18 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
+#include <vector>
 
 #include "document/document.h"
+#include "library/preset_entry.h"
 
 namespace patina {
 
 class FileActions;
 class PresetLibrary;
 
-/// Applies one preset of the library after another to a side, in the order of their names.
+/// Applies one preset of the library after another to a side.
 class LibrarySteps {
   public:
     LibrarySteps(Document& document, const PresetLibrary& library, FileActions& files)
@@ -18,8 +21,11 @@ class LibrarySteps {
 
     /// Applies the preset that is `by` places behind the one that was applied last, or else behind
     /// the one with the name of the side's material; after the last one comes the first. Without
-    /// either it applies the first.
+    /// either it applies the first. They are in the order of their names.
     void step(Side side, int by);
+
+    /// Does so among these presets. Returns the one that is applied; null where there is none.
+    PresetPtr step(Side side, int by, const std::vector<PresetPtr>& presets);
 
   private:
     Document& document_;

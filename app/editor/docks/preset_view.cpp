@@ -163,6 +163,12 @@ void PresetView::setRows(std::vector<PresetPtr> rows) {
     verticalScrollBar()->setValue(inSight);
 }
 
+void PresetView::choose(const PresetPtr& entry) {
+    if (const QModelIndex index = list_.indexOf(entry->path); index.isValid()) {
+        setCurrentIndex(index);
+    }
+}
+
 PresetPtr PresetView::current() const {
     return currentIndex().isValid() ? list_.entry(currentIndex()) : nullptr;
 }
@@ -282,6 +288,10 @@ void PresetView::keyPressEvent(QKeyEvent* event) {
         action->trigger();
         return;
     }
+    if (const int by = arrowsAreSteps_ ? stepOf(*event) : 0; by != 0) {
+        Q_EMIT stepped(by, event->modifiers().testFlag(Qt::ShiftModifier));
+        return;
+    }
     const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     const PresetPtr before = current();
     if (isEnter && before) {
@@ -291,6 +301,25 @@ void PresetView::keyPressEvent(QKeyEvent* event) {
     QListView::keyPressEvent(event);
     if (const PresetPtr now = current(); now && now != before && selected().size() == 1) {
         Q_EMIT tried(now);
+    }
+}
+
+/// Returns how many rows an arrow goes on; 0 for another key.
+int PresetView::stepOf(const QKeyEvent& event) const {
+    if ((event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) != Qt::NoModifier) {
+        return 0;
+    }
+    switch (event.key()) {
+    case Qt::Key_Left:
+        return -1;
+    case Qt::Key_Right:
+        return 1;
+    case Qt::Key_Up:
+        return -columns_;
+    case Qt::Key_Down:
+        return columns_;
+    default:
+        return 0;
     }
 }
 

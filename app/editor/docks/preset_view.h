@@ -12,7 +12,8 @@ namespace patina {
 class ThumbnailMaker;
 
 /// Shows presets as a grid or a list, of which several may be selected. A click or a key that moves
-/// to one tries it, a double click or Enter applies it. It asks only for images in view, a few at a
+/// to one tries it, a double click or Enter applies it; while two sides are compared the arrows are
+/// steps of theirs. It asks only for images in view, a few at a
 /// time, so that those scrolled away are not waited for. The keys of its actions are its own while
 /// it has the focus.
 class PresetView : public QListView {
@@ -27,6 +28,12 @@ class PresetView : public QListView {
     bool isAsList() const { return asList_; }
     void setPictureSize(int pixels);
     int pictureSize() const { return pictureSize_; }
+
+    /// Lets the arrows be steps(), and Shift no part of a selection.
+    void setArrowsAreSteps(bool are) { arrowsAreSteps_ = are; }
+
+    /// Makes a preset the current and only selected one without trying it.
+    void choose(const PresetPtr& entry);
 
     /// Asks for all images again, as their look has changed; the old ones stay until then.
     void wishAnew();
@@ -43,6 +50,9 @@ class PresetView : public QListView {
     void tried(patina::PresetPtr entry);
     void applied(patina::PresetPtr entry);
     void selectedChanged();
+    /// Is emitted where an arrow goes to the row that lies `by` behind the one of a side; with
+    /// Shift it is the other side's.
+    void stepped(int by, bool isOther);
 
   protected:
     bool event(QEvent* event) override;
@@ -61,11 +71,13 @@ class PresetView : public QListView {
     void take(const QString& name, const QImage& picture);
     void showTip(const QModelIndex& index, const QPoint& place);
     QIcon emptyPicture() const;
+    int stepOf(const QKeyEvent& event) const;
 
     PresetList& list_;
     ThumbnailMaker& thumbnails_;
     int pictureSize_ = 72;
     bool asList_ = false;
+    bool arrowsAreSteps_ = false;
     int columns_ = 1;
     QMap<QString, PresetPtr> asked_; ///< holds presets whose image was asked for, by request name
     QSet<QString> without_;          ///< holds files of which no image can be made

@@ -46,7 +46,8 @@ PresetsDock::PresetsDock(const DockContext& context)
       view_(new PresetView(*new PresetList(presets_.marks(), this), context.thumbnails, this)),
       size_(new QSlider(Qt::Horizontal, this)), count_(new QLabel(this)),
       notice_(new NoticeBar(this)), trial_(context, *notice_, *this),
-      actions_(context, *view_, trial_, *notice_), transfer_(context, *notice_, *this) {
+      actions_(context, *view_, trial_, *notice_), transfer_(context, *notice_, *this),
+      steps_(context.document, presets_, context.files) {
     const Session::PresetsLook look = context_.session.presetsLook();
     for (const NamedOrder& each : orders) {
         order_ = look.order == QLatin1String(each.id) ? each.order : order_;
@@ -136,6 +137,10 @@ void PresetsDock::connectParts() {
     connect(filter_, &PresetFilterMenu::filterChanged, this, &PresetsDock::fill);
     connect(view_, &PresetView::tried, &trial_, &PresetTrial::begin);
     connect(view_, &PresetView::applied, &trial_, &PresetTrial::apply);
+    connect(view_, &PresetView::stepped, this, &PresetsDock::step);
+    const auto follow = [this] { view_->setArrowsAreSteps(context_.document.isComparing()); };
+    onChange(context_.document, DocumentChange::Comparing, this, follow);
+    follow();
     connect(view_, &PresetView::selectedChanged, this, [this] {
         say();
         actions_.update();
@@ -189,6 +194,13 @@ void PresetsDock::chooseAShownOne() {
     const bool isSearching = !search_->text().trimmed().isEmpty();
     if (isSearching && !view_->current() && view_->model()->rowCount() > 0) {
         view_->setCurrentIndex(view_->model()->index(0, 0));
+    }
+}
+
+void PresetsDock::step(int by, bool isOther) {
+    trial_.end();
+    if (const PresetPtr applied = steps_.step(isOther ? Side::A : Side::B, by, view_->shown())) {
+        view_->choose(applied);
     }
 }
 

@@ -4,6 +4,7 @@
 #include <QWidget>
 
 #include "docks/dock_context.h"
+#include "docks/library_steps.h"
 #include "docks/preset_actions.h"
 #include "docks/preset_transfer.h"
 #include "docks/preset_trial.h"
@@ -23,7 +24,8 @@ struct VariantChange;
 
 /// Shows the preset library: presets that ship and the user's own, searched, filtered and sorted. A
 /// click tries one, a double click or Enter, also in the search, applies it. Dragging puts it where
-/// it is dropped.
+/// it is dropped. While A and B are compared the arrows put one after the other on B, with Shift on
+/// A.
 class PresetsDock : public QWidget {
     Q_OBJECT
 
@@ -45,6 +47,7 @@ class PresetsDock : public QWidget {
     void tellVariants(const std::vector<VariantChange>& changes);
     void exportBundle();
     void storeLook();
+    void step(int by, bool isOther);
 
     DockContext context_;
     PresetLibrary& presets_;
@@ -60,6 +63,7 @@ class PresetsDock : public QWidget {
     PresetTrial trial_;
     PresetActions actions_;
     PresetTransfer transfer_;
+    LibrarySteps steps_;
 };
 
 } // namespace patina

@@ -5,9 +5,12 @@
 #include <cmath>
 
 #include <QComboBox>
+#include <QGuiApplication>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QToolButton>
 
 #include "document/comparison.h"
 #include "viewport/compare_area.h"
@@ -45,6 +48,7 @@ CompareBar::CompareBar(Document& document, Comparison& comparison, CompareArea& 
     row->addWidget(count_);
     row->addWidget(mode_);
     row->addWidget(amount_);
+    makeSteps(row);
     connect(count_, &QComboBox::activated, this, [&comparison](int index) {
         comparison.setSideCount(static_cast<std::size_t>(index) + 2);
     });
@@ -65,6 +69,55 @@ CompareBar::CompareBar(Document& document, Comparison& comparison, CompareArea& 
     onChange(document, DocumentChange::Comparing, this, follow);
     follow();
     showLook(views.look());
+}
+
+void CompareBar::makeSteps(QHBoxLayout* row) {
+    const struct {
+        const char* name;
+        Qt::ArrowType arrow;
+        QString toolTip;
+        int by;
+    } steps[] = {{"previousPreset", Qt::LeftArrow,
+                  tr("Put the previous preset on B, with Shift on A (also by the arrow keys)"), -1},
+                 {"nextPreset", Qt::RightArrow,
+                  tr("Put the next preset on B, with Shift on A (also by the arrow keys)"), 1}};
+    for (const auto& step : steps) {
+        auto* button = new QToolButton(this);
+        button->setObjectName(step.name);
+        button->setArrowType(step.arrow);
+        button->setAutoRaise(true);
+        button->setFocusPolicy(Qt::StrongFocus);
+        button->setToolTip(step.toolTip);
+        button->setAccessibleName(step.toolTip);
+        connect(button, &QToolButton::clicked, this,
+                [this, by = step.by] { this->step(by, QGuiApplication::keyboardModifiers()); });
+        button->installEventFilter(this);
+        row->addWidget(button);
+    }
+    count_->installEventFilter(this);
+    mode_->installEventFilter(this);
+}
+
+void CompareBar::step(int by, Qt::KeyboardModifiers modifiers) {
+    Q_EMIT stepWished(modifiers.testFlag(Qt::ShiftModifier) ? Side::A : Side::B, by);
+}
+
+/// Takes the arrows along the bar, and of its buttons also those across it, which change what a box
+/// shows.
+bool CompareBar::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() != QEvent::KeyPress) {
+        return QWidget::eventFilter(watched, event);
+    }
+    const auto& pressed = *static_cast<QKeyEvent*>(event);
+    const bool isButton = qobject_cast<QToolButton*>(watched) != nullptr;
+    const int key = pressed.key();
+    const bool isBack = key == Qt::Key_Left || (isButton && key == Qt::Key_Up);
+    const bool isOn = key == Qt::Key_Right || (isButton && key == Qt::Key_Down);
+    if (isBack || isOn) {
+        step(isOn ? 1 : -1, pressed.modifiers());
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 void CompareBar::showLook(const CompareLook& look) {

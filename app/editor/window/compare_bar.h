@@ -3,9 +3,11 @@
 
 #include <QWidget>
 
+#include "document/document_state.h"
 #include "session/compare_look.h"
 
 class QComboBox;
+class QHBoxLayout;
 class QSlider;
 
 namespace patina {
@@ -15,7 +17,8 @@ class Comparison;
 class Document;
 
 /// Lets the user choose how many views are compared, how A and B are shown together, and the number
-/// that this mode has.
+/// that this mode has. Its arrows and those of the keyboard put one preset after the other on B,
+/// with Shift on A.
 class CompareBar : public QWidget {
     Q_OBJECT
 
@@ -23,7 +26,16 @@ class CompareBar : public QWidget {
     CompareBar(Document& document, Comparison& comparison, CompareArea& views,
                QWidget* parent = nullptr);
 
+  Q_SIGNALS:
+    /// Asks for the preset that lies `by` places behind that of a side.
+    void stepWished(patina::Side side, int by);
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
   private:
+    void makeSteps(QHBoxLayout* row);
+    void step(int by, Qt::KeyboardModifiers modifiers);
     void showLook(const CompareLook& look);
 
     CompareArea& views_;

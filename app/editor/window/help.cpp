@@ -34,6 +34,8 @@ std::vector<KeyRow> viewKeys() {
         {helpText("[ and ], Shift: { and }"), helpText("move and turn the line between them")},
         {helpText("Page Down, Page Up; with Shift"),
          helpText("next and previous preset on B; on A")},
+        {helpText("Arrows in the library or the bar of the comparison; with Shift"),
+         helpText("while comparing: next and previous preset on B; on A")},
         {helpText("N"), helpText("numerical check of every pixel")},
         {helpText("F"), helpText("frame the object; once more: all of them")},
         {helpText("Home"), helpText("reset the view")},

@@ -501,7 +501,10 @@ void Menus::makeToolBar() {
     bar->setMovable(false);
     bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
     bar->addAction(compare_);
-    bar->addWidget(new CompareBar(parts_.document, parts_.comparison, parts_.views));
+    auto* compared = new CompareBar(parts_.document, parts_.comparison, parts_.views);
+    connect(compared, &CompareBar::stepWished, this,
+            [this](Side side, int by) { steps_.step(side, by); });
+    bar->addWidget(compared);
     bar->addActions({link_, realign_, swap_, difference_});
     bar->addSeparator();
     auto* lighting = new QToolButton(bar);

@@ -5,7 +5,7 @@
 
 #include <QObject>
 
-#include "window/library_steps.h"
+#include "docks/library_steps.h"
 
 class QAction;
 class QKeySequence;
