@@ -103,6 +103,27 @@ TEST_F(Commands, CtrlK_RunsACommandByItsName) {
     EXPECT_EQ(camera().fieldOfView, 1.0);
 }
 
+TEST_F(Commands, CtrlK_BringsUpThePanelThatHasWhatIsSearched) {
+    QDockWidget* scene = window().dock("scene");
+    ASSERT_TRUE(scene->isVisibleTo(&window())); // as a tab behind others
+    key(&view(), Qt::Key_K, Qt::ControlModifier);
+    QDialog* palette = dialog("commandPalette");
+    ASSERT_NE(palette, nullptr);
+    auto* search = palette->findChild<QLineEdit*>();
+    QTest::keyClicks(search, "picture passes");
+    key(search, Qt::Key_Return);
+    EXPECT_TRUE(QTest::qWaitFor([scene] { return !scene->visibleRegion().isEmpty(); }));
+}
+
+TEST_F(Commands, CtrlKWithoutAMatch_SaysSo) {
+    key(&view(), Qt::Key_K, Qt::ControlModifier);
+    QDialog* palette = dialog("commandPalette");
+    ASSERT_NE(palette, nullptr);
+    EXPECT_FALSE(palette->findChild<QLabel*>()->isVisible());
+    QTest::keyClicks(palette->findChild<QLineEdit*>(), "xyzzy");
+    EXPECT_TRUE(palette->findChild<QLabel*>()->isVisible());
+}
+
 TEST_F(Commands, SingleLetter_ActsInAViewOnly) {
     const auto actions = window().findChildren<QAction*>();
     const auto inspect = *std::ranges::find(actions, QString("inspect"), &QAction::objectName);

@@ -4,7 +4,9 @@
 #include <algorithm>
 
 #include <QAction>
+#include <QDockWidget>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QVBoxLayout>
@@ -19,13 +21,15 @@ constexpr QSize paletteSize(460, 320);
 } // namespace
 
 CommandPalette::CommandPalette(const CommandKeys& keys, QWidget* parent)
-    : QDialog(parent), keys_(keys), search_(new QLineEdit(this)), list_(new QListWidget(this)) {
+    : QDialog(parent), keys_(keys), search_(new QLineEdit(this)), list_(new QListWidget(this)),
+      none_(new QLabel(tr("No command or panel has these words."), this)) {
     setAttribute(Qt::WA_DeleteOnClose);
     setObjectName("commandPalette");
     setWindowTitle(tr("Run a Command"));
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(search_);
     layout->addWidget(list_);
+    layout->addWidget(none_);
     search_->setPlaceholderText(tr("What is it called?"));
     search_->setAccessibleName(tr("Name of a command"));
     search_->installEventFilter(this);
@@ -43,7 +47,8 @@ void CommandPalette::fill(const QString& words) {
     const std::vector<Command>& commands = keys_.commands();
     for (std::size_t i = 0; i < commands.size(); ++i) {
         const Command& command = commands[i];
-        if (!command.action->isEnabled() || !hasAllWords(command.id, words)) {
+        const QString text = command.id + ' ' + command.action->whatsThis();
+        if (!command.action->isEnabled() || !hasAllWords(text, words)) {
             continue;
         }
         const QString path = QString(command.id).replace('/', QStringLiteral(" \u203a "));
@@ -53,14 +58,21 @@ void CommandPalette::fill(const QString& words) {
         item->setData(Qt::UserRole, static_cast<int>(i));
     }
     list_->setCurrentRow(0);
+    none_->setVisible(list_->count() == 0);
 }
 
-/// Closes the dialog first: the command may open another one, or need the focus in a view.
+/// Closes the dialog first: the command may open another one, or need the focus in a view. A panel
+/// is brought up, also one that is open behind another.
 void CommandPalette::run(const QListWidgetItem* item) {
     if (item) {
         const auto place = static_cast<std::size_t>(item->data(Qt::UserRole).toInt());
         QAction* action = keys_.commands()[place].action;
         accept();
+        if (auto* panel = qobject_cast<QDockWidget*>(action->parent())) {
+            panel->show();
+            panel->raise();
+            return;
+        }
         action->trigger();
     }
 }

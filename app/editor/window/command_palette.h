@@ -3,6 +3,7 @@
 
 #include <QDialog>
 
+class QLabel;
 class QLineEdit;
 class QListWidget;
 class QListWidgetItem;
@@ -11,8 +12,8 @@ namespace patina {
 
 class CommandKeys;
 
-/// Runs any command of the menus by its name: typed words narrow the list, and Enter runs the first
-/// match or the one that the arrow keys choose.
+/// Runs any command of the menus by its name, or opens a panel by what it has: typed words narrow
+/// the list, and Enter runs the first match or the one that the arrow keys choose.
 class CommandPalette : public QDialog {
     Q_OBJECT
 
@@ -29,6 +30,7 @@ class CommandPalette : public QDialog {
     const CommandKeys& keys_;
     QLineEdit* search_;
     QListWidget* list_;
+    QLabel* none_; ///< says that nothing matches
 };
 
 /// Tells whether a text has all words of another one in it, in any order and case.

@@ -15,13 +15,14 @@ namespace patina {
 /// Tells where a dock stands in the layout of a first start. Docks of one place are tabs.
 enum class DockPlace { LeftTop, LeftBottom, RightTop, RightBottom, Bottom };
 
-/// Describes a dock: its name in saved layouts, its title, its place, and how its widget is made,
-/// which happens when it is first seen.
+/// Describes a dock: its name in saved layouts, its title, its place, how its widget is made, which
+/// happens when it is first seen, and words by which it is found besides its title.
 struct DockEntry {
     QString name;
     QString title;
     DockPlace place;
     std::function<QWidget*(const DockContext&)> make;
+    QString contents = {};
 };
 
 /// Returns every dock there is, in the order of the View menu.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include <QAction>
 #include <QMainWindow>
 
 namespace patina {
@@ -19,6 +20,7 @@ LazyDock::LazyDock(DockEntry entry, const DockContext& context, QWidget* parent)
     : QDockWidget(entry.title, parent), entry_(std::move(entry)), context_(context) {
     setObjectName(entry_.name);
     setWidget(new QWidget(this));
+    toggleViewAction()->setWhatsThis(entry_.contents);
 }
 
 void LazyDock::build() {
