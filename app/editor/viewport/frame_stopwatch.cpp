@@ -15,8 +15,10 @@ QString FrameStopwatch::text() {
     }
     if (timer_->milliseconds() > 0.0) {
         const std::string_view method = timer_->methodText();
+        const double taken = timer_->milliseconds();
+        const int decimals = taken < 10.0 ? 2 : taken < 100.0 ? 1 : 0;
         text_ = QObject::tr("%1 ms (%2)")
-                    .arg(timer_->milliseconds(), 0, 'f', 2)
+                    .arg(taken, 0, 'f', decimals)
                     .arg(QString::fromUtf8(method.data(), qsizetype(method.size())));
     }
     return text_;

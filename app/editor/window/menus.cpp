@@ -84,10 +84,13 @@ void Menus::makeFileMenu() {
     connect(recent_, &QMenu::aboutToShow, this, &Menus::fillRecentFiles);
     menu->addSeparator();
     add(menu, tr("&Save"), QKeySequence::Save, [this] { parts_.files.saving().save(); });
-    add(menu, tr("Save &As…"), QKeySequence("Ctrl+Shift+S"), [this] { parts_.files.saving().saveAs(); });
+    add(menu, tr("Save &As…"), QKeySequence("Ctrl+Shift+S"),
+        [this] { parts_.files.saving().saveAs(); });
     add(menu, tr("&Export Material as Preset…"), QKeySequence("Ctrl+E"),
         [this] { parts_.files.saving().exportPreset(); });
-    add(menu, tr("Export Pict&ure…"), QKeySequence("Ctrl+Shift+E"), [this] { exportPicture(); });
+    add(menu, tr("Export Pict&ure…"), {}, [this] {
+        exportPicture();
+    })->setShortcuts({QKeySequence("Ctrl+Shift+E"), QKeySequence(Qt::Key_F12)});
     QAction* parked = menu->addAction(tr("&Keep Values of Other Models in Presets"));
     parked->setObjectName("keepParked");
     menu->setToolTipsVisible(true);

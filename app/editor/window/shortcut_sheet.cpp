@@ -17,8 +17,8 @@
 namespace patina {
 namespace {
 
-constexpr QSize sheetSize(620, 560);
-constexpr int whatWidth = 380;
+constexpr QSize sheetSize(760, 640);
+constexpr int whatWidth = 470;
 
 } // namespace
 
