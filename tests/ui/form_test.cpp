@@ -86,6 +86,15 @@ TEST_F(Form, ConditionMet_UnfoldsTheRow) {
     EXPECT_TRUE(row("strength").isFolded());
 }
 
+TEST_F(Form, RowThatUnfolds_LeavesLabelsAsWideAsTheyWere) {
+    form->resize(form->minimumSizeHint().width() + 1, form->height());
+    QTest::qWait(50); // a layout that was put off
+    const int before = row("roughness").label()->width();
+    document.setValue(fixture.model(), "mode", std::string("fancy"));
+    QTest::qWait(50);
+    EXPECT_EQ(row("roughness").label()->width(), before);
+}
+
 TEST_F(Form, FoldedRow_SaysWhen) {
     EXPECT_TRUE(
         row("strength").findChild<QToolButton*>("fold")->toolTip().contains("Mode is Fancy"));

@@ -284,8 +284,9 @@ int ParameterForm::narrowestLabel() const {
 }
 
 /// Gives all labels of the form one width: that of the longest, within limits, and less where the
-/// rows would not fit beside it. Longer labels wrap.
-void ParameterForm::alignLabels() {
+/// rows would not fit beside it. Longer labels wrap. Unless it `mayWiden`, the width is at most what
+/// it was.
+void ParameterForm::alignLabels(bool mayWiden) {
     const int letter = fontMetrics().averageCharWidth();
     int wished = 14 * letter;
     int beside = 0;
@@ -295,7 +296,8 @@ void ParameterForm::alignLabels() {
     }
     const QMargins margins = column_->contentsMargins();
     const int room = width() - margins.left() - margins.right() - beside - 6 * letter;
-    labelWidth_ = std::max(std::min({wished, 26 * letter, room}), narrowestLabel());
+    const int most = mayWiden ? 26 * letter : labelWidth_;
+    labelWidth_ = std::max(std::min({wished, most, room}), narrowestLabel());
     for (const auto& [id, row] : rows_) {
         row->setLabelWidth(labelWidth_);
     }
@@ -309,7 +311,7 @@ QSize ParameterForm::minimumSizeHint() const {
 
 bool ParameterForm::event(QEvent* event) {
     if (event->type() == QEvent::LayoutRequest) {
-        alignLabels(); // a row may need more room now
+        alignLabels(false); // a row may need more room now; one that needs less moves no other
     }
     return QWidget::event(event);
 }

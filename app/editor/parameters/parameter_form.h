@@ -90,7 +90,7 @@ class ParameterForm : public QWidget {
     void followFilter();
     void applyFilter();
     bool passes(const ParameterRow& row) const;
-    void alignLabels();
+    void alignLabels(bool mayWiden = true);
     int narrowestLabel() const;
     void orderTabs();
 
