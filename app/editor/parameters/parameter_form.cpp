@@ -284,8 +284,8 @@ int ParameterForm::narrowestLabel() const {
 }
 
 /// Gives all labels of the form one width: that of the longest, within limits, and less where the
-/// rows would not fit beside it. Longer labels wrap. Unless it `mayWiden`, the width is at most what
-/// it was.
+/// rows would not fit beside it. Longer labels wrap. Unless it `mayWiden`, the width is at most
+/// what it was.
 void ParameterForm::alignLabels(bool mayWiden) {
     const int letter = fontMetrics().averageCharWidth();
     int wished = 14 * letter;

@@ -43,6 +43,15 @@ std::size_t slot(int axis) {
     return static_cast<std::size_t>(axis);
 }
 
+/// Draws the letter of an axis, which tells it from others also without colours.
+void drawName(QPainter& painter, int axis, QPointF place, const QColor& color) {
+    const QString name(QLatin1Char("xyz"[axis]));
+    painter.setPen(QColor(0, 0, 0, 200));
+    painter.drawText(place + QPointF(1.0, 1.0), name);
+    painter.setPen(color);
+    painter.drawText(place, name);
+}
+
 } // namespace
 
 ObjectGizmo::ObjectGizmo(Document& document, const HandleModes& modes)
@@ -121,10 +130,11 @@ void ObjectGizmo::draw(const ViewGeometry& view, QPainter& painter, std::optiona
             continue;
         }
         painter.setBrush(color);
-        painter.setPen(Qt::NoPen);
-        const QRectF end(points[1] - QPointF(5.0, 5.0), QSizeF(10.0, 10.0));
+        painter.setPen(QPen(QColor(0, 0, 0, 120), 2.0));
+        const QRectF end(points[1] - QPointF(5.5, 5.5), QSizeF(11.0, 11.0));
         mode == Gizmo::Move ? painter.drawEllipse(end) : painter.drawRect(end);
         painter.setBrush(Qt::NoBrush);
+        drawName(painter, axis, points[1] + QPointF(9.0, 5.0), color);
     }
     if (mode != Gizmo::Turn) {
         painter.setPen(QPen(hot == middleHandle ? hotAxisColor : middleColor, 2.0));
