@@ -35,8 +35,9 @@ class MeasuredReflectance {
     virtual std::vector<DirectionPair> samples(std::size_t maxCount) const = 0;
 
     /// Returns the reflectance in bins, for graphics cards: those that a MERL file has; of another
-    /// file 180 x 90 x 90, whose values are evaluate() in their middles. An anisotropic surface is
-    /// averaged over eight turns, so that it loses its direction.
+    /// file 180 x 90 x 90, whose values are the mean of evaluate() for both orders of the
+    /// directions in their middles. An anisotropic surface is averaged over eight turns, so that it
+    /// loses its direction.
     virtual HalfDifferenceTable table() const = 0;
 
     /// Tells whether only the difference of both azimuths counts.

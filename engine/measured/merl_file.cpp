@@ -145,7 +145,9 @@ Result<std::array<std::size_t, 3>> binsOf(std::string_view bytes) {
     for (std::size_t& count : bins) {
         const auto number = reader.next<std::int32_t>();
         if (!number) {
-            return failure("is too short", "a MERL or RGL file");
+            return failure(
+                fmt::format("byte {}: the file ends in its numbers of bins", bytes.size()),
+                "a MERL or RGL file");
         }
         if (*number < 1 || std::size_t(*number) > maxBins / product) {
             return failure(fmt::format("byte {}: {} is no number of bins",

@@ -192,6 +192,15 @@ class RglReader {
         }
     }
 
+    /// Says what is wrong with a number of an array of floats, and at which byte of the file.
+    std::string wrongAt(const std::string& name, std::ptrdiff_t index,
+                        const std::string& what) const {
+        const auto found = fields_.find(name);
+        const std::size_t start = found != fields_.end() ? found->second.offset : 0;
+        return fmt::format("byte {}: \"{}\" {} there",
+                           start + static_cast<std::size_t>(index) * sizeof(float), name, what);
+    }
+
     /// Returns the numbers of an array of floats with these sizes; 0 stands for any.
     std::vector<float> numbers(const std::string& name, const std::vector<std::size_t>& shape) {
         const auto found = fields_.find(name);
@@ -201,7 +210,8 @@ class RglReader {
                 return wanted == 0 || has == wanted;
             });
         if (!fits) {
-            note(fmt::format("the array \"{}\" is missing or has another shape", name));
+            note(found == fields_.end() ? fmt::format("the array \"{}\" is missing", name)
+                                        : wrongAt(name, 0, "has another shape or type"));
             return {};
         }
         return found->second.floats;
@@ -213,17 +223,16 @@ class RglReader {
     }
 
     void checkRising(const std::string& name, const std::vector<float>& values) {
-        if (values.empty() ||
-            std::ranges::adjacent_find(values, std::greater_equal()) != values.end()) {
-            note(fmt::format("the numbers of \"{}\" do not rise", name));
+        const auto fall = std::ranges::adjacent_find(values, std::greater_equal());
+        if (values.empty() || fall != values.end()) {
+            note(wrongAt(name, values.empty() ? 0 : fall - values.begin(), "does not rise"));
         }
     }
 
     void checkDensity(const std::string& name, const std::vector<float>& values) {
         const auto below = std::ranges::find_if(values, [](float value) { return value < 0.0f; });
         if (below != values.end()) {
-            note(fmt::format("number {} of \"{}\" is {}, below 0", below - values.begin(), name,
-                             *below));
+            note(wrongAt(name, below - values.begin(), fmt::format("is {}, below 0", *below)));
         }
     }
 
@@ -245,7 +254,7 @@ class RglReader {
         constexpr std::size_t maxSize = 1u << 14;
         if (shape.size() < 2 || shape.back() < 2 || shape[shape.size() - 2] < 2 ||
             shape.back() > maxSize || shape[shape.size() - 2] > maxSize) {
-            note(fmt::format("the array \"{}\" has no grid", name));
+            note(wrongAt(name, 0, "has no grid"));
             return glm::ivec2(2);
         }
         return {int(shape.back()), int(shape[shape.size() - 2])};

@@ -21,6 +21,8 @@ glm::dvec3 turned(const glm::dvec3& d, double azimuth) {
     return {d.x * c - d.y * s, d.x * s + d.y * c, d.z};
 }
 
+/// Returns the mean of both orders of the directions, which a table does not tell apart: between
+/// what was measured a file's own interpolation does, by as much as it is off.
 glm::vec3 meanOf(const MeasuredReflectance& measured, const DirectionPair& pair, int turns) {
     if (!(pair.l.z > 0.0 && pair.v.z > 0.0)) {
         return glm::vec3(-1.0f);
@@ -28,9 +30,11 @@ glm::vec3 meanOf(const MeasuredReflectance& measured, const DirectionPair& pair,
     glm::dvec3 sum(0.0);
     for (int turn = 0; turn < turns; ++turn) {
         const double azimuth = 2.0 * pi * turn / turns;
-        sum += measured.evaluate({turned(pair.l, azimuth), turned(pair.v, azimuth)});
+        const glm::dvec3 l = turned(pair.l, azimuth);
+        const glm::dvec3 v = turned(pair.v, azimuth);
+        sum += measured.evaluate({l, v}) + measured.evaluate({v, l});
     }
-    return glm::vec3(sum / double(turns));
+    return glm::vec3(sum / (2.0 * turns));
 }
 
 } // namespace

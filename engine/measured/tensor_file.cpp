@@ -57,6 +57,7 @@ Result<Header> nextHeader(ByteReader& reader, std::size_t fileBytes) {
 
 Result<TensorField> numbersOf(const Header& header, std::string_view bytes) {
     TensorField field{TensorField::Type::Floats, header.shape};
+    field.offset = header.offset;
     ByteReader reader(bytes, header.offset);
     if (header.type == byteType) {
         const auto found = reader.next(header.count);

@@ -19,6 +19,7 @@ struct TensorField {
     std::vector<std::size_t> shape; ///< slowest index first
     std::string bytes{};            ///< holds the numbers of an array of bytes
     std::vector<float> floats{};    ///< holds those of an array of floats, all finite
+    std::size_t offset = 0;         ///< is the byte of the file where its numbers begin
 };
 
 using TensorFields = std::map<std::string, TensorField, std::less<>>;

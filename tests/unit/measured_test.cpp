@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
@@ -214,7 +215,8 @@ TEST_F(Measured, GrazingAndHiddenDirections_AreFiniteAndNotNegative) {
 
 TEST_F(Measured, DamagedFiles_EndInAMessageWithThePlace) {
     const std::string merl = merlBytes({8, 8, 16}, smooth);
-    EXPECT_NE(problemOf("").find("too short"), std::string::npos);
+    EXPECT_NE(problemOf("").find("byte 0"), std::string::npos);
+    EXPECT_NE(problemOf(merl.substr(0, 6)).find("byte 6"), std::string::npos);
     EXPECT_NE(problemOf("plain text that is no file of numbers").find("byte 0"), std::string::npos);
     EXPECT_NE(problemOf(merl.substr(0, 1000)).find("has 1000 bytes"), std::string::npos);
     std::string broken = merl;
@@ -229,6 +231,25 @@ TEST_F(Measured, DamagedFiles_EndInAMessageWithThePlace) {
         std::string changed = rgl;
         changed[place] = static_cast<char>(changed[place] ^ 0x5a);
         (void)read(changed); // an error or another reading, but no crash
+    }
+}
+
+TEST_F(Measured, WrongNumberInAnRglFile_IsToldWithItsByte) {
+    const std::string rgl = RglFile{}.bytes(smooth);
+    const auto placeOf = [&rgl](const std::string& name) { // of the array's offset in the header
+        std::uint64_t offset = 0;
+        std::memcpy(&offset, rgl.data() + rgl.find(name) + name.size() + 3, sizeof offset);
+        return static_cast<std::size_t>(offset);
+    };
+    for (const auto& [name, value] :
+         {std::pair{"vndf", -1.0f}, std::pair{"ndf", -0.5f}, std::pair{"theta_i", 9.0f},
+          std::pair{"rgb", std::numeric_limits<float>::quiet_NaN()}}) {
+        std::string broken = rgl;
+        const std::size_t place = placeOf(name);
+        std::memcpy(broken.data() + place, &value, sizeof value);
+        EXPECT_NE(problemOf(broken).find(fmt::format("byte {}: \"{}\"", place, name)),
+                  std::string::npos)
+            << name << ": " << problemOf(broken);
     }
 }
 
