@@ -130,9 +130,10 @@ Checked<void> plotLines(const std::vector<Named>& materials, const LobeOptions& 
     const auto shapes =
         request.plot == LobePlot::Polar
             ? polarDrawing(subjects, *lobeScaleOf(options.scale), options.degrees, lobePlotSize)
-        : request.plot == LobePlot::Float32 ? errorDrawing(subjects, lobePlotSize)
-                                            : shareDrawing(subjects, lobePlotSize);
-    return writeOut(options, shapes, linesCsv(subjects));
+        : request.plot == LobePlot::Float32  ? errorDrawing(subjects, lobePlotSize)
+        : request.plot == LobePlot::Spectrum ? spectrumDrawing(subjects, lobePlotSize)
+                                             : shareDrawing(subjects, lobePlotSize);
+    return writeOut(options, shapes, linesCsv(subjects, request.plot));
 }
 
 Checked<void> lobe(const LobeOptions& options) {
@@ -183,9 +184,10 @@ void addLobe(CLI::App& program, int& status) {
         ->add_option("--plot", options->plot,
                      "polar: f in the plane of incidence; albedo: what is reflected in all; "
                      "fresnel: what the surface reflects of each polarisation, from both sides; "
+                     "spectrum: the index of refraction over the wavelength; "
                      "half: a slice over half and difference angle; float32: how far single "
                      "precision on the device is from double")
-        ->check(CLI::IsMember({"polar", "albedo", "fresnel", "half", "float32"}));
+        ->check(CLI::IsMember({"polar", "albedo", "fresnel", "spectrum", "half", "float32"}));
     command
         ->add_option(
             "--term", options->term,

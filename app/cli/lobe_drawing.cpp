@@ -23,20 +23,22 @@ constexpr double edgeTop = 34.0;
 constexpr double edgeBottom = 46.0;
 constexpr double textHeight = 15.0;
 
-/// Is a line as it is drawn: points over an angle in degrees.
+/// Is a line as it is drawn: points over degrees or nanometres.
 struct DrawnLine {
     std::vector<glm::dvec2> points;
     glm::dvec3 color{1.0};
     bool isDashed = false;
-    std::string name; ///< is in the legend; empty: it is not
+    std::string name;       ///< is in the legend; empty: it is not
+    bool isShare = false;   ///< is a share of the light where the plot's others are not
+    bool isSampled = false; ///< is known at its points alone
 };
 
 template <class Number>
 DrawnLine drawnLine(const LobeLine& line, const glm::dvec3& color, const std::string& name,
                     const Number& number) {
-    DrawnLine drawn{{}, color, line.stroke != LobeStroke::Main, name};
+    DrawnLine drawn{{}, color, line.stroke != LobeStroke::Main, name, line.isShare, line.isSampled};
     for (std::size_t i = 0; i < line.values.size(); ++i) {
-        drawn.points.emplace_back(line.degrees[i], number(line.values[i]));
+        drawn.points.emplace_back(line.at[i], number(line.values[i]));
     }
     return drawn;
 }
@@ -45,9 +47,10 @@ DrawnLine drawnLine(const LobeLine& line, const glm::dvec3& color, const std::st
 glm::dvec3 strokeColor(const LobeLine& line, const glm::dvec3& color) {
     constexpr glm::dvec3 across(0.95, 0.55, 0.4);
     constexpr glm::dvec3 along(0.45, 0.75, 0.95);
-    const glm::dvec3 own = line.stroke == LobeStroke::Across  ? across
-                           : line.stroke == LobeStroke::Along ? along
-                                                              : color;
+    const glm::dvec3 own = line.stroke == LobeStroke::Across       ? across
+                           : line.stroke == LobeStroke::Along      ? along
+                           : line.stroke == LobeStroke::Extinction ? along
+                                                                   : color;
     return line.isFromInside ? 0.7 * own : own;
 }
 
@@ -119,7 +122,7 @@ void addPath(std::vector<PlotShape>& shapes, const std::vector<glm::dvec2>& plac
 
 /// Adds the names of lines at the right, and below them what the lines leave out.
 void addLegend(std::vector<PlotShape>& shapes, const std::vector<DrawnLine>& lines,
-               const std::vector<LobeSubject>& subjects, glm::ivec2 size) {
+               const std::vector<LobeSubject>& subjects, glm::ivec2 size, bool isSpectrum = false) {
     constexpr double sample = 16.0;
     constexpr std::size_t longest = 30; ///< letters of a name that have room
     const double left = size.x - edgeRight + 30.0;
@@ -135,7 +138,9 @@ void addLegend(std::vector<PlotShape>& shapes, const std::vector<DrawnLine>& lin
     y += textHeight;
     for (const LobeSubject& subject : subjects) {
         for (const LobeMark& mark : subject.lines.marks) {
-            addText(shapes, {left, y}, fmt::format("{} {:.2f}", mark.name, mark.degrees));
+            addText(shapes, {left, y},
+                    fmt::format("{} {:.{}f}{}", mark.name, mark.at, isSpectrum ? 0 : 2,
+                                isSpectrum ? " nm" : ""));
             y += textHeight;
         }
     }
@@ -216,6 +221,59 @@ void addLines(std::vector<PlotShape>& shapes, const std::vector<DrawnLine>& line
     }
 }
 
+/// Places a wavelength, and an index or a share, on straight axes.
+struct SpectrumAxes {
+    double right = 0.0;
+    double bottom = 0.0;
+    glm::dvec2 wavelengths{1e300, -1e300}; ///< are the first and the last, in nanometres
+    glm::dvec2 values{1e300, -1e300};      ///< are the least and the most of an index
+    double largestShare = 0.0;
+
+    void add(const glm::dvec2& point, bool isShare) {
+        wavelengths = {std::min(wavelengths.x, point.x), std::max(wavelengths.y, point.x)};
+        if (isShare) {
+            largestShare = std::max(largestShare, point.y);
+        } else {
+            values = {std::min(values.x, point.y), std::max(values.y, point.y)};
+        }
+    }
+
+    /// Leaves room about the lines.
+    void fit() {
+        const double spread = std::max(values.y - values.x, 0.02);
+        values = {std::max(values.x - 0.25 * spread, 0.0), values.y + 0.25 * spread};
+        largestShare = largestShare > 0.0 ? 1.25 * largestShare : 1.0;
+    }
+
+    glm::dvec2 place(const glm::dvec2& point, bool isShare) const {
+        const double across = (point.x - wavelengths.x) / (wavelengths.y - wavelengths.x);
+        const double up =
+            isShare ? point.y / largestShare : (point.y - values.x) / (values.y - values.x);
+        return {edgeLeft + (right - edgeLeft) * across, bottom + (edgeTop - bottom) * up};
+    }
+};
+
+void addSpectrumGrid(std::vector<PlotShape>& shapes, const SpectrumAxes& axes) {
+    constexpr double step = 50.0; ///< nm
+    for (double nm = step * std::ceil(axes.wavelengths.x / step); nm <= axes.wavelengths.y;
+         nm += step) {
+        addLine(shapes, axes.place({nm, axes.values.x}, false),
+                axes.place({nm, axes.values.y}, false), plot_colors::grid);
+        addText(shapes, axes.place({nm, axes.values.x}, false) + glm::dvec2(-12.0, 8.0),
+                fmt::format("{}", nm));
+    }
+    for (int i = 0; i <= 5; ++i) {
+        const double share = i / 5.0;
+        const double value = axes.values.x + share * (axes.values.y - axes.values.x);
+        const glm::dvec2 left = axes.place({axes.wavelengths.x, value}, false);
+        const glm::dvec2 end = axes.place({axes.wavelengths.y, value}, false);
+        addLine(shapes, left, end, plot_colors::grid);
+        addText(shapes, left - glm::dvec2(50.0, 8.0), fmt::format("{:.4g}", value));
+        addText(shapes, end + glm::dvec2(6.0, -8.0),
+                fmt::format("{:.3g}", share * axes.largestShare));
+    }
+}
+
 /// Returns the end of an axis that a largest value fits on: a round number.
 double axisEnd(double largest) {
     if (!(largest > 1.02)) {
@@ -267,13 +325,56 @@ std::vector<PlotShape> shareDrawing(const std::vector<LobeSubject>& subjects, gl
     }
     for (const LobeSubject& subject : subjects) {
         for (const LobeMark& mark : subject.lines.marks) {
-            addLine(shapes, axes.place(mark.degrees, 0.0), axes.place(mark.degrees, axes.top),
+            addLine(shapes, axes.place(mark.at, 0.0), axes.place(mark.at, axes.top),
                     {0.5, 0.5, 0.5}, true);
         }
     }
     addText(shapes, {8.0, 8.0}, "share of the light over its angle from the normal in degrees");
     addLines(shapes, lines, axes);
     addLegend(shapes, lines, subjects, size);
+    return shapes;
+}
+
+std::vector<PlotShape> spectrumDrawing(const std::vector<LobeSubject>& subjects, glm::ivec2 size) {
+    std::vector<DrawnLine> lines = drawnLines(subjects);
+    for (DrawnLine& line : lines) {
+        if (line.isShare) {
+            line.isDashed = true;
+            line.color *= 0.75;
+            line.name = subjects.size() == 1 ? line.name : std::string();
+        }
+    }
+    SpectrumAxes axes;
+    axes.right = size.x - edgeRight - 30.0;
+    axes.bottom = size.y - edgeBottom;
+    for (const DrawnLine& line : lines) {
+        for (const glm::dvec2& point : line.points) {
+            axes.add(point, line.isShare);
+        }
+    }
+    axes.fit();
+    std::vector<PlotShape> shapes;
+    addSpectrumGrid(shapes, axes);
+    for (const LobeSubject& subject : subjects) {
+        for (const LobeMark& mark : subject.lines.marks) {
+            addLine(shapes, axes.place({mark.at, axes.values.x}, false),
+                    axes.place({mark.at, axes.values.y}, false), {0.5, 0.5, 0.5}, true);
+        }
+    }
+    addText(shapes, {8.0, 8.0},
+            "index of refraction (at the left) and R facing the surface (at the "
+            "right) over the wavelength in nm");
+    for (const DrawnLine& line : lines) {
+        std::vector<glm::dvec2> places;
+        for (const glm::dvec2& point : line.points) {
+            places.push_back(axes.place(point, line.isShare));
+            if (line.isSampled) {
+                shapes.push_back({PlotShape::Kind::Dot, places.back(), {}, line.color, {}});
+            }
+        }
+        addPath(shapes, places, line);
+    }
+    addLegend(shapes, lines, subjects, size, true);
     return shapes;
 }
 

@@ -21,6 +21,10 @@ std::vector<PlotShape> polarDrawing(const std::vector<LobeSubject>& subjects, Lo
 /// axis.
 std::vector<PlotShape> shareDrawing(const std::vector<LobeSubject>& subjects, glm::ivec2 size);
 
+/// Returns the plot of indices of refraction over the wavelength, what is mirrored by the axis at
+/// the right.
+std::vector<PlotShape> spectrumDrawing(const std::vector<LobeSubject>& subjects, glm::ivec2 size);
+
 /// Returns the plot of errors of single precision over the viewer's angle, -90 .. 90 degrees.
 std::vector<PlotShape> errorDrawing(const std::vector<LobeSubject>& subjects, glm::ivec2 size);
 

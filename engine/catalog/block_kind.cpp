@@ -61,6 +61,7 @@ constexpr auto inFresnel = std::to_array<ParameterRole>({{roles::indexOutside},
                                                          {roles::indexInside},
                                                          {roles::index, ParameterType::Vec3},
                                                          {roles::extinction, ParameterType::Vec3},
+                                                         {roles::wavelength, ParameterType::Vec3},
                                                          {roles::f0, ParameterType::Color}});
 constexpr auto inRefraction = std::to_array<ParameterRole>(
     {{.word = roles::index, .isNeeded = true},

@@ -55,6 +55,11 @@ const BlockCall& Block::findCall(std::string_view suffix) const {
                          [suffix](const BlockCall& call) { return call.suffix == suffix; });
 }
 
+const BlockCall* Block::optionalCall(std::string_view suffix) const {
+    const auto found = std::ranges::find(calls, suffix, &BlockCall::suffix);
+    return found == calls.end() ? nullptr : &*found;
+}
+
 const ModelFactor* Block::findFactor(std::string_view suffix) const {
     const auto found = std::find_if(factors.begin(), factors.end(),
                                     [suffix](const ModelFactor& f) { return f.suffix == suffix; });

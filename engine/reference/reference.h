@@ -103,6 +103,10 @@ struct ModelFactor {
 /// them that is neither shadowed nor masked.
 inline constexpr std::string_view factorSuffixes[] = {"Distribution", "Masking"};
 
+/// Ends the name of a function by which a Fresnel block tells the index of each channel that it
+/// works out from its values; not every block has one.
+inline constexpr std::string_view indicesSuffix = "Indices";
+
 /// Holds a compiled block.
 struct Block {
     std::string_view kind;
@@ -114,7 +118,8 @@ struct Block {
 
     /// Is the function of Directions; null where the kind has none.
     glm::dvec3 (*model)(const Geometry&, Parameters, Fillers) = nullptr;
-    /// Holds the other functions of the kind, in the kind's order.
+    /// Holds the other functions of the kind, in the kind's order, and then those that not every
+    /// block has.
     std::span<const BlockCall> calls;
     /// Holds the factors that a model tells; often none.
     std::span<const ModelFactor> factors;
@@ -151,6 +156,8 @@ struct Block {
         return results;
     }
     const BlockCall& findCall(std::string_view suffix) const;
+    /// Returns the function with a suffix, or null.
+    const BlockCall* optionalCall(std::string_view suffix) const;
     /// Returns the factor with a suffix, or null.
     const ModelFactor* findFactor(std::string_view suffix) const;
 };

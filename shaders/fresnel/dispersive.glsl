@@ -2,7 +2,7 @@
 #include "lib/fresnel.glsl"
 
 // The index of each channel, 0.01 .. 100 whatever the constants are.
-vec3 dispersiveIndices(DispersiveFresnel p) {
+vec3 dispersiveFresnelIndices(DispersiveFresnel p) {
     vec3 wavelengths = 0.001 * p.wavelength;
     vec3 indices;
     if (p.formula == DISPERSIVE_FRESNEL_FORMULA_CAUCHY) {
@@ -28,7 +28,7 @@ float dispersiveReflectance(Incidence i, float etaI, float etaT) {
 
 // Fresnel's reflectance for ordinary light, per channel.
 vec3 dispersiveFresnel(Incidence i, DispersiveFresnel p) {
-    vec3 indices = dispersiveIndices(p);
+    vec3 indices = dispersiveFresnelIndices(p);
     return vec3(dispersiveReflectance(i, p.indexOutside, indices.x),
                 dispersiveReflectance(i, p.indexOutside, indices.y),
                 dispersiveReflectance(i, p.indexOutside, indices.z));

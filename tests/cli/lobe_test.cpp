@@ -111,9 +111,21 @@ TEST(LobeCommand, Fresnel_OfGlassHasBothPolarisationsFromBothSides) {
     EXPECT_EQ(at60["from inside T_p"], 0.0);
 }
 
+TEST(LobeCommand, Spectrum_IsOverTheWavelength) {
+    const Outcome outcome = patina(
+        {"lobe", "--model", "cook-torrance", "--fresnel", "dispersive", "--plot", "spectrum"});
+    EXPECT_TRUE(outcome.out.starts_with("material,line,nanometres,")) << outcome.err;
+    const auto rows = rowsOf(outcome.out);
+    ASSERT_GT(rows.size(), 300u);
+    EXPECT_EQ(rows.front().line, "index n");
+    EXPECT_EQ(rows.front().degrees, 380.0);
+    EXPECT_NEAR(rows.front().red, 1.5337, 1e-3);
+    EXPECT_EQ(rows.back().line, "R facing the surface");
+}
+
 TEST(LobeCommand, Drawing_HasAFormByItsName) {
     const TemporaryFolder folder;
-    for (const char* plot : {"polar", "albedo", "fresnel", "half", "float32"}) {
+    for (const char* plot : {"polar", "albedo", "fresnel", "spectrum", "half", "float32"}) {
         const std::string svg = (folder / (std::string(plot) + ".svg")).string();
         const Outcome outcome = patina({"lobe", gold, "--plot", plot, "-o", svg});
         ASSERT_EQ(outcome.exitCode, 0) << outcome.err;

@@ -67,10 +67,9 @@ TEST(LobeSketch, OfEveryModel_IsNearTheWholePlot) {
         ASSERT_TRUE(sketch);
         const LobeModel model = modelOf(defaultMaterial(*block));
         const LobeLine& line = sketch->lines.front();
-        for (std::size_t i = 0; i < line.values.size() && line.degrees[i] < 85.0; i += 2) {
-            const glm::dvec3 whole =
-                directionalAlbedo(model, {line.degrees[i] * degree, 0.0}).albedo;
-            EXPECT_LT(worst(line.values[i], whole), 0.02) << block->id << ' ' << line.degrees[i];
+        for (std::size_t i = 0; i < line.values.size() && line.at[i] < 85.0; i += 2) {
+            const glm::dvec3 whole = directionalAlbedo(model, {line.at[i] * degree, 0.0}).albedo;
+            EXPECT_LT(worst(line.values[i], whole), 0.02) << block->id << ' ' << line.at[i];
         }
     }
 }

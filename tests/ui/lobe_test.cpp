@@ -8,6 +8,7 @@
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QLabel>
+#include <QMenu>
 #include <QMimeData>
 #include <QTabWidget>
 #include <QTest>
@@ -15,6 +16,7 @@
 #include <QUrl>
 
 #include "document/compare_edits.h"
+#include "document/scene_edits.h"
 #include "document/snapshot_edits.h"
 #include "lobe/energy_bar.h"
 #include "lobe/lobe_dock.h"
@@ -35,7 +37,7 @@ namespace {
 constexpr int waitMs = 20000;
 
 /// Names the tabs of the dock.
-enum Tab { Polar, Solid, Albedo, Fresnel, Slice, Float32 };
+enum Tab { Polar, Solid, Albedo, Fresnel, Spectrum, Slice, Float32 };
 
 class LobePanel : public WindowFixture {
   protected:
@@ -52,6 +54,7 @@ class LobePanel : public WindowFixture {
     SolidPlot& solid() { return *dock().findChild<SolidPlot*>(); }
     SlicePlot& slice() { return *dock().findChild<SlicePlot*>(); }
     SharePlot& fresnel() { return *dock().findChild<SharePlot*>("fresnelPlot"); }
+    SharePlot& spectrum() { return *dock().findChild<SharePlot*>("spectrumPlot"); }
     EnergyBar& energy() { return *dock().findChild<EnergyBar*>(); }
     QString note() { return dock().findChild<QLabel*>("note")->text(); }
     void openTab(Tab index) { dock().findChild<QTabWidget*>()->setCurrentIndex(index); }
@@ -147,7 +150,7 @@ TEST_F(LobePanel, Drag_TurnsTheLight) {
     ASSERT_TRUE(wait());
     const LobeLine& line = polar().subjects().front().lines.lines.front();
     const auto peak = std::ranges::max_element(line.values, {}, &glm::dvec3::x);
-    const double at = line.degrees[std::size_t(peak - line.values.begin())];
+    const double at = line.at[std::size_t(peak - line.values.begin())];
     EXPECT_NEAR(at, polar().light(), 1.0);
     QTest::keyClick(&polar(), Qt::Key_Right);
     EXPECT_NEAR(polar().light(), 59.0, 1.0);
@@ -184,6 +187,18 @@ TEST_F(LobePanel, Fresnel_OfAMetalIsPlotted) {
     ASSERT_TRUE(wait());
     ASSERT_EQ(fresnel().subjects().size(), 1u);
     EXPECT_EQ(fresnel().subjects().front().lines.marks.size(), 3u);
+}
+
+TEST_F(LobePanel, Spectrum_ReadsTheIndexByWavelength) {
+    document().setModel(Side::A, "cook-torrance");
+    document().setBlock(document().selection().currentPath(kinds::fresnel), "dispersive");
+    openTab(Spectrum);
+    ASSERT_TRUE(wait());
+    ASSERT_EQ(spectrum().subjects().size(), 1u);
+    EXPECT_EQ(spectrum().subjects().front().lines.marks.size(), 3u);
+    const QString reading = spectrum().readingAt(QRectF(spectrum().rect()).center());
+    EXPECT_TRUE(reading.contains(" nm\n")) << reading.toStdString();
+    EXPECT_TRUE(reading.contains("index n: 1.5")) << reading.toStdString();
 }
 
 TEST_F(LobePanel, Float32_ComparesTheDeviceWithDouble) {
@@ -342,6 +357,26 @@ TEST_F(LobePanel, ThingsInPlaceOfThePicture_AreShownOneAtATime) {
     EXPECT_EQ(title(), "");
     numbers->trigger();
     EXPECT_FALSE(view().frames().isInspecting());
+}
+
+/// The lights are those of the scene now; without the light that is shown there is the picture.
+TEST_F(LobePanel, EachLightAlone_IsShownByItsName) {
+    auto* lights = window().findChild<QMenu*>("show light");
+    ASSERT_NE(lights, nullptr);
+    const auto open = [lights] { Q_EMIT lights->aboutToShow(); };
+    open();
+    const auto count = static_cast<qsizetype>(document().state().scene.lights.size());
+    ASSERT_EQ(lights->actions().size(), count);
+    lights->actions().last()->trigger();
+    EXPECT_TRUE(view().frames().isInspecting());
+    EXPECT_TRUE(
+        view().findChild<QLabel*>("inspected")->text().contains(lights->actions().last()->text()));
+    open();
+    EXPECT_TRUE(lights->actions().last()->isChecked());
+    removeLight(document(), static_cast<int>(count) - 1);
+    EXPECT_FALSE(view().frames().isInspecting());
+    open();
+    EXPECT_EQ(lights->actions().size(), count - 1);
 }
 
 } // namespace

@@ -52,7 +52,8 @@ LobeDock::LobeDock(const DockContext& context)
       environments_(context.environments), pages_(new QTabWidget(this)),
       polar_(new PolarPlot(this)), solid_(new SolidPlot(this)),
       albedo_(new SharePlot(LobePlot::Albedo, this)),
-      fresnel_(new SharePlot(LobePlot::Fresnel, this)), slice_(new SlicePlot(this)),
+      fresnel_(new SharePlot(LobePlot::Fresnel, this)),
+      spectrum_(new SharePlot(LobePlot::Spectrum, this)), slice_(new SlicePlot(this)),
       float32_(new SharePlot(LobePlot::Float32, this)), energy_(new EnergyBar(this)),
       scale_(new QComboBox(this)), term_(new QComboBox(this)), snapshots_(new QAction(this)),
       forget_(textButton(tr("Without Presets"), tr("Take the presets that were dropped here away"),
@@ -89,6 +90,7 @@ void LobeDock::addPages() {
     add(solid_, tr("3D"), tr("Reflectance over all viewers; drag to turn it"));
     add(energy, tr("Albedo"), tr("What is reflected in all, over the angle of the light"));
     add(fresnel_, tr("Fresnel"), tr("What the surface mirrors, by polarisation and side"));
+    add(spectrum_, tr("Spectrum"), tr("The index of refraction over the wavelength"));
     add(slice_, tr("Half angle"), tr("A slice over half and difference angle"));
     add(float32_, tr("Float32"), tr("How far the device is from double precision"));
 }
@@ -364,10 +366,28 @@ LobePlotWidget* LobeDock::linePlot() const {
         return albedo_;
     case Page::Fresnel:
         return fresnel_;
+    case Page::Spectrum:
+        return spectrum_;
     case Page::Float32:
         return float32_;
     default:
         return nullptr;
+    }
+}
+
+/// Returns the plot of a tab's lines; the polar one where it has none.
+LobePlot LobeDock::linesOf(Page page) {
+    switch (page) {
+    case Page::Albedo:
+        return LobePlot::Albedo;
+    case Page::Fresnel:
+        return LobePlot::Fresnel;
+    case Page::Spectrum:
+        return LobePlot::Spectrum;
+    case Page::Float32:
+        return LobePlot::Float32;
+    default:
+        return LobePlot::Polar;
     }
 }
 
@@ -380,16 +400,13 @@ PaintedPlot* LobeDock::paintedPlot() const {
 void LobeDock::ask(bool isSketch) {
     const Page page = shownPage();
     Question question{page, {}};
-    question.lines.plot = page == Page::Albedo    ? LobePlot::Albedo
-                          : page == Page::Fresnel ? LobePlot::Fresnel
-                          : page == Page::Float32 ? LobePlot::Float32
-                                                  : LobePlot::Polar;
+    question.lines.plot = linesOf(page);
     question.lines.incoming =
         picked_ ? picked_->incoming() : Incoming{polar_->light() * std::numbers::pi / 180.0, 0.0};
     question.lines.term = static_cast<LobeTerm>(term_->currentData().toInt());
     question.lines.isSketch = isSketch;
     scale_->setEnabled(page == Page::Polar || page == Page::Solid || page == Page::Slice);
-    term_->setEnabled(page != Page::Fresnel && page != Page::Float32);
+    term_->setEnabled(page != Page::Fresnel && page != Page::Spectrum && page != Page::Float32);
     worker_.ask(
         [question, materials = materials_, catalog = document_.sharedCatalog()](
             Worker::Control& control) { return answerTo(question, materials, *catalog, control); },
@@ -504,7 +521,7 @@ void LobeDock::show(const Answer& answer) {
 
 std::string LobeDock::csv() const {
     const LobePlotWidget* plot = linePlot();
-    return plot != nullptr              ? linesCsv(plot->subjects())
+    return plot != nullptr              ? linesCsv(plot->subjects(), linesOf(shownPage()))
            : shownPage() == Page::Solid ? solidsCsv(solid_->solids())
                                         : slicesCsv(slice_->slices());
 }

@@ -55,7 +55,7 @@ class LobeDock : public QWidget {
 
   private:
     /// Names the tabs, in their order.
-    enum class Page { Polar, Solid, Albedo, Fresnel, Slice, Float32 };
+    enum class Page { Polar, Solid, Albedo, Fresnel, Spectrum, Slice, Float32 };
 
     /// Says what the worker is to find for a tab; the request counts where the tab has lines.
     struct Question {
@@ -103,6 +103,7 @@ class LobeDock : public QWidget {
     Page shownPage() const;
     /// Return the widget of the tab that is seen: one of lines or a painted one.
     LobePlotWidget* linePlot() const;
+    static LobePlot linesOf(Page page);
     PaintedPlot* paintedPlot() const;
     std::string csv() const;
 
@@ -118,6 +119,7 @@ class LobeDock : public QWidget {
     SolidPlot* solid_;
     LobePlotWidget* albedo_;
     LobePlotWidget* fresnel_;
+    LobePlotWidget* spectrum_;
     SlicePlot* slice_;
     LobePlotWidget* float32_;
     EnergyBar* energy_;

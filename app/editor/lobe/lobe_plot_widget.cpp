@@ -37,8 +37,8 @@ QPen penOf(const LobeLine& line, const QColor& color) {
     return pen;
 }
 
-QString numberText(const LobeLine& line, double degrees) {
-    const glm::dvec3 v = valueAt(line, degrees);
+QString numberText(const LobeLine& line, double at) {
+    const glm::dvec3 v = valueAt(line, at);
     if (isGrey(line)) {
         return roundText(v.x);
     }
@@ -76,7 +76,7 @@ std::vector<LobePlotWidget::Stroke> LobePlotWidget::strokes() const {
             for (int channel = 0; channel < (hasChannels ? 3 : 1); ++channel) {
                 const QColor color =
                     hasChannels ? channelColor(channel, palette()) : lobeColor(i, palette());
-                Stroke stroke{line.degrees, {}, penOf(line, color)};
+                Stroke stroke{line.at, {}, penOf(line, color), line.isShare, line.isSampled};
                 stroke.values.reserve(line.values.size());
                 for (const glm::dvec3& v : line.values) {
                     stroke.values.push_back(hasChannels ? v[channel] : luminance(v));
@@ -88,18 +88,22 @@ std::vector<LobePlotWidget::Stroke> LobePlotWidget::strokes() const {
     return all;
 }
 
+QString LobePlotWidget::abscissaText(double at) const {
+    return tr("%1° from the normal").arg(roundText(std::abs(at)));
+}
+
 QString LobePlotWidget::readingAt(const QPointF& place) const {
-    const double degrees = degreesAt(place);
-    if (!std::isfinite(degrees)) {
+    const double at = abscissaAt(place);
+    if (!std::isfinite(at)) {
         return {};
     }
-    QStringList lines{tr("%1° from the normal").arg(roundText(std::abs(degrees)))};
+    QStringList lines{abscissaText(at)};
     for (const LobeSubject& subject : subjects_) {
         for (const LobeLine& line : subject.lines.lines) {
             if (!line.values.empty()) {
                 lines << tr("%1, %2: %3 %4")
-                             .arg(asText(subject.name), asText(line.name),
-                                  numberText(line, degrees), line.isShare ? QString() : unit())
+                             .arg(asText(subject.name), asText(line.name), numberText(line, at),
+                                  line.isShare ? QString() : unit())
                              .trimmed();
             }
         }

@@ -37,19 +37,24 @@ class LobePlotWidget : public PlotWidget {
     QSize sizeHint() const override;
 
   protected:
-    /// Is a line as it is drawn: its values over its degrees, in a colour.
+    /// Is a line as it is drawn: its values over degrees or nanometres, in a colour.
     struct Stroke {
-        std::vector<double> degrees;
+        std::vector<double> at;
         std::vector<double> values;
         QPen pen;
+        bool isShare = false;   ///< is a share of the light where the plot's others are not
+        bool isSampled = false; ///< is known at its points alone
     };
 
     /// Returns the lines to draw: of several materials the luminance, of one its channels where
     /// they differ.
     std::vector<Stroke> strokes() const;
 
-    /// Returns the angle below a place of the plot, in degrees from the normal; NaN beside it.
-    virtual double degreesAt(const QPointF& place) const = 0;
+    /// Returns the angle below a place of the plot, in degrees from the normal, or the wavelength
+    /// in nanometres; NaN beside it.
+    virtual double abscissaAt(const QPointF& place) const = 0;
+    /// Says that place: "30° from the normal".
+    virtual QString abscissaText(double at) const;
     /// Returns what a value is called in a reading: "1/sr"; empty for a share.
     virtual QString unit() const = 0;
 

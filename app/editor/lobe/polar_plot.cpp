@@ -154,8 +154,7 @@ void PolarPlot::draw() {
         QVector<QCPCurveData> points;
         points.reserve(static_cast<qsizetype>(line.values.size()));
         for (std::size_t i = 0; i < line.values.size(); ++i) {
-            const QPointF at =
-                discPlace(line.degrees[i], lobeLength(scale_, line.values[i], largest));
+            const QPointF at = discPlace(line.at[i], lobeLength(scale_, line.values[i], largest));
             points.push_back({double(i), at.x(), at.y()});
         }
         curve->data()->set(points, true);
@@ -166,7 +165,7 @@ void PolarPlot::draw() {
     plot().replot(QCustomPlot::rpQueuedReplot);
 }
 
-double PolarPlot::degreesAt(const QPointF& place) const {
+double PolarPlot::abscissaAt(const QPointF& place) const {
     const QPointF inPlot = plot().mapFrom(this, place);
     const double x = plot().xAxis->pixelToCoord(inPlot.x());
     const double y = plot().yAxis->pixelToCoord(inPlot.y());
@@ -193,7 +192,7 @@ bool PolarPlot::eventFilter(QObject* watched, QEvent* event) {
         const auto* mouse = static_cast<QMouseEvent*>(event);
         const bool isDrag =
             isMove ? mouse->buttons().testFlag(Qt::LeftButton) : mouse->button() == Qt::LeftButton;
-        const double degrees = degreesAt(plot().mapTo(this, mouse->position()));
+        const double degrees = abscissaAt(plot().mapTo(this, mouse->position()));
         if (isDrag && std::isfinite(degrees)) {
             setFocus(Qt::MouseFocusReason);
             turnTo(std::round(2.0 * std::abs(degrees)) / 2.0);

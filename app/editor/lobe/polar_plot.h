@@ -20,7 +20,7 @@ class PolarPlot final : public LobePlotWidget {
     void setLight(double degrees);
     double light() const { return light_; }
 
-    /// Marks the angle of a viewer, in degrees as degreesAt() returns them; none without one.
+    /// Marks the angle of a viewer, in degrees as abscissaAt() returns them; none without one.
     void setViewer(std::optional<double> degrees);
 
     /// Returns where an angle at the edge of the disc is drawn, in pixels of this widget.
@@ -32,7 +32,7 @@ class PolarPlot final : public LobePlotWidget {
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
-    double degreesAt(const QPointF& place) const override;
+    double abscissaAt(const QPointF& place) const override;
     QString unit() const override;
     void draw() override;
 

@@ -7,12 +7,18 @@
 #include "accuracy/plot_colors.h"
 #include "accuracy/plot_library.h"
 #include "text/as_text.h"
+#include "text/display_number.h"
 #include "text/mixed_color.h"
 
 namespace patina {
 namespace {
 
 constexpr double headroom = 1.05;
+constexpr double sampleSize = 7.0; ///< pixels
+
+/// Is the range of wavelengths that a spectrum shows at least, in nanometres.
+constexpr double usualFirst = 380.0;
+constexpr double usualLast = 780.0;
 
 } // namespace
 
@@ -31,6 +37,15 @@ SharePlot::SharePlot(LobePlot kind, QWidget* parent) : LobePlotWidget(parent), k
         plot().yAxis2->setRangeReversed(true);
         plot().yAxis2->setLabel(tr("transmitted T"));
         break;
+    case LobePlot::Spectrum:
+        setObjectName("spectrumPlot");
+        setAccessibleName(tr("Index of refraction over the wavelength"));
+        plot().xAxis->setLabel(tr("wavelength in nm"));
+        plot().xAxis->setTicker(QSharedPointer<QCPAxisTicker>(new QCPAxisTicker));
+        plot().yAxis->setLabel(tr("index n, extinction k (dashed)"));
+        plot().yAxis2->setVisible(true);
+        plot().yAxis2->setLabel(tr("R facing the surface (dotted)"));
+        break;
     case LobePlot::Float32:
         setObjectName("float32Plot");
         setAccessibleName(tr("Error of single precision over the viewer's angle"));
@@ -43,6 +58,11 @@ SharePlot::SharePlot(LobePlot kind, QWidget* parent) : LobePlotWidget(parent), k
         plot().yAxis->setLabel(tr("albedo"));
     }
     draw();
+}
+
+QString SharePlot::abscissaText(double at) const {
+    return kind_ == LobePlot::Spectrum ? tr("%1 nm").arg(roundText(at))
+                                       : LobePlotWidget::abscissaText(at);
 }
 
 QString SharePlot::unit() const {
@@ -58,24 +78,74 @@ void SharePlot::addMarks(double top) {
         line->end->setCoords(to);
         line->setPen(pen);
     };
-    if (top > headroom && kind_ != LobePlot::Float32) {
+    if (top > headroom && (kind_ == LobePlot::Albedo || kind_ == LobePlot::Fresnel)) {
         addLine({0.0, 1.0}, {90.0, 1.0}, QPen(QColor(220, 70, 60), 1.0));
     }
-    double height = 0.9 * top; // below the line of 1, which marks would lie on
+    const double bottom = plot().yAxis->range().lower;
+    double height = bottom + 0.9 * (top - bottom); // below the line of 1, which marks would lie on
     for (const LobeSubject& subject : subjects()) {
         for (const LobeMark& mark : subject.lines.marks) {
-            addLine({mark.degrees, 0.0}, {mark.degrees, top},
+            addLine({mark.at, bottom}, {mark.at, top},
                     QPen(mixed(base, text, 0.35), 1.0, Qt::DashLine));
             auto* label = new QCPItemText(&plot());
-            label->position->setCoords(mark.degrees, height);
+            label->position->setCoords(mark.at, height);
             label->setPositionAlignment(Qt::AlignTop | Qt::AlignLeft);
-            label->setText(
-                QStringLiteral(" %1 %2°").arg(asText(mark.name)).arg(mark.degrees, 0, 'f', 2));
+            label->setText(markText(mark));
             label->setFont(plot().font());
             label->setColor(mixed(base, text, 0.7));
-            height -= 0.08 * top;
+            height -= 0.08 * (top - bottom);
         }
     }
+}
+
+QString SharePlot::markText(const LobeMark& mark) const {
+    return kind_ == LobePlot::Spectrum
+               ? QStringLiteral(" %1 %2 nm").arg(asText(mark.name), roundText(mark.at))
+               : QStringLiteral(" %1 %2°").arg(asText(mark.name)).arg(mark.at, 0, 'f', 2);
+}
+
+double SharePlot::fitAxes() {
+    double largest = 1.0;
+    for (const Stroke& line : strokes()) {
+        for (const double value : line.values) {
+            largest = std::max(largest, value);
+        }
+    }
+    const double top = headroom * largest;
+    plot().yAxis->setRange(0.0, top);
+    plot().yAxis2->setRange(1.0 - top, 1.0);
+    return top;
+}
+
+/// An index that hardly bends is to be seen to bend, so its axis need not begin at 0. Above the
+/// lines is room for the names of the marks.
+double SharePlot::fitSpectrum() {
+    double smallest = std::numeric_limits<double>::infinity();
+    double largest = 0.0;
+    double largestShare = 0.0;
+    double first = usualFirst;
+    double last = usualLast;
+    for (const Stroke& line : strokes()) {
+        const auto [low, high] = std::ranges::minmax(line.values);
+        if (line.isShare) {
+            largestShare = std::max(largestShare, high);
+        } else {
+            smallest = std::min(smallest, low);
+            largest = std::max(largest, high);
+        }
+        first = std::min(first, line.at.front());
+        last = std::max(last, line.at.back());
+    }
+    plot().xAxis->setRange(first, last);
+    plot().yAxis2->setRange(0.0, largestShare > 0.0 ? 1.6 * largestShare : headroom);
+    if (smallest > largest) { // there are no lines
+        plot().yAxis->setRange(0.0, headroom);
+        return headroom;
+    }
+    const double spread = std::max(largest - smallest, 0.02);
+    const double top = largest + 0.6 * spread;
+    plot().yAxis->setRange(std::max(smallest - 0.25 * spread, 0.0), top);
+    return top;
 }
 
 void SharePlot::draw() {
@@ -90,29 +160,29 @@ void SharePlot::draw() {
     plot().yAxis2->setTickLabelFont(plot().font());
     plot().yAxis2->setLabelFont(plot().font());
     plot().yAxis2->setLabelColor(plot().yAxis->labelColor());
-    double largest = 1.0;
+    const bool isSpectrum = kind_ == LobePlot::Spectrum;
     for (const Stroke& line : strokes()) {
-        QCPGraph* graph = plot().addGraph();
-        graph->setPen(line.pen);
-        graph->setData(QVector<double>(line.degrees.begin(), line.degrees.end()),
-                       QVector<double>(line.values.begin(), line.values.end()), true);
-        for (const double value : line.values) {
-            largest = std::max(largest, value);
+        const bool isRight = isSpectrum && line.isShare;
+        QCPGraph* graph = plot().addGraph(plot().xAxis, isRight ? plot().yAxis2 : plot().yAxis);
+        QPen pen = line.pen;
+        pen.setStyle(isRight ? Qt::DotLine : pen.style());
+        graph->setPen(pen);
+        if (line.isSampled) {
+            graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, sampleSize));
         }
+        graph->setData(QVector<double>(line.at.begin(), line.at.end()),
+                       QVector<double>(line.values.begin(), line.values.end()), true);
     }
-    const double top = headroom * largest;
-    addMarks(top);
+    addMarks(isSpectrum ? fitSpectrum() : fitAxes());
     addLegend();
-    plot().yAxis->setRange(0.0, top);
-    plot().yAxis2->setRange(1.0 - top, 1.0);
     plot().replot(QCustomPlot::rpQueuedReplot);
 }
 
-double SharePlot::degreesAt(const QPointF& place) const {
+double SharePlot::abscissaAt(const QPointF& place) const {
     const QPointF inPlot = plot().mapFrom(this, place);
     return plot().axisRect()->rect().contains(inPlot.toPoint())
                ? std::clamp(plot().xAxis->pixelToCoord(inPlot.x()), plot().xAxis->range().lower,
-                            90.0)
+                            plot().xAxis->range().upper)
                : std::numeric_limits<double>::quiet_NaN();
 }
 

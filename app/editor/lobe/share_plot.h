@@ -7,7 +7,8 @@ namespace patina {
 
 /// Draws shares of the light over its angle from the normal, with 1 marked where it is exceeded,
 /// and angles that have a name; the right axis of a Fresnel plot reads what is transmitted. Errors
-/// of single precision are drawn over the viewer's angle.
+/// of single precision are drawn over the viewer's angle, and a spectrum over the wavelength, with
+/// the share that is mirrored on the right axis.
 class SharePlot final : public LobePlotWidget {
     Q_OBJECT
 
@@ -15,12 +16,17 @@ class SharePlot final : public LobePlotWidget {
     explicit SharePlot(LobePlot plot, QWidget* parent = nullptr);
 
   protected:
-    double degreesAt(const QPointF& place) const override;
+    double abscissaAt(const QPointF& place) const override;
+    QString abscissaText(double at) const override;
     QString unit() const override;
     void draw() override;
 
   private:
     void addMarks(double top);
+    QString markText(const LobeMark& mark) const;
+    /// Set the axes' ranges, and return what the left one ends at.
+    double fitAxes();
+    double fitSpectrum();
 
     LobePlot kind_;
 };

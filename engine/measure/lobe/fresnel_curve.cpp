@@ -6,9 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include <fmt/format.h>
-
 #include "measure/eval/compiled_block.h"
+#include "measure/lobe/fresnel_block.h"
 
 namespace patina {
 namespace {
@@ -31,29 +30,6 @@ double versine(double angle) {
 
 double cosine(double angle) {
     return std::max(std::cos(angle), 0.0);
-}
-
-std::optional<double> numberOf(const Block& block, const Values& values, std::string_view role) {
-    const Parameter* parameter = block.withRole(role);
-    if (parameter == nullptr) {
-        return std::nullopt;
-    }
-    const auto found = values.find(parameter->id);
-    const Value& value = found == values.end() ? parameter->defaultValue : found->second;
-    const double* number = std::get_if<double>(&value);
-    return number == nullptr ? std::nullopt : std::optional(*number);
-}
-
-std::optional<glm::dvec3> vectorOf(const Block& block, const Values& values,
-                                   std::string_view role) {
-    const Parameter* parameter = block.withRole(role);
-    if (parameter == nullptr) {
-        return std::nullopt;
-    }
-    const auto found = values.find(parameter->id);
-    const Value& value = found == values.end() ? parameter->defaultValue : found->second;
-    const glm::dvec3* vector = std::get_if<glm::dvec3>(&value);
-    return vector == nullptr ? std::nullopt : std::optional(*vector);
 }
 
 /// Returns even steps, and closer ones about the angles where a side's curves touch 0 or 1.
@@ -92,30 +68,7 @@ InterfaceSide sideOf(const OpticalInterface& media, bool fromInside) {
     return side;
 }
 
-/// Is the Fresnel block of a material with its values.
-struct ChosenBlock {
-    const Block* block = nullptr;
-    Values values;
-};
-
-Result<ChosenBlock> chosenBlock(const Catalog& catalog, const Material& material) {
-    const Block* model = catalog.find(kinds::models, material.model.id);
-    const BlockValues* part = material.part(kinds::fresnel);
-    const Slot* slot = model == nullptr ? nullptr : model->slot(kinds::fresnel);
-    const std::string id = part != nullptr   ? part->id
-                           : slot != nullptr ? slot->defaultBlock
-                                             : std::string();
-    if (id.empty()) {
-        return failure("the material has no Fresnel term");
-    }
-    const Block* block = catalog.find(kinds::fresnel, id);
-    if (block == nullptr) {
-        return failure(fmt::format("there is no fresnel block \"{}\"", id));
-    }
-    return ChosenBlock{block, part != nullptr ? part->parameters : Values()};
-}
-
-std::vector<FresnelPoint> termOf(const ChosenBlock& chosen, const reference::Block& code,
+std::vector<FresnelPoint> termOf(const ValuedBlock& chosen, const reference::Block& code,
                                  const AccuracyLevels& levels) {
     const std::vector<double> packedChosen = packed(*chosen.block, chosen.values, levels);
     const std::vector<double> packedExact = packed(*chosen.block, chosen.values, {});
@@ -132,19 +85,24 @@ std::vector<FresnelPoint> termOf(const ChosenBlock& chosen, const reference::Blo
 
 std::optional<OpticalInterface> interfaceOf(const Block& fresnel, const Values& values) {
     OpticalInterface media;
-    media.outside = numberOf(fresnel, values, roles::indexOutside).value_or(1.0);
-    if (const auto inside = numberOf(fresnel, values, roles::indexInside)) {
+    const ValuedBlock of{&fresnel, values};
+    media.outside = of.number(roles::indexOutside).value_or(1.0);
+    if (const auto indices = workedOutIndices(of)) {
+        media.index = *indices;
+        return media;
+    }
+    if (const auto inside = of.number(roles::indexInside)) {
         media.index = glm::dvec3(*inside);
         return media;
     }
-    const auto index = vectorOf(fresnel, values, roles::index);
-    const auto extinction = vectorOf(fresnel, values, roles::extinction);
+    const auto index = of.vector(roles::index);
+    const auto extinction = of.vector(roles::extinction);
     if (index && extinction) {
         media.index = *index;
         media.extinction = *extinction;
         return media;
     }
-    if (const auto f0 = vectorOf(fresnel, values, roles::f0)) {
+    if (const auto f0 = of.vector(roles::f0)) {
         for (int channel = 0; channel < 3; ++channel) {
             media.index[channel] =
                 called<1, 1>("indexFromF0", {std::clamp((*f0)[channel], 0.0, 1.0)})[0];
@@ -174,7 +132,7 @@ PolarisedPoint reflectedAt(const OpticalInterface& media, double angle, bool fro
 }
 
 Result<FresnelCurves> fresnelCurves(const Catalog& catalog, const Material& material) {
-    const Result<ChosenBlock> chosen = chosenBlock(catalog, material);
+    const Result<ValuedBlock> chosen = fresnelBlock(catalog, material);
     if (!chosen) {
         return tl::unexpected(chosen.error());
     }

@@ -63,7 +63,8 @@ struct FresnelCurves {
     InterfaceSide fromInside; ///< is empty without media, and where letsLightOut() is not
 };
 
-/// Returns the media that a Fresnel block's parameters describe, by their roles.
+/// Returns the media that a Fresnel block describes: by the roles of its parameters, or by the
+/// indices that it works out from them.
 std::optional<OpticalInterface> interfaceOf(const Block& fresnel, const Values& values);
 
 /// Returns the reflectances of an interface. `fromInside` takes light from the other side, which

@@ -10,6 +10,7 @@
 #include "material/blocks_in_use.h"
 #include "measure/lobe/device_lobe.h"
 #include "measure/lobe/fresnel_curve.h"
+#include "measure/lobe/index_spectrum.h"
 #include "measure/lobe/lobe_factor.h"
 #include "measure/stability/sweep_cases.h"
 
@@ -17,7 +18,7 @@ namespace patina {
 namespace {
 
 constexpr LobePlot linePlots[] = {LobePlot::Polar, LobePlot::Albedo, LobePlot::Fresnel,
-                                  LobePlot::Float32};
+                                  LobePlot::Spectrum, LobePlot::Float32};
 
 constexpr double stepDegrees = 2.5;
 constexpr double sketchDegrees[] = {0.0, 25.0, 45.0, 60.0, 70.0, 78.0, 84.0, 88.0, 89.5};
@@ -32,7 +33,7 @@ LobeLine polarLine(const DirectionsValue& value, const LobeRequest& request) {
     const CurveFineness fineness =
         request.isSketch ? CurveFineness{120, 5e-3, 400} : CurveFineness();
     for (const LobePoint& point : polarCurve(value, request.incoming, fineness)) {
-        line.degrees.push_back(inDegrees(point.angle));
+        line.at.push_back(inDegrees(point.angle));
         line.values.push_back(point.f);
     }
     return line;
@@ -51,7 +52,7 @@ LobeLine albedoLine(const LobeModel& model, const LobeRequest& request,
     }
     for (const AlbedoPoint& point :
          albedoCurve(model, request.incoming.azimuth, angles, aim, isWanted)) {
-        line.degrees.push_back(inDegrees(point.angle));
+        line.at.push_back(inDegrees(point.angle));
         line.values.push_back(point.albedo);
     }
     return line;
@@ -94,7 +95,7 @@ Result<LobeLines> deviceLines(const Catalog& catalog, const EvalCase& variant,
             return tl::unexpected(curve.error());
         }
         for (const LobePoint& point : *curve) {
-            line.degrees.push_back(inDegrees(point.angle));
+            line.at.push_back(inDegrees(point.angle));
             line.values.push_back(point.f);
         }
     } else {
@@ -103,7 +104,7 @@ Result<LobeLines> deviceLines(const Catalog& catalog, const EvalCase& variant,
             return tl::unexpected(curve.error());
         }
         for (const AlbedoPoint& point : *curve) {
-            line.degrees.push_back(inDegrees(point.angle));
+            line.at.push_back(inDegrees(point.angle));
             line.values.push_back(point.albedo);
         }
     }
@@ -124,12 +125,12 @@ Result<LobeLines> floatLines(const Catalog& catalog, const EvalCase& variant,
     double worst = 0.0;
     double at = 0.0;
     for (const FloatError& error : *errors) {
-        line.degrees.push_back(inDegrees(error.angle));
+        line.at.push_back(inDegrees(error.angle));
         line.values.push_back(error.ulps);
         const double here = std::max({error.ulps.x, error.ulps.y, error.ulps.z});
         if (here > worst) {
             worst = here;
-            at = line.degrees.back();
+            at = line.at.back();
         }
     }
     all.note =
@@ -218,7 +219,7 @@ LobeLine sideLine(const InterfaceSide& side, LobeStroke stroke, bool isFromInsid
                   {},
                   {}};
     for (const PolarisedPoint& point : side.points) {
-        line.degrees.push_back(inDegrees(point.angle));
+        line.at.push_back(inDegrees(point.angle));
         line.values.push_back(stroke == LobeStroke::Across  ? point.s
                               : stroke == LobeStroke::Along ? point.p
                                                             : point.mean());
@@ -258,7 +259,7 @@ Result<LobeLines> fresnelLines(const Catalog& catalog, const Material& material)
     bool isExact = true;
     for (const FresnelPoint& point : curves->term) {
         for (LobeLine* line : {&chosen, &exact}) {
-            line->degrees.push_back(inDegrees(point.angle));
+            line->at.push_back(inDegrees(point.angle));
         }
         chosen.values.push_back(point.chosen);
         exact.values.push_back(point.exact);
@@ -295,10 +296,51 @@ Result<LobeLines> fresnelLines(const Catalog& catalog, const Material& material)
     return all;
 }
 
+LobeLine spectrumLine(const IndexSpectrum& spectrum, const char* name,
+                      const std::vector<double>& values) {
+    LobeLine line;
+    line.name = name;
+    line.isSampled = spectrum.isOfChannels;
+    line.at = spectrum.wavelengths;
+    for (const double value : values) {
+        line.values.emplace_back(value);
+    }
+    return line;
+}
+
+Result<LobeLines> spectrumLines(const Catalog& catalog, const Material& material) {
+    const Result<IndexSpectrum> spectrum = indexSpectrum(catalog, material);
+    if (!spectrum) {
+        return tl::unexpected(spectrum.error());
+    }
+    LobeLines all;
+    all.lines.push_back(spectrumLine(*spectrum, "index n", spectrum->index));
+    if (!spectrum->extinction.empty()) {
+        all.lines.push_back(spectrumLine(*spectrum, "extinction k", spectrum->extinction));
+        all.lines.back().stroke = LobeStroke::Extinction;
+    }
+    all.lines.push_back(spectrumLine(*spectrum, "R facing the surface", spectrum->reflectance));
+    all.lines.back().isShare = true;
+    constexpr const char* channels[] = {"red", "green", "blue"};
+    for (int i = 0; i < 3; ++i) {
+        all.marks.push_back({channels[i], spectrum->channels[i]});
+    }
+    if (spectrum->isOfChannels) {
+        all.note = "known at the wavelengths of the channels alone";
+    }
+    return all;
+}
+
 } // namespace
+
+std::string_view abscissaOf(LobePlot plot) {
+    return plot == LobePlot::Spectrum ? "nanometres" : "degrees";
+}
 
 std::string_view wordOf(LobePlot plot) {
     switch (plot) {
+    case LobePlot::Spectrum:
+        return "spectrum";
     case LobePlot::Albedo:
         return "albedo";
     case LobePlot::Fresnel:
@@ -319,22 +361,27 @@ std::optional<LobePlot> lobePlotOf(std::string_view word) {
 Result<LobeLines> lobeLines(const Catalog& catalog, const Material& material,
                             const LobeRequest& request, const std::function<bool()>& isWanted,
                             EvalGpu* device) {
-    return request.plot == LobePlot::Fresnel
-               ? fresnelLines(catalog, material)
-               : modelLines(catalog, material, request, isWanted, device);
+    switch (request.plot) {
+    case LobePlot::Fresnel:
+        return fresnelLines(catalog, material);
+    case LobePlot::Spectrum:
+        return spectrumLines(catalog, material);
+    default:
+        return modelLines(catalog, material, request, isWanted, device);
+    }
 }
 
-glm::dvec3 valueAt(const LobeLine& line, double degrees) {
-    const auto after = std::ranges::lower_bound(line.degrees, degrees);
-    if (after == line.degrees.begin() || line.degrees.size() == 1) {
+glm::dvec3 valueAt(const LobeLine& line, double at) {
+    const auto after = std::ranges::lower_bound(line.at, at);
+    if (after == line.at.begin() || line.at.size() == 1) {
         return line.values.front();
     }
-    if (after == line.degrees.end()) {
+    if (after == line.at.end()) {
         return line.values.back();
     }
-    const auto right = static_cast<std::size_t>(after - line.degrees.begin());
-    const double from = line.degrees[right - 1];
-    const double share = (degrees - from) / (line.degrees[right] - from);
+    const auto right = static_cast<std::size_t>(after - line.at.begin());
+    const double from = line.at[right - 1];
+    const double share = (at - from) / (line.at[right] - from);
     return glm::mix(line.values[right - 1], line.values[right], share);
 }
 
@@ -349,7 +396,7 @@ bool isGrey(const LobeLine& line) {
 EnergyRange energyRange(const LobeLine& albedo) {
     std::vector<AlbedoPoint> curve;
     for (std::size_t i = 0; i < albedo.values.size(); ++i) {
-        curve.push_back({albedo.degrees[i] * std::numbers::pi / 180.0, albedo.values[i], 0.0});
+        curve.push_back({albedo.at[i] * std::numbers::pi / 180.0, albedo.values[i], 0.0});
     }
     return energyRange(curve);
 }

@@ -13,41 +13,45 @@ namespace patina {
 
 class EvalGpu;
 
-/// Names the plots of a material that are lines over an angle.
+/// Names the plots of a material that are lines over an angle, or over the wavelength.
 enum class LobePlot {
     Polar,
     Albedo,
     Fresnel,
-    Float32 ///< how far single precision on the device is from double, in the plane of incidence
+    Spectrum, ///< the index of refraction and what is mirrored facing the surface, by wavelength
+    Float32   ///< how far single precision on the device is from double, in the plane of incidence
 };
 
-/// Returns the word of a plot: "polar", "albedo", "fresnel", "float32"; and the plot of a word.
+/// Returns the word of a plot: "polar", "albedo", "fresnel", "spectrum", "float32"; and the plot of
+/// a word.
 std::string_view wordOf(LobePlot plot);
 std::optional<LobePlot> lobePlotOf(std::string_view word);
 
 /// Tells which side of an interface a line is of, and what kind of light.
 enum class LobeStroke {
-    Main,   ///< is what the plot is about
-    Exact,  ///< is the same with every accuracy choice at its exact level
-    Across, ///< is of light polarised across the plane of incidence (s)
-    Along   ///< is of light polarised in the plane of incidence (p)
+    Main,      ///< is what the plot is about
+    Exact,     ///< is the same with every accuracy choice at its exact level
+    Across,    ///< is of light polarised across the plane of incidence (s)
+    Along,     ///< is of light polarised in the plane of incidence (p)
+    Extinction ///< is the extinction beside an index
 };
 
-/// Is a line of a plot, a value per channel over an angle.
+/// Is a line of a plot, a value per channel over an angle or a wavelength.
 struct LobeLine {
     std::string name; ///< "reflectance", "from outside R_s", ...
     LobeStroke stroke = LobeStroke::Main;
     bool isFromInside = false;
-    std::vector<double> degrees;    ///< from the normal, rising
+    std::vector<double> at;         ///< degrees from the normal, or nanometres; rising
     std::vector<glm::dvec3> values; ///< as many; 1/sr in a polar plot, units in the last place of
                                     ///< a float in that of single precision, else shares of light
     bool isShare = false;           ///< says that values are shares where the plot's others are not
+    bool isSampled = false; ///< says that it is known at its points alone, and straight between
 };
 
-/// Is an angle of a plot with a name, such as Brewster's.
+/// Is a place of a plot with a name, such as Brewster's angle or the wavelength of red.
 struct LobeMark {
     std::string name; ///< "Brewster", "critical from inside (red)"
-    double degrees = 0.0;
+    double at = 0.0;  ///< degrees or nanometres
 };
 
 /// Holds the lines of one material.
@@ -72,6 +76,9 @@ struct LobeRequest {
         false; ///< is drawn while a slider moves: fewer angles, albedos to 0.02 up to 85 degrees
 };
 
+/// Returns what lines are over: "degrees" or "nanometres".
+std::string_view abscissaOf(LobePlot plot);
+
 /// Returns the lines of a material. It is an error where the plot means nothing for it, and why.
 /// Where `isWanted` becomes false, lines end early. A model without code in double precision is
 /// evaluated on the device, and the note says so; without a device it is an error.
@@ -79,9 +86,9 @@ Result<LobeLines> lobeLines(
     const Catalog& catalog, const Material& material, const LobeRequest& request,
     const std::function<bool()>& isWanted = [] { return true; }, EvalGpu* device = nullptr);
 
-/// Returns a line's value at an angle, between its points; the first or last one beyond its ends.
+/// Returns a line's value at a place, between its points; the first or last one beyond its ends.
 /// The line must have a point.
-glm::dvec3 valueAt(const LobeLine& line, double degrees);
+glm::dvec3 valueAt(const LobeLine& line, double at);
 
 /// Tells whether the three channels are the same.
 bool isGrey(const LobeLine& line);

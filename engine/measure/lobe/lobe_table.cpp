@@ -45,13 +45,13 @@ bool isOfInterface(const LobeLine& line) {
 
 } // namespace
 
-std::string linesCsv(const std::vector<LobeSubject>& subjects) {
-    std::string csv = "material,line,degrees,red,green,blue\n";
+std::string linesCsv(const std::vector<LobeSubject>& subjects, LobePlot plot) {
+    std::string csv = fmt::format("material,line,{},red,green,blue\n", abscissaOf(plot));
     for (const LobeSubject& subject : subjects) {
         for (const LobeLine& line : subject.lines.lines) {
             const std::string start = csvCell(subject.name) + ',' + csvCell(line.name);
             for (std::size_t i = 0; i < line.values.size(); ++i) {
-                addRow(csv, start, line.degrees[i], line.values[i]);
+                addRow(csv, start, line.at[i], line.values[i]);
             }
             if (!isOfInterface(line)) {
                 continue;
@@ -59,7 +59,7 @@ std::string linesCsv(const std::vector<LobeSubject>& subjects) {
             std::string passed = line.name;
             passed[passed.find('R')] = 'T';
             for (std::size_t i = 0; i < line.values.size(); ++i) {
-                addRow(csv, csvCell(subject.name) + ',' + passed, line.degrees[i],
+                addRow(csv, csvCell(subject.name) + ',' + passed, line.at[i],
                        glm::dvec3(1.0) - line.values[i]);
             }
         }

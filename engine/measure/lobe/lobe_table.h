@@ -10,9 +10,10 @@
 
 namespace patina {
 
-/// Returns lines as comma-separated values, a row per angle: the material, the line, degrees and
-/// the three channels. What is reflected at an interface is followed by what is transmitted.
-std::string linesCsv(const std::vector<LobeSubject>& subjects);
+/// Returns lines as comma-separated values, a row per place: the material, the line, degrees or
+/// nanometres and the three channels. What is reflected at an interface is followed by what is
+/// transmitted.
+std::string linesCsv(const std::vector<LobeSubject>& subjects, LobePlot plot);
 
 /// Returns a slice as comma-separated values, a row per cell: degrees of the half vector and of the
 /// difference, and the three channels in 1/sr.

@@ -25,9 +25,26 @@ bool isOfDirections(const BlockFunction& function) {
     return function.argument == directions;
 }
 
-std::span<const BlockFunction> functionsOf(const Block& block) {
+/// Returns the functions of a block that are called with numbers or Directions: those of its kind,
+/// and a Fresnel block's indices where its own text has them.
+std::vector<BlockFunction> functionsOf(const Block& block, const Declarations& own) {
     const BlockKind* kind = findKind(block.kind);
-    return kind == nullptr ? std::span<const BlockFunction>() : kind->functions;
+    std::vector<BlockFunction> all;
+    if (kind != nullptr) {
+        all.assign(kind->functions.begin(), kind->functions.end());
+    }
+    const std::string name = functionName(block) + std::string(reference::indicesSuffix);
+    const bool tellsIndices =
+        block.kind == kinds::fresnel &&
+        std::ranges::any_of(own.functions, [&](const FunctionDeclaration& function) {
+            return function.name == name && function.result == "vec3" &&
+                   function.arguments.size() == 1 &&
+                   function.arguments[0].type == structName(block);
+        });
+    if (tellsIndices) {
+        all.push_back(BlockFunction{reference::indicesSuffix, "vec3"});
+    }
+    return all;
 }
 
 const std::vector<EnumValue>* choicesOf(const ParameterField& field) {
@@ -204,22 +221,24 @@ std::vector<std::string_view> factorsOf(const Block& block, const Declarations& 
 
 /// Returns the functions to which the block's table points.
 std::string entryFunctions(const Block& block, const Declarations& declarations,
+                           const std::vector<BlockFunction>& functions,
                            const std::vector<std::string_view>& factors) {
     std::string code;
     for (const std::string_view suffix : factors) {
         code += directionsCall(block, suffix);
     }
-    for (const BlockFunction& function : functionsOf(block)) {
+    for (const BlockFunction& function : functions) {
         code += isOfDirections(function) ? directionsCall(block, function.suffix)
                                          : numbersCall(block, function, declarations);
     }
     return code;
 }
 
-std::string entryAssignments(const Block& block, const Declarations& declarations) {
+std::string entryAssignments(const std::vector<BlockFunction>& functions,
+                             const Declarations& declarations) {
     std::string rows;
     std::string model;
-    for (const BlockFunction& function : functionsOf(block)) {
+    for (const BlockFunction& function : functions) {
         if (isOfDirections(function)) {
             model = fmt::format("    block.model = &{};\n", callName(function.suffix));
             continue;
@@ -247,7 +266,8 @@ std::string factorAssignments(const std::vector<std::string_view>& factors) {
 }
 
 std::string entry(const Block& block, const ParameterLayout& layout,
-                  const Declarations& declarations, const std::vector<std::string_view>& factors) {
+                  const Declarations& declarations, const std::vector<BlockFunction>& functions,
+                  const std::vector<std::string_view>& factors) {
     std::string fields;
     for (const ParameterField& field : layout.fields) {
         fields += fmt::format("        Field{{\"{}\", {}, {}}},\n", field.name, field.offset,
@@ -264,7 +284,7 @@ std::string entry(const Block& block, const ParameterLayout& layout,
                        "    return block;\n}}\n",
                        block.kind, block.id, layout.floats, block.hasGate("light"),
                        block.hasGate("view"), table,
-                       entryAssignments(block, declarations) + factorAssignments(factors));
+                       entryAssignments(functions, declarations) + factorAssignments(factors));
 }
 
 } // namespace
@@ -290,16 +310,18 @@ std::string blockSource(const Block& block, const GlslLines& lines) {
     }
     const Declarations declarations = declarationsOf(plainText(library));
     const std::string ownText = plainText(code);
-    const auto factors = factorsOf(block, declarationsOf(ownText));
+    const Declarations ownDeclarations = declarationsOf(ownText);
+    const auto functions = functionsOf(block, ownDeclarations);
+    const auto factors = factorsOf(block, ownDeclarations);
     return fmt::format("#include \"reference/elementary.h\"\n#include \"reference/glsl.h\"\n\n"
                        "namespace patina::reference::{0} {{\n\n{1}\n#line 1 \"generated\"\n"
                        "{2}{3}\n{7}{4}\n#line 1 \"generated\"\n{8}{5}\n{6}\n"
                        "}} // namespace patina::reference::{0}\n",
                        unitScope(block), asCpp(library), slotCode(block, declarations),
                        structCode(block, layout), asCpp(code),
-                       entryFunctions(block, declarations, factors),
-                       entry(block, layout, declarations, factors), tableDeclarations(block),
-                       asCpp(computedTables(block)));
+                       entryFunctions(block, declarations, functions, factors),
+                       entry(block, layout, declarations, functions, factors),
+                       tableDeclarations(block), asCpp(computedTables(block)));
 }
 
 std::string emptyUnit(const Block& block) {
