@@ -9,6 +9,7 @@
 
 #include "catalog/xdg_folders.h"
 #include "cli/command.h"
+#include "render/surfaces/inspection_drawer.h"
 
 namespace patina {
 namespace {
@@ -51,18 +52,33 @@ void PictureMaker::setEnvironment(std::shared_ptr<const EnvironmentImage> image,
     samples_ = samples;
 }
 
-Checked<Image> PictureMaker::draw(const Scene& scene, const MeshSource& meshes, glm::ivec2 size,
-                                  bool display) {
+View PictureMaker::viewOf(const Scene& scene, glm::ivec2 size) const {
     View view;
     view.size = size;
     view.camera = scene.camera;
     view.environmentImage = environment_;
     view.environmentSamples = samples_;
-    auto image = renderer_->capture(scene, view, meshes, display);
+    return view;
+}
+
+Checked<Image> PictureMaker::draw(const Scene& scene, const MeshSource& meshes, glm::ivec2 size,
+                                  bool display) {
+    auto image = renderer_->capture(scene, viewOf(scene, size), meshes, display);
+    return checked(std::move(image), renderer_->report());
+}
+
+Checked<Image> PictureMaker::drawInspected(const Scene& scene, const MeshSource& meshes,
+                                           glm::ivec2 size, bool display, const Inspected& shown) {
+    InspectionDrawer& drawer = renderer_->inspection();
+    auto image = drawer.capture(scene, viewOf(scene, size), meshes, display, shown);
+    return checked(std::move(image), drawer.report());
+}
+
+/// Returns the image where it is what was asked for.
+Checked<Image> PictureMaker::checked(Result<Image> image, const FrameReport& frame) {
     if (!image) {
         return tl::unexpected(Errors{image.error()});
     }
-    const FrameReport& frame = renderer_->report();
     if (frame.messages.size() > frame.warnings) {
         return tl::unexpected(frame.messages);
     }

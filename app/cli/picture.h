@@ -11,6 +11,7 @@
 #include "gl/headless_context.h"
 #include "render/gpu/texture_loader.h"
 #include "render/renderer.h"
+#include "render/surfaces/inspected_view.h"
 
 namespace patina {
 
@@ -33,9 +34,16 @@ class PictureMaker {
     Checked<Image> draw(const Scene& scene, const MeshSource& meshes, glm::ivec2 size,
                         bool display);
 
+    /// Draws something in place of the picture: with `display` as a view shows it, else as it is,
+    /// which of the numerical check is the luminance and the defect's number.
+    Checked<Image> drawInspected(const Scene& scene, const MeshSource& meshes, glm::ivec2 size,
+                                 bool display, const Inspected& shown);
+
   private:
     PictureMaker() = default;
 
+    View viewOf(const Scene& scene, glm::ivec2 size) const;
+    Checked<Image> checked(Result<Image> image, const FrameReport& frame);
     Checked<void> lookAtTextures();
     void reportOnce(const Errors& warnings);
 

@@ -21,6 +21,7 @@
 #include "cli/picture_options.h"
 #include "cli/scene_meshes.h"
 #include "cli/scene_setup.h"
+#include "cli/shown_view.h"
 #include "cli/texture_text.h"
 #include "core/auto_exposure.h"
 #include "core/display_image.h"
@@ -34,6 +35,7 @@ struct RenderOptions {
     PictureOptions picture;
     PictureFile output; ///< is a folder where there may be several pictures
     JobOptions job;
+    std::string shown; ///< is what is drawn in place of the picture; empty: the picture
     bool autoExposure = false;
     int turntable = 0; ///< counts the pictures of a whole turn; 0 for a single one, unturned
     TurntableOf turns = TurntableOf::Object;
@@ -118,11 +120,23 @@ class RequestDrawer {
             }
             exposed.exposure = autoExposure(*linear).value_or(scene.exposure);
         }
-        auto image = maker_->draw(exposed, source, options_.picture.size, display);
+        auto image = drawShown(exposed, source, display);
         return image && display ? linearFromDisplay(std::move(*image)) : std::move(image);
     }
 
   private:
+    /// Draws the picture, or what is asked for in place of it.
+    Checked<Image> drawShown(const Scene& scene, const MeshSource& meshes, bool display) {
+        if (options_.shown.empty()) {
+            return maker_->draw(scene, meshes, options_.picture.size, display);
+        }
+        const auto shown = shownView(options_.shown, scene);
+        if (!shown) {
+            return tl::unexpected(oneError(shown.error()));
+        }
+        return maker_->drawInspected(scene, meshes, options_.picture.size, display, *shown);
+    }
+
     /// Starts the graphics driver, once.
     Result<void> start() {
         if (!maker_) {
@@ -344,6 +358,8 @@ void addRender(CLI::App& program, int& status) {
     command->add_flag("--auto-exposure", options->autoExposure,
                       "Set the exposure so that the mean brightness of the picture (of the "
                       "logarithms) is middle grey");
+    command->add_option("--show", options->shown,
+                        "Something in place of the picture: " + shownViewWords());
     command
         ->add_option("-o,--output", options->output.name,
                      "The image: .png, .jpg, .exr or .hdr (linear); - writes a PNG to standard "

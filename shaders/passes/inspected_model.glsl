@@ -37,6 +37,10 @@ void noteLight(Surface s, Illumination light) {
     vec3 arrived = light.radiance * modelled;
     lookAt(arrived);
     noteTerm(lightTerm, arrived, dot(s.n, light.l));
-    litTerm = vec4(litTerm.rgb + light.radiance * modelledTerm, HAS_TERMS ? 1.0 : 0.0);
+    if (shown == SHOWN_LIGHT) {
+        litTerm = lightTerm == TERM_LIGHT + shownLight ? vec4(arrived, 1.0) : litTerm;
+    } else {
+        litTerm = vec4(litTerm.rgb + light.radiance * modelledTerm, HAS_TERMS ? 1.0 : 0.0);
+    }
     ++lightTerm;
 }

@@ -3,7 +3,7 @@
 
 uniform sampler2D linearImage;
 uniform float exposureFactor;
-uniform int shown; // as in inspection.glsl: 1 energy, 2 normals, 3 tangents, 4 and 5 light
+uniform int shown; // as in inspection.glsl: 1 energy, 2 normals, 3 tangents, 6 places, 7 Fresnel
 
 layout(location = 0) out vec4 displayed;
 
@@ -28,6 +28,12 @@ vec3 energyShown(vec3 albedo) {
 vec3 valueShown(vec3 value) {
     if (shown == 1) {
         return energyShown(value);
+    }
+    if (shown == 6) {
+        return vec3(value.r, value.g, 0.0) * (0.75 + 0.25 * value.b);
+    }
+    if (shown == 7) { // a share, whatever the exposure
+        return srgbEncoded(value);
     }
     return shown <= 3 ? vec3(0.5) + 0.5 * value : srgbEncoded(value * exposureFactor);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 // The numerical check: every number of a pixel is looked at as it was computed, before anything
 // cuts or clamps it. Only programs of that view contain this file.
+#include "passes/texture_place.glsl"
 
 // What a pixel shows when nothing is wrong is 0; of several defects the last one is shown.
 const float ABOVE_ONE = 1.0;
@@ -30,8 +31,12 @@ const int SHOWN_NORMALS = 2;
 const int SHOWN_TANGENTS = 3;
 const int SHOWN_DIFFUSE = 4;
 const int SHOWN_HIGHLIGHT = 5;
+const int SHOWN_COORDINATES = 6;
+const int SHOWN_FRESNEL = 7;
+const int SHOWN_LIGHT = 8;
 
 uniform int shown;
+uniform int shownLight; // its place in the order of the program; -1 where it is not there
 uniform int firstTerm;
 uniform float objectNumber; // what the pixel shows, from 1 on
 
@@ -44,6 +49,10 @@ vec3 modelled = vec3(0.0); // what the model returned last
 float share = 1.0;         // what was blended with last
 vec3 modelledTerm = vec3(0.0); // the shown term of what the model returned last
 vec4 litTerm = vec4(0.0);      // its sum over the lights; w: 1 where there is one
+vec4 fresnelTerm = vec4(0.0);  // at the viewer's angle; w: 1 where there is one
+
+// How many squares of the checker lie between 0 and 1 of a texture coordinate.
+const float CHECKS = 8.0;
 
 // From the bits: compilers may take a comparison with a number for always true.
 float defectOf(float x) {
@@ -87,6 +96,19 @@ float shownGrey(vec3 color) {
     return storable(dot(color, vec3(0.2126, 0.7152, 0.0722)));
 }
 
+// A value that is stored, and a half where it is not known.
+vec4 shownTerm(vec4 term) {
+    return vec4(storable(term.r), storable(term.g), storable(term.b), 0.5 + 0.5 * term.w);
+}
+
+// Red and green: a place in an image; blue: 1 on every other square of the checker. A mesh without
+// coordinates has the same ones everywhere.
+vec4 shownCoordinates(vec2 place) {
+    vec2 square = floor(fract(place) * CHECKS);
+    float isKnown = fwidth(place.x) + fwidth(place.y) > 0.0 ? 1.0 : 0.0;
+    return shownTerm(vec4(fract(place.x), fract(place.y), mod(square.x + square.y, 2.0), isKnown));
+}
+
 // The shown thing; alpha is a half where it is not known of this surface.
 vec4 shownOf(Surface s, vec4 albedo) {
     if (shown == SHOWN_ENERGY) {
@@ -98,8 +120,13 @@ vec4 shownOf(Surface s, vec4 albedo) {
     if (shown == SHOWN_TANGENTS) {
         return vec4(s.t, 1.0);
     }
-    return vec4(storable(litTerm.r), storable(litTerm.g), storable(litTerm.b),
-        0.5 + 0.5 * litTerm.w);
+    if (shown == SHOWN_COORDINATES) {
+        return shownCoordinates(surfaceUv);
+    }
+    if (shown == SHOWN_LIGHT) { // black where none of it arrives
+        return shownTerm(vec4(litTerm.rgb, 1.0));
+    }
+    return shownTerm(shown == SHOWN_FRESNEL ? fresnelTerm : litTerm);
 }
 
 // Red: the picture's luminance; green: the defect; blue: the object. Nothing of it is blended or

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <set>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -193,6 +195,19 @@ TEST(RenderCommand, ExrExtension_WritesAnExr) {
     EXPECT_TRUE(readFile(folder / "a.exr").starts_with(exrSignature));
 }
 
+/// Views in place of the picture differ from it and from each other.
+TEST(RenderCommand, Show_DrawsSomethingElse) {
+    std::set<std::string> pictures;
+    for (const char* shown : {"fresnel", "coordinates", "light=key"}) {
+        const Outcome outcome =
+            patina({"render", gold, "--size", "24x24", "--show", shown, "-o", "-"});
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+        pictures.insert(outcome.out);
+    }
+    pictures.insert(patina({"render", gold, "--size", "24x24", "-o", "-"}).out);
+    EXPECT_EQ(pictures.size(), 4U);
+}
+
 TEST(RenderCommand, Set_ChangesThePicture) {
     const std::vector<std::string> plain = {"render", gold, "--size", "32x32", "-o", "-"};
     std::vector<std::string> rough = plain;
@@ -256,6 +271,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Failure{{gold, "--size", "0x10", "-o", "-"}, "size"},
                     Failure{{gold, "--size", "banana", "-o", "-"}, "size"},
                     Failure{{"--model", "phong", "--specular", "gaussian", "-o", "-"}, "no place"},
+                    Failure{{gold, "--show", "smell", "-o", "-"}, "numbers, energy, normals"},
+                    Failure{{gold, "--show", "light=moon", "-o", "-"}, "no light \"moon\""},
                     Failure{{gold, "--mesh", "builtin:teapot", "-o", "-"}, "teapot"},
                     Failure{{gold, "--mesh", "missing.obj", "-o", "-"}, "missing.obj"},
                     Failure{{gold, "--scene", "missing.patina-scene.json", "-o", "-"},

@@ -46,7 +46,7 @@ class InspectionTest : public GpuTest {
         return image ? *image : Image();
     }
 
-    glm::vec3 shownInTheMiddle(const Scene& scene, InspectedView shown, bool display = false) {
+    glm::vec3 shownInTheMiddle(const Scene& scene, const Inspected& shown, bool display = false) {
         auto image = renderer->inspection().capture(scene, viewOf(scene, size), meshSource(),
                                                     display, shown);
         EXPECT_TRUE(image) << (image ? "" : image.error().text());
@@ -186,6 +186,70 @@ TEST_F(InspectionTest, TermsOfAModelThatMixesThem_AreShownAsUnknown) {
     const glm::vec3 a = shownInTheMiddle(simpleScene("strauss"), InspectedView::Highlight, true);
     EXPECT_EQ(a.r, a.g);
     EXPECT_NEAR(a.r, 0.385f, 0.05f); // of either stripe
+}
+
+/// The sphere's texture coordinates, also where no image lies on it.
+TEST_F(InspectionTest, CoordinatesView_HasThePlaceInAnImage) {
+    makeRenderer();
+    const Scene scene = simpleScene();
+    const glm::vec3 middlePlace = shownInTheMiddle(scene, InspectedView::Coordinates);
+    EXPECT_NEAR(middlePlace.g, 0.5f, 0.02f); // on the equator
+    const auto image = renderer->inspection().capture(scene, viewOf(scene, size), meshSource(),
+                                                      false, InspectedView::Coordinates);
+    ASSERT_TRUE(image);
+    int checks = 0;
+    for (int y = 0; y < size; ++y) {
+        checks += pixel(*image, size / 2, y).b != pixel(*image, size / 2, std::max(y - 1, 0)).b;
+        EXPECT_LE(pixel(*image, size / 2, y).g, 1.0f);
+    }
+    EXPECT_GE(checks, 6); // squares from pole to pole
+}
+
+TEST_F(InspectionTest, CoordinatesViewOfMaterialsWithImages_IsTheSame) {
+    makeRenderer();
+    Scene scene = simpleScene();
+    const glm::vec3 without = shownInTheMiddle(scene, InspectedView::Coordinates);
+    scene.objects[0].material.textures["diffuse.color"] = {};
+    EXPECT_EQ(shownInTheMiddle(scene, InspectedView::Coordinates), without);
+}
+
+/// Facing the viewer a dielectric of index 1.5 reflects 0.04, whatever the lights and the exposure.
+TEST_F(InspectionTest, FresnelView_IsTheReflectanceAtTheViewersAngle) {
+    makeRenderer();
+    Scene scene = simpleScene("cook-torrance");
+    scene.objects[0].material.parts["fresnel"] = block("fresnel", "dielectric");
+    scene.lights.clear();
+    scene.exposure = 3.0;
+    EXPECT_NEAR(shownInTheMiddle(scene, InspectedView::Fresnel).g, 0.04f, 1e-3f);
+    const glm::vec3 blended = [&] {
+        scene.objects[0].material.model.id = "lambert";
+        return shownInTheMiddle(scene, InspectedView::Fresnel);
+    }();
+    EXPECT_NEAR(blended.g, 0.04f, 1e-3f);
+    const glm::vec3 display = shownInTheMiddle(scene, InspectedView::Fresnel, true);
+    EXPECT_NEAR(display.g, 0.22f, 0.01f); // sRGB of 0.04
+}
+
+TEST_F(InspectionTest, FresnelViewWithoutSuchATerm_IsUnknown) {
+    makeRenderer();
+    const glm::vec3 shown = shownInTheMiddle(simpleScene("lambert"), InspectedView::Fresnel, true);
+    EXPECT_NEAR(shown.r, 0.385f, 0.05f); // of either stripe
+    EXPECT_EQ(shown.r, shown.g);
+}
+
+TEST_F(InspectionTest, ViewsOfEachLightAlone_AreItsShareOfThePicture) {
+    makeRenderer();
+    Scene scene = simpleScene("ashikhmin-shirley");
+    scene.lights.push_back(sun({0.4, 0.2, -1.0}));
+    scene.lights.push_back(sun({-0.9, 0.1, -1.0}));
+    scene.lights.back().enabled = false;
+    const auto found = probe(scene, center);
+    ASSERT_TRUE(found && found->lights.size() == 2);
+    for (const LightShare& share : found->lights) {
+        const glm::vec3 alone = shownInTheMiddle(scene, {InspectedView::Light, share.light});
+        EXPECT_NEAR(alone.r, share.value.r, 2e-3f * share.value.r); // half floats
+    }
+    EXPECT_EQ(shownInTheMiddle(scene, {InspectedView::Light, 2}), glm::vec3(0.0f)); // is off
 }
 
 TEST_F(InspectionTest, ProbeBesideTheObject_FindsNothing) {

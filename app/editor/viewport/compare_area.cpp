@@ -61,7 +61,7 @@ void CompareArea::setMouseHabits(const MouseHabits& habits) {
     }
 }
 
-void CompareArea::setInspected(std::optional<InspectedView> shown) {
+void CompareArea::setInspected(std::optional<Inspected> shown) {
     inspected_ = shown;
     for (SideView* view : views()) {
         view->setInspected(shown);

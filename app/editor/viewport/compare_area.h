@@ -49,8 +49,9 @@ class CompareArea : public QWidget {
     /// Sets how the mouse moves the cameras.
     void setMouseHabits(const MouseHabits& habits);
 
-    /// Lets all views show the numerical check instead of the picture.
-    void setInspected(std::optional<InspectedView> shown);
+    /// Lets all views show something instead of the picture; nothing: the picture.
+    void setInspected(std::optional<Inspected> shown);
+    const std::optional<Inspected>& inspected() const { return inspected_; }
 
     /// Says which handles all views show.
     HandleModes& handleModes() { return modes_; }
@@ -99,7 +100,7 @@ class CompareArea : public QWidget {
     QSplitter* lower_;
     std::size_t sideCount_ = 1; ///< that are compared
     bool wantsDifference_ = false;
-    std::optional<InspectedView> inspected_;
+    std::optional<Inspected> inspected_; ///< nothing: the picture is shown
     std::array<SideView*, sides.size()> views_{};
     DifferenceView* difference_ = nullptr;
     ComposedView* composed_ = nullptr;

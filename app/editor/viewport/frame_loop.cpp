@@ -164,7 +164,7 @@ void FrameLoop::giveUp() {
     }
 }
 
-void FrameLoop::setInspected(std::optional<InspectedView> shown) {
+void FrameLoop::setInspected(std::optional<Inspected> shown) {
     if (shown != inspected_) {
         giveUp();
         inspected_ = shown;

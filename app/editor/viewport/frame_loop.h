@@ -68,7 +68,7 @@ class FrameLoop : public QObject {
     void giveUp();
 
     /// Shows the numerical check or another thing in place of the picture; nothing: the picture.
-    void setInspected(std::optional<InspectedView> shown);
+    void setInspected(std::optional<Inspected> shown);
     bool isInspecting() const { return inspected_.has_value(); }
 
     /// Returns the numbers of a pixel; nothing where there is no surface.
@@ -183,9 +183,9 @@ class FrameLoop : public QObject {
     QTimer turn_;                        ///< begins its next turn
     OrderedPrograms programs_;           ///< are those of the next frame
     DrawingNote note_;
-    bool stale_ = true;                      ///< the picture is not of what would be drawn now
-    bool isNew_ = true;                      ///< no frame of this scene has been begun yet
-    std::optional<InspectedView> inspected_; ///< nothing: the picture is shown
+    bool stale_ = true;                  ///< the picture is not of what would be drawn now
+    bool isNew_ = true;                  ///< no frame of this scene has been begun yet
+    std::optional<Inspected> inspected_; ///< nothing: the picture is shown
     SampleRefinement refinement_;
     bool moreSamples_ = false; ///< a frame that adds samples is asked for
     bool restyles_ = false;    ///< the last frame with other passes is asked for

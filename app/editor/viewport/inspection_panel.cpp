@@ -61,8 +61,8 @@ QString number(float x) {
     return QString::number(static_cast<double>(x), 'g', 6);
 }
 
-QString titleOf(InspectedView shown) {
-    switch (shown) {
+QString titleOf(const Inspected& shown, const Scene& scene) {
+    switch (shown.view) {
     case InspectedView::Energy:
         return InspectionPanel::tr("Energy: the share of a white sky, red above 1");
     case InspectedView::Normals:
@@ -73,6 +73,13 @@ QString titleOf(InspectedView shown) {
         return InspectionPanel::tr("Diffuse light of the lamps; stripes: not told apart");
     case InspectedView::Highlight:
         return InspectionPanel::tr("Highlights of the lamps; stripes: not told apart");
+    case InspectedView::Coordinates:
+        return InspectionPanel::tr(
+            "Texture coordinates: u, v as red, green, 8 × 8 squares; stripes: none");
+    case InspectedView::Fresnel:
+        return InspectionPanel::tr("Fresnel term at the viewer's angle; stripes: there is none");
+    case InspectedView::Light:
+        return InspectionPanel::tr("Light of %1 alone").arg(shownLightName(scene, shown.light));
     default:
         return {};
     }
@@ -85,12 +92,6 @@ QString row(const QString& name, const glm::vec3& value, const QString& detail =
     return QStringLiteral("<tr><td>%1</td>%2%3%4<td>&nbsp;&nbsp;&nbsp;%5</td></tr>")
         .arg(name.toHtmlEscaped(), cell(number(value.x)), cell(number(value.y)),
              cell(number(value.z)), detail.toHtmlEscaped());
-}
-
-QString shownLightName(const Scene& scene, std::size_t index) {
-    const QString name =
-        index < scene.lights.size() ? QString::fromStdString(scene.lights[index].name) : QString();
-    return name.isEmpty() ? InspectionPanel::tr("Light %1").arg(index + 1) : name;
 }
 
 QString lightRows(const PixelProbe& probe, const Scene& scene) {
@@ -109,6 +110,12 @@ QString lightRows(const PixelProbe& probe, const Scene& scene) {
 }
 
 } // namespace
+
+QString shownLightName(const Scene& scene, std::size_t index) {
+    const QString name =
+        index < scene.lights.size() ? QString::fromStdString(scene.lights[index].name) : QString();
+    return name.isEmpty() ? InspectionPanel::tr("Light %1").arg(index + 1) : name;
+}
 
 QString probeText(const PixelProbe& probe, const Scene& scene) {
     const auto tr = [](const char* text) { return InspectionPanel::tr(text); };
@@ -170,13 +177,13 @@ InspectionPanel::InspectionPanel(QWidget* parent)
     layout->addSpacing(4);
     layout->addWidget(numbers_);
     showNumbers(std::nullopt, Scene());
-    explain(InspectedView::Numbers);
+    explain(Inspected(), Scene());
 }
 
-void InspectionPanel::explain(InspectedView shown) {
-    legend_->setVisible(shown == InspectedView::Numbers);
-    title_->setVisible(shown != InspectedView::Numbers);
-    title_->setText(titleOf(shown));
+void InspectionPanel::explain(const Inspected& shown, const Scene& scene) {
+    legend_->setVisible(shown.view == InspectedView::Numbers);
+    title_->setVisible(shown.view != InspectedView::Numbers);
+    title_->setText(titleOf(shown, scene));
 }
 
 QWidget* InspectionPanel::legendRow(PixelDefect defect, const QString& text,

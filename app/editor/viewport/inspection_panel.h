@@ -22,7 +22,7 @@ class InspectionPanel : public QFrame {
     explicit InspectionPanel(QWidget* parent = nullptr);
 
     /// Says what a view shows, and what the patterns of the numerical check mean.
-    void explain(InspectedView shown);
+    void explain(const Inspected& shown, const Scene& scene);
 
     /// Shows the numbers of a pixel, or a hint where `probe` is empty as no surface is under the
     /// pointer.
@@ -35,6 +35,9 @@ class InspectionPanel : public QFrame {
     QLabel* title_;
     QLabel* numbers_;
 };
+
+/// Returns what a light of the scene is called.
+QString shownLightName(const Scene& scene, std::size_t index);
 
 /// Returns the numbers of a pixel as the rows of an HTML table.
 QString probeText(const PixelProbe& probe, const Scene& scene);

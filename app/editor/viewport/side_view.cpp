@@ -184,7 +184,7 @@ void SideView::setTitleVisible(bool visible) {
     updateTitle();
 }
 
-void SideView::setInspected(std::optional<InspectedView> shown) {
+void SideView::setInspected(std::optional<Inspected> shown) {
     if (shown && !inspection_) {
         inspection_ = new InspectionPanel(viewport_);
         auto* layout = new QVBoxLayout(viewport_);
@@ -197,7 +197,7 @@ void SideView::setInspected(std::optional<InspectedView> shown) {
     }
     if (inspection_) {
         inspection_->setVisible(shown.has_value());
-        inspection_->explain(shown.value_or(InspectedView::Numbers));
+        inspection_->explain(shown.value_or(Inspected()), document_.scene(side_));
     }
     viewport_->setInspected(shown);
 }

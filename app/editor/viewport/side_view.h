@@ -58,8 +58,9 @@ class SideView : public QFrame {
     /// in that.
     QString caption() const;
 
-    /// Shows the numerical check with its legend and the pointer's numbers, or the picture.
-    void setInspected(std::optional<InspectedView> shown);
+    /// Shows something in place of the picture with its legend and the pointer's numbers, or the
+    /// picture.
+    void setInspected(std::optional<Inspected> shown);
 
     /// Toggles between the orthographic lens and the one before it.
     void toggleLens();

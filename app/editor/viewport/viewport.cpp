@@ -67,7 +67,7 @@ void Viewport::setCatalog(std::shared_ptr<const Catalog> catalog) {
     frames_.announceCatalog();
 }
 
-void Viewport::setInspected(std::optional<InspectedView> shown) {
+void Viewport::setInspected(std::optional<Inspected> shown) {
     frames_.setInspected(shown);
 }
 

@@ -44,7 +44,7 @@ class Viewport : public QOpenGLWidget, public ColorSource {
 
     /// Shows the numerical check in place of the picture, and reads the numbers of the pixel
     /// under the pointer.
-    void setInspected(std::optional<InspectedView> shown);
+    void setInspected(std::optional<Inspected> shown);
 
     Image linearPicture() override { return capture_.linearPicture(); }
 

@@ -24,7 +24,6 @@
 #include "document/document_files.h"
 #include "files/file_actions.h"
 #include "files/picture_export.h"
-#include "render/surfaces/inspected_view.h"
 #include "session/session.h"
 #include "text/short_text.h"
 #include "viewport/compare_area.h"
@@ -33,6 +32,7 @@
 #include "window/command_palette.h"
 #include "window/compare_bar.h"
 #include "window/help.h"
+#include "window/inspection_menu.h"
 #include "window/lighting_menu.h"
 #include "window/preferences_dialog.h"
 #include "window/shortcut_sheet.h"
@@ -155,63 +155,6 @@ void Menus::makeEditMenu() {
         [this] { takeLampsOut(parts_.document, parts_.views, parts_.messages); });
 }
 
-/// Adds what views may show in place of the picture: one thing at a time.
-void Menus::makeInspections(QMenu* menu, QAction* numbers) {
-    menu->setToolTipsVisible(true);
-    auto* one = new QActionGroup(this);
-    one->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
-    const auto offer = [this, one](QAction* action, InspectedView shown) {
-        action->setCheckable(true);
-        action->setData(static_cast<int>(shown));
-        one->addAction(action);
-        connect(action, &QAction::toggled, this, [this, one] {
-            const QAction* checked = one->checkedAction();
-            parts_.views.setInspected(checked == nullptr ? std::nullopt
-                                                         : std::optional(static_cast<InspectedView>(
-                                                               checked->data().toInt())));
-        });
-    };
-    offer(numbers, InspectedView::Numbers);
-    struct Row {
-        const char* name;
-        QString text;
-        QString key;
-        QString toolTip;
-        InspectedView shown;
-    };
-    const Row rows[] = {
-        {"show energy", tr("&Energy"), "Shift+E",
-         tr("What each place sends back of a white sky, red where that is more than arrives"),
-         InspectedView::Energy},
-        {"show normals",
-         tr("&Normals"),
-         {},
-         tr("The normals that are shaded with"),
-         InspectedView::Normals},
-        {"show tangents",
-         tr("&Tangents"),
-         {},
-         tr("The direction of a grain"),
-         InspectedView::Tangents},
-        {"show diffuse",
-         tr("&Diffuse Term"),
-         {},
-         tr("The lamps' light without the highlight"),
-         InspectedView::Diffuse},
-        {"show highlight",
-         tr("&Highlight"),
-         {},
-         tr("The lamps' light in the highlight alone"),
-         InspectedView::Highlight},
-    };
-    for (const Row& row : rows) {
-        QAction* action = addForViews(menu, row.text, QKeySequence(row.key), [] {});
-        action->setObjectName(row.name);
-        action->setToolTip(row.toolTip);
-        offer(action, row.shown);
-    }
-}
-
 /// Lets the keys work where a view has the focus, as they mean something else in lists and number
 /// boxes.
 void Menus::makeObjectMenu() {
@@ -283,7 +226,7 @@ void Menus::makeViewMenu() {
     inspect->setCheckable(true);
     inspect->setToolTip(tr("Mark pixels whose numbers are wrong, and read those under the "
                            "pointer (N)"));
-    makeInspections(menu->addMenu(tr("Show &in Place of the Picture")), inspect);
+    menu->addMenu(new InspectionMenu(*inspect, parts_.document, parts_.views, &parts_.window));
     lighting_ = new LightingMenu(parts_.document, parts_.thumbnails, &parts_.window);
     menu->addMenu(lighting_);
     add(menu, tr("Check &Stability"), QKeySequence("Ctrl+Shift+K"), [this] { checkStability(); });

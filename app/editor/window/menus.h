@@ -63,7 +63,6 @@ class Menus : public QObject {
     void makeGizmos(QMenu* menu);
     void makeLightMenu();
     void makeViewMenu();
-    void makeInspections(QMenu* menu, QAction* numbers);
     void makeCompareMenu(QMenu* menu);
     void makeCameraMoves(QMenu* menu);
     void makeTurntable(QMenu* menu);

@@ -23,6 +23,13 @@ namespace {
 constexpr int window = inspectionOutputs - 1;
 constexpr int firstLightTerm = 7;
 
+/// Returns the place of a light of the scene in the order of a program; -1 where it is not there.
+int placeOfLight(const Scene& scene, const Pipeline& pipeline, std::size_t light) {
+    const std::vector<std::size_t> order = lightsInOrder(scene, pipeline);
+    const auto found = std::ranges::find(order, light);
+    return found == order.end() ? -1 : static_cast<int>(found - order.begin());
+}
+
 } // namespace
 
 InspectionDrawer::InspectionDrawer(RenderResources& shared)
@@ -45,7 +52,7 @@ void InspectionDrawer::followCatalog() {
 
 const FrameReport& InspectionDrawer::draw(const Scene& scene, const View& view,
                                           const MeshSource& meshes, unsigned framebuffer,
-                                          InspectedView shown) {
+                                          const Inspected& shown) {
     if (drawLinear(scene, view, meshes, shown)) {
         show(scene, view, framebuffer, shown);
     }
@@ -54,7 +61,7 @@ const FrameReport& InspectionDrawer::draw(const Scene& scene, const View& view,
 
 Result<Image> InspectionDrawer::capture(const Scene& scene, const View& view,
                                         const MeshSource& meshes, bool display,
-                                        InspectedView shown) {
+                                        const Inspected& shown) {
     if (auto drawn = drawLinear(scene, view, meshes, shown); !drawn) {
         return tl::unexpected(drawn.error());
     }
@@ -66,7 +73,7 @@ Result<Image> InspectionDrawer::capture(const Scene& scene, const View& view,
 
 /// Draws into the linear target: of the numbers luminance in red and PixelDefect in green.
 Result<void> InspectionDrawer::drawLinear(const Scene& scene, const View& view,
-                                          const MeshSource& meshes, InspectedView shown) {
+                                          const MeshSource& meshes, const Inspected& shown) {
     Result<void> ready = prepare(scene, view, meshes);
     if (ready) {
         ready = target_.fit(view.size, 1, false).map([](bool) {});
@@ -76,7 +83,7 @@ Result<void> InspectionDrawer::drawLinear(const Scene& scene, const View& view,
         return ready;
     }
     target_.bind();
-    if (shown == InspectedView::Numbers) {
+    if (shown.view == InspectedView::Numbers) {
         glClearColor(storable(luminance(scene.background)), 0.0f, 0.0f, 1.0f);
     } else {
         glClearColor(0.0f, 0.0f, 0.0f, 0.0f); // there is no surface
@@ -144,9 +151,13 @@ void InspectionDrawer::fillAlbedo(const Material& material, const Item& item) {
 }
 
 /// Draws all items into the target that is bound. The terms from number `firstTerm` on are written.
-void InspectionDrawer::drawItems(const Scene& scene, int firstTerm, InspectedView shown) {
+void InspectionDrawer::drawItems(const Scene& scene, int firstTerm, const Inspected& shown) {
     items_.draw(scene, [&](const Item& item) {
-        glUniform1i(item.pipeline->program->uniform("shown"), static_cast<int>(shown));
+        glUniform1i(item.pipeline->program->uniform("shown"), static_cast<int>(shown.view));
+        if (shown.view == InspectedView::Light) {
+            glUniform1i(item.pipeline->program->uniform("shownLight"),
+                        placeOfLight(scene, *item.pipeline, shown.light));
+        }
         glUniform1i(item.pipeline->program->uniform("firstTerm"), firstTerm);
         glUniform1f(item.pipeline->program->uniform("objectNumber"),
                     static_cast<float>(item.index + 1));
@@ -156,15 +167,15 @@ void InspectionDrawer::drawItems(const Scene& scene, int firstTerm, InspectedVie
 
 /// Draws the linear target into a framebuffer, with patterns for defects.
 void InspectionDrawer::show(const Scene& scene, const View& view, unsigned framebuffer,
-                            InspectedView shown) {
+                            const Inspected& shown) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, view.size.x, view.size.y);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
-    const gl::Program& display = shown == InspectedView::Numbers ? *display_ : *viewDisplay_;
+    const gl::Program& display = shown.view == InspectedView::Numbers ? *display_ : *viewDisplay_;
     display.use();
-    if (shown != InspectedView::Numbers) {
-        glUniform1i(display.uniform("shown"), static_cast<int>(shown));
+    if (shown.view != InspectedView::Numbers) {
+        glUniform1i(display.uniform("shown"), static_cast<int>(shown.view));
     }
     glUniform1f(display.uniform("exposureFactor"),
                 static_cast<float>(exposureFactor(scene.exposure)));

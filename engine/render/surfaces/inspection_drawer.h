@@ -26,12 +26,12 @@ class InspectionDrawer {
     /// patterns where a number is not finite, where one is negative before it is clamped, or where
     /// the surface sends out more light than arrives. An error is in the report's messages.
     const FrameReport& draw(const Scene& scene, const View& view, const MeshSource& meshes,
-                            unsigned framebuffer, InspectedView shown = InspectedView::Numbers);
+                            unsigned framebuffer, const Inspected& shown = {});
 
     /// Returns the same frame: if `display` as draw() shows it, else as it is stored: of the
     /// numbers the linear luminance in red and PixelDefect in green, else the thing itself.
     Result<Image> capture(const Scene& scene, const View& view, const MeshSource& meshes,
-                          bool display, InspectedView shown = InspectedView::Numbers);
+                          bool display, const Inspected& shown = {});
 
     /// Returns the numbers of a pixel, which is (0, 0) at the top left; nothing where there is no
     /// object.
@@ -45,12 +45,12 @@ class InspectionDrawer {
 
     void followCatalog();
     Result<void> drawLinear(const Scene& scene, const View& view, const MeshSource& meshes,
-                            InspectedView shown);
-    void show(const Scene& scene, const View& view, unsigned framebuffer, InspectedView shown);
+                            const Inspected& shown);
+    void show(const Scene& scene, const View& view, unsigned framebuffer, const Inspected& shown);
     Result<void> makeDisplays();
     Result<void> prepare(const Scene& scene, const View& view, const MeshSource& meshes);
     void fillAlbedo(const Material& material, const Item& item);
-    void drawItems(const Scene& scene, int firstTerm, InspectedView shown = InspectedView::Numbers);
+    void drawItems(const Scene& scene, int firstTerm, const Inspected& shown = {});
     PixelProbe read(const Scene& scene, const Item& item, const ProbeTarget::Outputs& outputs);
     void readLights(const Scene& scene, const View& view, glm::ivec2 pixel, PixelProbe& probe);
 

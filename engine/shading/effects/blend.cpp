@@ -87,6 +87,10 @@ void BlendEffect::write(SurfaceText& text) const {
         fmt::format("    Blend blend = unpackBlend({});\n", text.object.part(block.kind)->first);
     text.main += text.textures.values(block.kind, "blend");
     text.main += "    shaded = fresnelBlended(s, shaded, blend);\n";
+    if (text.isInspected()) {
+        text.main += "    fresnelTerm = vec4(vec3(blendShare(incidenceBetween(s.n, s.v), blend)), "
+                     "1.0);\n";
+    }
     text.noteTerm("BLENDED", "shaded", "share");
 }
 

@@ -162,6 +162,11 @@ void writeModel(SurfaceText& text) {
     if (text.isPicture() && text.set.widensHighlights) {
         writeWideHighlights(text);
     }
+    if (text.isInspected() && model.slot(kinds::fresnel) != nullptr) {
+        text.main += "    fresnelTerm = vec4(vec3(slotFresnel(incidenceBetween(s.n, s.v), "
+                     "model.fresnel)), 1.0);\n";
+        text.out.addFile("lib/incidence.glsl");
+    }
 }
 
 void ModelEffect::writeLight(SurfaceText& text) const {

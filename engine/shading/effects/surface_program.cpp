@@ -182,9 +182,10 @@ std::string writeVertices(SurfaceText& text, int sceneVec4s) {
 } // namespace
 
 void addSurfaceVertex(SourceBuilder& vertex, const EffectSet& set, const ObjectLayout& layout,
-                      const VertexWork& work) {
+                      const VertexWork& work, SurfaceOutput output) {
     vertex.add(fmt::format("#define OBJECT_VEC4S {}\n", layout.vec4s));
-    const std::string images = TextureWriter(set, layout).writeVertex(vertex);
+    const std::string images =
+        TextureWriter(set, layout).writeVertex(vertex, output == SurfaceOutput::Inspection);
     if (layout.isPeeled()) {
         vertex.add("invariant gl_Position;\n");
     }
@@ -203,7 +204,7 @@ Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catal
             vertex.addFile("passes/screen.vert");
             return;
         }
-        addSurfaceVertex(vertex, set, object, [&](SourceBuilder& stage) {
+        const VertexWork work = [&](SourceBuilder& stage) {
             SurfaceText text(stage, set, object, scene);
             std::string statements;
             set.each([&](const auto& effect) {
@@ -213,7 +214,8 @@ Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catal
             });
             return statements + (output == SurfaceOutput::Picture ? writeVertices(text, sceneVec4s)
                                                                   : std::string());
-        });
+        };
+        addSurfaceVertex(vertex, set, object, work, output);
     };
     return program(catalog, writeVertex, [&](SourceBuilder& fragment) {
         if (!isTable(output)) {

@@ -24,6 +24,6 @@ Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catal
 /// vertex.
 using VertexWork = std::function<std::string(SourceBuilder&)>;
 void addSurfaceVertex(SourceBuilder& vertex, const EffectSet& set, const ObjectLayout& layout,
-                      const VertexWork& work = {});
+                      const VertexWork& work = {}, SurfaceOutput output = SurfaceOutput::Picture);
 
 } // namespace patina

@@ -62,8 +62,8 @@ bool TextureWriter::has(TextureRole role) const {
                                [role](const BoundTexture& each) { return each.role == role; });
 }
 
-std::string TextureWriter::writeVertex(SourceBuilder& out) const {
-    if (set_.textures.empty()) {
+std::string TextureWriter::writeVertex(SourceBuilder& out, bool always) const {
+    if (set_.textures.empty() && !always) {
         return {};
     }
     out.addFile("passes/texture.vert");

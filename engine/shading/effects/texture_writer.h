@@ -21,8 +21,9 @@ class TextureWriter {
   public:
     TextureWriter(const EffectSet& set, const ObjectLayout& layout) : set_(set), layout_(layout) {}
 
-    /// Writes texture coordinates, for the vertex stage, and the statements of its main.
-    std::string writeVertex(SourceBuilder& out) const;
+    /// Writes texture coordinates, for the vertex stage, and the statements of its main. They are
+    /// there without an image, too, if `always`.
+    std::string writeVertex(SourceBuilder& out, bool always = false) const;
 
     /// Writes samplers and functions.
     void writeDeclarations(SourceBuilder& out) const;
