@@ -45,6 +45,17 @@ TEST_F(ModelsPanel, Stopped_KeepsWhatIsMeasured) {
 
 TEST_F(ModelsPanel, Measured_HasPredictedCyclesOfTheChosenCards) {
     measureSome();
+    const Block& model = *document().catalog().find(kinds::models, page().costs().front().model);
+    for (int i = 0; i < models().topLevelItemCount(); ++i) {
+        const QTreeWidgetItem& row = *models().topLevelItem(i);
+        if (row.text(0).toStdString() == model.label) { // what the descriptor says of it
+            const std::string source = model.source.substr(0, 12);
+            EXPECT_TRUE(row.toolTip(0).contains(QString::fromStdString(source)));
+            EXPECT_EQ(row.text(11), model.hasClaim("energy_conserving") ? "yes" : "no");
+            EXPECT_EQ(row.text(12), model.hasClaim("reciprocal") ? "yes" : "no");
+            EXPECT_EQ(row.text(13).toInt(), int(model.parameters.size()));
+        }
+    }
     constexpr int cycles = 9;
     QTreeWidgetItem& first = *models().topLevelItem(0);
     EXPECT_EQ(models().headerItem()->text(cycles), "RDNA 2");
@@ -83,7 +94,7 @@ TEST_F(ModelsPanel, LightLost_IsWrittenAsTheFieldsWriteNumbers) {
     QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
     const auto textOf = [this](double loss) {
         models().setCosts({{"matte", "Matte", {}, std::nullopt, loss}}, false);
-        return models().topLevelItem(0)->text(models().columnCount() - 1);
+        return models().topLevelItem(0)->text(10);
     };
     const QString text = textOf(0.255);
     const QString nothing = textOf(-1e-7);

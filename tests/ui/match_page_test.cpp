@@ -8,6 +8,7 @@
 #include <QTreeWidget>
 
 #include "accuracy/match_page.h"
+#include "accuracy/match_plot.h"
 #include "document/snapshot_edits.h"
 #include "support/measured_files.h"
 #include "ui/accuracy_fixture.h"
@@ -25,6 +26,9 @@ class MatchPanel : public AccuracyPanel {
 
     MatchPage& page() { return *pages().findChild<MatchPage*>(); }
     QTreeWidget& list() { return *page().findChild<QTreeWidget*>(); }
+    MatchPlot& plot() {
+        return static_cast<MatchPlot&>(*page().findChild<PlotWidget*>("matchPlot"));
+    }
     QComboBox& aim() { return *page().findChild<QComboBox*>("aim"); }
 
     bool match() {
@@ -119,6 +123,14 @@ TEST_F(MatchPanel, AllModels_AppearAsTheyAreDoneAndAreTimed) {
     }
     ASSERT_TRUE(QTest::qWaitFor([this] { return !page().isMeasuring(); }, waitMs));
     EXPECT_GT(page().matches().rows.size(), 10u);
+    const auto& rows = page().matches().rows;
+    const auto timed = std::ranges::find_if(
+        rows, [](const ModelMatch& row) { return row.nanoseconds.has_value(); });
+    ASSERT_NE(timed, rows.end());
+    const QPoint dot = plot().placeOf(static_cast<std::size_t>(timed - rows.begin()));
+    EXPECT_TRUE(plot().isVisible());
+    EXPECT_TRUE(plot().readingAt(dot).contains("ns/pixel"));
+    EXPECT_EQ(plot().readingAt(QPoint(0, 0)), "");
 }
 
 TEST_F(MatchPanel, DamagedFile_IsToldAndNothingIsLost) {

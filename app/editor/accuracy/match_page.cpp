@@ -15,6 +15,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "accuracy/match_plot.h"
 #include "accuracy/number_row.h"
 #include "catalog/json_text.h"
 #include "docks/panel.h"
@@ -129,7 +130,8 @@ MatchPage::MatchPage(const DockContext& context, std::shared_ptr<MeasureTurn> tu
     : MeasurePage(context, std::move(turn), tr("Find the values that look like what is chosen"),
                   {"csv", "json"}),
       aim_(new QComboBox(this)), all_(new QCheckBox(tr("All models"), this)),
-      list_(new QTreeWidget(this)) {
+      list_(new QTreeWidget(this)),
+      plot_(new MatchPlot([this](int match) { select(match); }, this)) {
     rows().addWidget(makeControls());
     list_->setAccessibleName(tr("Fitted models"));
     list_->setHeaderLabels({tr("Model"), tr("Error"), tr("Relative"), tr("ns/pixel")});
@@ -148,7 +150,8 @@ MatchPage::MatchPage(const DockContext& context, std::shared_ptr<MeasureTurn> tu
     list_->sortByColumn(errorColumn, Qt::AscendingOrder);
     list_->setColumnWidth(modelColumn, 190);
     fitColumns(*list_, errorColumn);
-    rows().addWidget(list_, 1);
+    rows().addWidget(list_, 3);
+    rows().addWidget(plot_, 2);
     connect(list_, &QTreeWidget::itemActivated, this,
             [this](QTreeWidgetItem* row) { apply(row->data(modelColumn, matchRole).toInt()); });
     onChange(document(),
@@ -305,6 +308,20 @@ void MatchPage::showNumbers(bool stale) {
     }
     list_->setSortingEnabled(true);
     widenColumns(*list_, errorColumn);
+    plot_->setMatches(shown, within, stale);
+    plot_->setVisible(std::ranges::any_of(
+        shown.rows, [](const ModelMatch& match) { return match.nanoseconds.has_value(); }));
+}
+
+/// Makes the row of a match the current one.
+void MatchPage::select(int match) {
+    for (int i = 0; i < list_->topLevelItemCount(); ++i) {
+        QTreeWidgetItem* row = list_->topLevelItem(i);
+        if (row->data(modelColumn, matchRole).toInt() == match) {
+            list_->setCurrentItem(row);
+            list_->setFocus();
+        }
+    }
 }
 
 QByteArray MatchPage::bytesFor(const QString& ending) const {

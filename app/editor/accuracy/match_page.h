@@ -15,9 +15,11 @@ class QTreeWidget;
 
 namespace patina {
 
+class MatchPlot;
+
 /// Fits the current object's model, or every model, to another material or to a measured surface,
 /// and shows how near each comes as soon as it is fitted, then the time that it takes per pixel of
-/// the object. Enter gives the object a fitted material.
+/// the object and the front of both as a chart. Enter gives the object a fitted material.
 class MatchPage : public MeasurePage {
     Q_OBJECT
 
@@ -48,11 +50,13 @@ class MatchPage : public MeasurePage {
     void listAims();
     const Material* materialOf(const Aim& aim) const; ///< is null for a file
     void askForFile();
+    void select(int match);
     void apply(int row);
 
     QComboBox* aim_;
     QCheckBox* all_;
     QTreeWidget* list_;
+    MatchPlot* plot_;       ///< is hidden until a time is known
     std::vector<Aim> aims_; ///< are those that `aim_` lists, in its order
     std::filesystem::path file_;
 };

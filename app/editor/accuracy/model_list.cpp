@@ -2,6 +2,7 @@
 #include "accuracy/model_list.h"
 
 #include <cmath>
+#include <utility>
 
 #include <QHeaderView>
 #include <QScrollBar>
@@ -10,6 +11,7 @@
 #include "accuracy/cost_text.h"
 #include "accuracy/number_row.h"
 #include "docks/prediction_text.h"
+#include "text/as_text.h"
 
 namespace patina {
 namespace {
@@ -28,6 +30,9 @@ enum Column {
     Memory,
     Cycles,
     Loss,
+    Energy,
+    Reciprocity,
+    Values,
     Columns
 };
 constexpr int modelWidth = 170;
@@ -73,12 +78,31 @@ void fillRow(NumberRow& row, const ModelCost& each, const GpuFamily& family) {
     row.setToolTip(Cycles, predictionNote(each.predicted, family));
 }
 
+QString claimText(const Block& model, std::string_view claim) {
+    return model.hasClaim(claim) ? ModelList::tr("yes") : ModelList::tr("no");
+}
+
+/// Says what a model is by its descriptor: its formula and where it is from with its name.
+void fillModel(NumberRow& row, const Block& model) {
+    row.setToolTip(Model,
+                   QStringLiteral("<p><b>%1</b></p><p>%2</p><p>%3</p><p>%4</p>")
+                       .arg(row.text(Model).toHtmlEscaped(), asText(model.doc).toHtmlEscaped(),
+                            asText(model.source).toHtmlEscaped(),
+                            ModelList::tr("Enter or a double click gives the selected "
+                                          "object this model.")));
+    row.setText(Energy, claimText(model, "energy_conserving"));
+    row.setText(Reciprocity, claimText(model, "reciprocal"));
+    row.setNumber(Values, numberLocale().toString(qulonglong(model.parameters.size())),
+                  double(model.parameters.size()));
+}
+
 void nameColumns(QTreeWidget& list) {
     list.setHeaderLabels({ModelList::tr("Model"), ModelList::tr("Of quickest"),
                           ModelList::tr("ns/pixel"), ModelList::tr("Instructions"),
                           ModelList::tr("Sums"), ModelList::tr("Roots"), ModelList::tr("Images"),
                           ModelList::tr("Branches"), ModelList::tr("Memory"), QString(),
-                          ModelList::tr("Light lost")});
+                          ModelList::tr("Light lost"), ModelList::tr("Keeps energy"),
+                          ModelList::tr("Reciprocal"), ModelList::tr("Values")});
     QTreeWidgetItem& head = *list.headerItem();
     head.setToolTip(Ratio, ModelList::tr("Time beside that of the quickest model; <: nobody can "
                                          "tell it from none. > and –: nobody can tell the "
@@ -95,6 +119,11 @@ void nameColumns(QTreeWidget& list) {
     head.setToolTip(Loss, ModelList::tr("How much of an even white sky's light the model keeps, "
                                         "its colours as they are at first; below 0: it sends out "
                                         "more than arrives"));
+    head.setToolTip(Energy, ModelList::tr("It never sends out more than arrives, whatever its "
+                                          "values are"));
+    head.setToolTip(Reciprocity, ModelList::tr("Light and viewer may change places, whatever its "
+                                               "values are"));
+    head.setToolTip(Values, ModelList::tr("How many values there are to set"));
 }
 
 } // namespace
@@ -122,6 +151,10 @@ void ModelList::setFamily(const GpuFamily& family) {
     headerItem()->setToolTip(Cycles, predictionHint(family));
 }
 
+void ModelList::setCatalog(std::shared_ptr<const Catalog> catalog) {
+    catalog_ = std::move(catalog);
+}
+
 void ModelList::setCosts(const std::vector<ModelCost>& costs, bool stale) {
     const QSignalBlocker blocker(this);
     const QVariant kept =
@@ -132,6 +165,11 @@ void ModelList::setCosts(const std::vector<ModelCost>& costs, bool stale) {
     for (const ModelCost& each : costs) {
         auto* row = new NumberRow;
         fillRow(*row, each, *family_);
+        const Block* model =
+            catalog_ != nullptr ? catalog_->find(kinds::models, each.model) : nullptr;
+        if (model != nullptr) {
+            fillModel(*row, *model);
+        }
         for (int column = 0; stale && column < Columns; ++column) {
             row->setForeground(column, palette().placeholderText());
         }

@@ -140,6 +140,7 @@ MeasuredSubject ModelsPage::subject() const {
 }
 
 void ModelsPage::showNumbers(bool stale) {
+    list_->setCatalog(document().sharedCatalog());
     list_->setCosts(costs(), stale);
 }
 
