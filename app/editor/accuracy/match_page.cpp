@@ -11,6 +11,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QSignalBlocker>
+#include <QSplitter>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -150,8 +151,12 @@ MatchPage::MatchPage(const DockContext& context, std::shared_ptr<MeasureTurn> tu
     list_->sortByColumn(errorColumn, Qt::AscendingOrder);
     list_->setColumnWidth(modelColumn, 190);
     fitColumns(*list_, errorColumn);
-    rows().addWidget(list_, 3);
-    rows().addWidget(plot_, 2);
+    auto* beside = new QSplitter(this); // the panel is wide and low
+    beside->addWidget(list_);
+    beside->addWidget(plot_);
+    beside->setStretchFactor(0, 3);
+    beside->setStretchFactor(1, 2);
+    rows().addWidget(beside, 1);
     connect(list_, &QTreeWidget::itemActivated, this,
             [this](QTreeWidgetItem* row) { apply(row->data(modelColumn, matchRole).toInt()); });
     onChange(document(),

@@ -30,9 +30,9 @@ enum Column {
     Memory,
     Cycles,
     Loss,
-    Energy,
-    Reciprocity,
-    Values,
+    EnergyClaim,
+    ReciprocityClaim,
+    ValueCount,
     Columns
 };
 constexpr int modelWidth = 170;
@@ -90,9 +90,9 @@ void fillModel(NumberRow& row, const Block& model) {
                             asText(model.source).toHtmlEscaped(),
                             ModelList::tr("Enter or a double click gives the selected "
                                           "object this model.")));
-    row.setText(Energy, claimText(model, "energy_conserving"));
-    row.setText(Reciprocity, claimText(model, "reciprocal"));
-    row.setNumber(Values, numberLocale().toString(qulonglong(model.parameters.size())),
+    row.setText(EnergyClaim, claimText(model, "energy_conserving"));
+    row.setText(ReciprocityClaim, claimText(model, "reciprocal"));
+    row.setNumber(ValueCount, numberLocale().toString(qulonglong(model.parameters.size())),
                   double(model.parameters.size()));
 }
 
@@ -119,11 +119,12 @@ void nameColumns(QTreeWidget& list) {
     head.setToolTip(Loss, ModelList::tr("How much of an even white sky's light the model keeps, "
                                         "its colours as they are at first; below 0: it sends out "
                                         "more than arrives"));
-    head.setToolTip(Energy, ModelList::tr("It never sends out more than arrives, whatever its "
-                                          "values are"));
-    head.setToolTip(Reciprocity, ModelList::tr("Light and viewer may change places, whatever its "
+    head.setToolTip(EnergyClaim, ModelList::tr("It never sends out more than arrives, whatever its "
                                                "values are"));
-    head.setToolTip(Values, ModelList::tr("How many values there are to set"));
+    head.setToolTip(ReciprocityClaim,
+                    ModelList::tr("Light and viewer may change places, whatever its "
+                                  "values are"));
+    head.setToolTip(ValueCount, ModelList::tr("How many values there are to set"));
 }
 
 } // namespace

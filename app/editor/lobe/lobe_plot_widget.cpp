@@ -30,7 +30,8 @@ QPen penOf(const LobeLine& line, const QColor& color) {
     if (line.isFromInside) {
         own.setAlphaF(0.6);
     }
-    QPen pen(own, line.stroke == LobeStroke::Main ? lineWidth : 1.0);
+    const bool isThin = line.stroke != LobeStroke::Main && line.stroke != LobeStroke::Extinction;
+    QPen pen(own, isThin ? 1.0 : lineWidth);
     if (line.stroke != LobeStroke::Main) {
         pen.setStyle(line.stroke == LobeStroke::Along ? Qt::DotLine : Qt::DashLine);
     }
@@ -40,7 +41,7 @@ QPen penOf(const LobeLine& line, const QColor& color) {
 QString numberText(const LobeLine& line, double at) {
     const glm::dvec3 v = valueAt(line, at);
     if (isGrey(line)) {
-        return roundText(v.x);
+        return line.digits > 0 ? numberLocale().toString(v.x, 'g', line.digits) : roundText(v.x);
     }
     return QStringLiteral("%1, %2, %3").arg(roundText(v.x), roundText(v.y), roundText(v.z));
 }

@@ -165,7 +165,9 @@ void SharePlot::draw() {
         const bool isRight = isSpectrum && line.isShare;
         QCPGraph* graph = plot().addGraph(plot().xAxis, isRight ? plot().yAxis2 : plot().yAxis);
         QPen pen = line.pen;
-        pen.setStyle(isRight ? Qt::DotLine : pen.style());
+        if (isRight) {
+            pen = QPen(pen.color(), 1.0, Qt::DotLine);
+        }
         graph->setPen(pen);
         if (line.isSampled) {
             graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, sampleSize));

@@ -231,13 +231,16 @@ bool isEqual(const glm::dvec3& v) {
     return v.x == v.y && v.y == v.z;
 }
 
-/// Adds Brewster's and the critical angle, of the three channels' where these differ.
+/// Adds Brewster's and the critical angle, of the three channels' where these differ by a degree or
+/// more, else of green alone.
 void addMarks(LobeLines& all, const InterfaceSide& side, bool isFromInside) {
     constexpr const char* channels[] = {" (red)", " (green)", " (blue)"};
     const char* const from = isFromInside ? " from inside" : "";
     const auto add = [&](const char* name, const glm::dvec3& angles) {
+        const double spread = inDegrees(std::max({angles.x, angles.y, angles.z}) -
+                                        std::min({angles.x, angles.y, angles.z}));
         for (int i = 0; i < (isEqual(angles) ? 1 : 3); ++i) {
-            if (inDegrees(angles[i]) < 89.995) {
+            if (inDegrees(angles[i]) < 89.995 && (i == 1 || spread == 0.0 || spread >= 1.0)) {
                 all.marks.push_back(
                     {fmt::format("{}{}{}", name, from, isEqual(angles) ? "" : channels[i]),
                      inDegrees(angles[i])});
@@ -315,6 +318,7 @@ Result<LobeLines> spectrumLines(const Catalog& catalog, const Material& material
     }
     LobeLines all;
     all.lines.push_back(spectrumLine(*spectrum, "index n", spectrum->index));
+    all.lines.back().digits = 5; // an index of 1.5 differs by a hundredth from red to blue
     if (!spectrum->extinction.empty()) {
         all.lines.push_back(spectrumLine(*spectrum, "extinction k", spectrum->extinction));
         all.lines.back().stroke = LobeStroke::Extinction;

@@ -46,6 +46,7 @@ struct LobeLine {
                                     ///< a float in that of single precision, else shares of light
     bool isShare = false;           ///< says that values are shares where the plot's others are not
     bool isSampled = false; ///< says that it is known at its points alone, and straight between
+    int digits = 0;         ///< counts those that a reading shows; 0: as usual
 };
 
 /// Is a place of a plot with a name, such as Brewster's angle or the wavelength of red.
