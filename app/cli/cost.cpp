@@ -255,8 +255,8 @@ int cost(const CLI::App& command, const CostRequest& options) {
     Checked<bool> done = false;
     {
         LongWork work;
-        done = options.families.empty() ? measured(command, options, work)
-                                        : predictCosts(options, work);
+        done = options.isPredictedOnly() ? predictCosts(command, options, work)
+                                         : measured(command, options, work);
         isStopped = work.isStopped();
     }
     if (!done) {

@@ -25,6 +25,10 @@ FamilyCompilerOptions compilerFor(const LongWork& work) {
     return options;
 }
 
+PredictedLevels levelsOf(const CostRequest& options) {
+    return options.asItIs ? PredictedLevels::Present : PredictedLevels::Each;
+}
+
 Checked<void> predictModels(const Prepared& subject, const CostRequest& options,
                             const std::shared_ptr<const Catalog>& catalog, const LongWork& work) {
     const auto predicted =
@@ -50,8 +54,7 @@ Checked<void> predictWays(const std::vector<Prepared>& subjects, const CostReque
         shown.push_back(subjectOf(subject, catalog));
     }
     const auto predicted =
-        predictedWays(shown, options.asItIs ? PredictedLevels::Present : PredictedLevels::Each,
-                      options.families, compilerFor(work));
+        predictedWays(shown, levelsOf(options), options.families, compilerFor(work));
     if (!predicted) {
         return tl::unexpected(predicted.error());
     }
@@ -69,12 +72,62 @@ Checked<void> predictWays(const std::vector<Prepared>& subjects, const CostReque
     return {};
 }
 
+Error noObject() {
+    return failure("there is no object to predict for", "a scene with one").value();
+}
+
+/// Predicts the ways of a job's presets. Presets of one model often have the same program, which is
+/// compiled once.
+class PredictionWork : public JobWork {
+  public:
+    PredictionWork(const CostRequest& options, std::shared_ptr<const Catalog> catalog,
+                   AssetClient& files, const LongWork& work)
+        : options_(options), catalog_(std::move(catalog)), files_(files),
+          compiler_(compilerFor(work)) {
+        compiler_.before = &before_;
+    }
+
+    Checked<nlohmann::json> resultOf(const std::string& preset) override {
+        const auto subject = prepared(preset, options_.picture, *catalog_, files_);
+        if (!subject) {
+            return tl::unexpected(subject.error());
+        }
+        if (subject->scene.objects.empty()) {
+            return tl::unexpected(oneError(noObject()));
+        }
+        const PredictedSubject shown = subjectOf(*subject, catalog_);
+        const auto predicted =
+            predictedWays(std::span(&shown, 1), levelsOf(options_), options_.families, compiler_);
+        if (!predicted) {
+            return tl::unexpected(predicted.error());
+        }
+        return nlohmann::json{
+            {"driver", predicted->driver},
+            {"predicted", true},
+            {"ways", predictionJson(predicted->subjects.front(), options_.families)}};
+    }
+
+  private:
+    const CostRequest& options_;
+    std::shared_ptr<const Catalog> catalog_;
+    AssetClient& files_;
+    CompiledBefore before_;
+    FamilyCompilerOptions compiler_;
+};
+
 } // namespace
 
-Checked<bool> predictCosts(const CostRequest& options, const LongWork& work) {
+Checked<bool> predictCosts(const CLI::App& command, const CostRequest& options, LongWork& work) {
     const auto catalog = std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()));
     report(catalog->errors);
     AssetClient files;
+    if (options.job.isWanted()) {
+        PredictionWork each(options, catalog, files, work);
+        return runJob(
+                   {command, options.job, options.presets, *catalog, options.picture.allowsOutside},
+                   each, work)
+            .map([](int status) { return status == 0; });
+    }
     const auto subjects =
         allPrepared(options.presets.empty() ? std::vector<std::string>(1) : options.presets,
                     options, *catalog, files);
@@ -83,8 +136,7 @@ Checked<bool> predictCosts(const CostRequest& options, const LongWork& work) {
     }
     for (const Prepared& subject : *subjects) {
         if (subject.scene.objects.empty()) {
-            return tl::unexpected(
-                oneError(failure("there is no object to predict for", "a scene with one").value()));
+            return tl::unexpected(oneError(noObject()));
         }
     }
     const auto done = options.allModels ? predictModels(subjects->front(), options, catalog, work)

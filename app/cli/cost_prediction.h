@@ -8,7 +8,8 @@
 namespace patina {
 
 /// Predicts what the material of each preset, or each model, costs on graphics cards that are not
-/// here, and prints it. Nothing is drawn. The result is true.
-Checked<bool> predictCosts(const CostRequest& options, const LongWork& work);
+/// here, and prints it or writes it into the file of a job. Nothing is drawn. The result is true
+/// unless a preset of a job failed.
+Checked<bool> predictCosts(const CLI::App& command, const CostRequest& options, LongWork& work);
 
 } // namespace patina

@@ -67,7 +67,7 @@ Errors checkCombinations(const CostRequest& request) {
                          !request.errorMap.empty() || !request.errorMapOf.empty() ||
                          request.ofPicture || request.singles;
     const glm::ivec2 size = request.picture.size;
-    const bool isPredicted = !request.families.empty();
+    const bool isPredicted = !request.families.empty() || request.card;
     const bool isPlot = request.plot.empty() || isOneOf(endingOf(request.plot), {".svg", ".png"});
     const bool isMap =
         request.errorMap.empty() || isOneOf(endingOf(request.errorMap), {".png", ".jpg", ".jpeg"});
@@ -84,13 +84,19 @@ Errors checkCombinations(const CostRequest& request) {
             "--all-models ranks models, and no material", "no preset and no --model beside it"},
         Combination{request.scaling && size.x != size.y, "--scaling draws square pictures",
                     "a --size such as 256x256"},
-        Combination{isPredicted && (isChart || request.scaling || request.csv),
-                    "with --gpu nothing is measured: no budget, no chart, no --csv",
-                    "--gpu without them, or with --json"},
-        Combination{request.job.isWanted() && (isOther || isPredicted || !request.plot.empty() ||
-                                               !request.errorMap.empty()),
+        Combination{isPredicted && (request.scaling || request.ofPicture),
+                    "what is predicted is an object's shader: no --scaling, no --picture",
+                    "--gpu or --card without them"},
+        Combination{request.card && request.allModels,
+                    "--card predicts the ways to compute one material", "--gpu for all models"},
+        Combination{request.isPredictedOnly() && (isChart || request.csv),
+                    "a budget and a chart are for one graphics card", "--card NAME, such as 6600"},
+        Combination{request.card && request.asItIs, "a chart has all levels",
+                    "--as-it-is without --card"},
+        Combination{request.job.isWanted() &&
+                        (isOther || !request.plot.empty() || !request.errorMap.empty()),
                     "--results are charts of presets, as JSON",
-                    "--results without --all-models, --scaling, --gpu, --plot and --error-map"},
+                    "--results without --all-models, --scaling, --plot and --error-map"},
         Combination{!isPlot, "a chart is drawn as .svg or .png", "such a file"},
         Combination{!isMap, "an error map is drawn as .png or .jpg", "such a file"},
         Combination{plotProblem != nullptr, plotProblem, place},
@@ -127,21 +133,69 @@ double budgetIn(const char* option, const std::string& text, bool canBeNothing) 
 }
 
 void addBudgets(CLI::App& command, CostRequest& request) {
-    auto* time = command.add_option_function<std::string>(
+    command.add_option_function<std::string>(
         "--budget-ms",
         [&request](const std::string& text) {
             request.budgetMilliseconds = budgetIn("--budget-ms", text, false);
         },
         "Pick the most accurate way whose frame takes no longer");
+    command.add_option_function<std::string>(
+        "--budget-error",
+        [&request](const std::string& text) {
+            request.budgetError = budgetIn("--budget-error", text, true);
+        },
+        "Pick the fastest way of which 99 of 100 pixels are off by no greater share, such as "
+        "1/255; with --budget-ms the most accurate of those that keep both");
+}
+
+/// Returns the pixels of "1440p" or "2560x1440".
+glm::ivec2 pictureIn(const std::string& text) {
+    struct Named {
+        std::string_view name;
+        glm::ivec2 size;
+    };
+    constexpr std::array named{Named{"720p", {1280, 720}}, Named{"1080p", {1920, 1080}},
+                               Named{"1440p", {2560, 1440}}, Named{"2160p", {3840, 2160}}};
+    const auto found = std::ranges::find(named, text, &Named::name);
+    if (found != named.end()) {
+        return found->size;
+    }
+    glm::ivec2 size(0);
+    const std::size_t by = std::min(text.find('x'), text.size());
+    const auto read = [&text](std::size_t from, std::size_t to) {
+        const auto number = parseNumber(std::string_view(text).substr(from, to - from));
+        return number && *number >= 1.0 && *number <= 65536.0 && std::trunc(*number) == *number
+                   ? static_cast<int>(*number)
+                   : 0;
+    };
+    size = {read(0, by), read(std::min(by + 1, text.size()), text.size())};
+    if (size.x == 0 || size.y == 0) {
+        throw CLI::ValidationError("--at", fmt::format("not a picture's size: \"{}\"; expected "
+                                                       "720p, 1080p, 1440p, 2160p or WxH",
+                                                       text));
+    }
+    return size;
+}
+
+/// Adds the graphics card that a chart's times are predicted for.
+void addCard(CLI::App& command, CostRequest& request) {
+    auto* card = command.add_option_function<std::string>(
+        "--card",
+        [&request](const std::string& name) {
+            auto found = graphicsCardIn(name);
+            if (!found) {
+                throw CLI::ValidationError("--card", found.error().text());
+            }
+            request.card = *found;
+        },
+        "Predict the times of a chart for this graphics card, which need not be here: a part of "
+        "its name, such as \"6600\" or \"steam deck\"; errors are measured here");
     command
         .add_option_function<std::string>(
-            "--budget-error",
-            [&request](const std::string& text) {
-                request.budgetError = budgetIn("--budget-error", text, true);
-            },
-            "Pick the fastest way of which 99 of 100 pixels are off by no greater share, such as "
-            "1/255")
-        ->excludes(time);
+            "--at", [&request](const std::string& text) { request.shown = pictureIn(text); },
+            "With --card: for pictures of so many pixels that the object fills, 1440p or WxH; "
+            "1080p without this")
+        ->needs(card);
 }
 
 } // namespace
@@ -161,6 +215,7 @@ void addCostOptions(CLI::App& command, CostRequest& request) {
     command.remove_option(command.get_option("--samples")); // each level has its own
     addSizeOption(command, request.picture);
     addBudgets(command, request);
+    addCard(command, request);
     command.add_flag("--picture", request.ofPicture,
                      "The picture's own choices, such as samples, instead of the material's");
     command.add_flag("--singles", request.singles, "Each choice by itself, no combinations");

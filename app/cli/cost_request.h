@@ -26,7 +26,11 @@ struct CostRequest {
     bool csv = false;
     /// Are those that costs are predicted for instead of measured; empty: measured.
     std::vector<const GpuFamily*> families;
-    bool asItIs = false; ///< predicts no level but those that the material has
+    /// Is the one that a chart's times are predicted for; none: they are measured, or --gpu alone
+    /// is given.
+    std::optional<CardOfFamily> card;
+    glm::ivec2 shown{1920, 1080}; ///< are the pixels of the picture that they are predicted for
+    bool asItIs = false;          ///< predicts no level but those that the material has
     std::string plot;
     std::string errorMap;
     std::string errorMapOf; ///< names levels as levelsText() does; empty where not given
@@ -34,6 +38,8 @@ struct CostRequest {
     JobOptions job;
 
     bool hasBudget() const { return budgetMilliseconds || budgetError; }
+    /// Tells whether costs of ways and models are predicted and nothing is drawn.
+    bool isPredictedOnly() const { return !families.empty() && !card; }
 };
 
 /// Declares all options of the command.

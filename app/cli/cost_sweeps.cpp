@@ -12,6 +12,7 @@
 #include "cli/mapped_point.h"
 #include "cli/picture.h"
 #include "measure/choice/picture_choices.h"
+#include "measure/cost/predicted_chart.h"
 #include "measure/cost/scaling_sweep.h"
 
 namespace patina {
@@ -75,6 +76,48 @@ tl::unexpected<Errors> nothingYet() {
 
 } // namespace
 
+namespace {
+
+/// Compiles the ways of a sweep for the family of a graphics card, each when it is asked for.
+class WayCompiler {
+  public:
+    WayCompiler(const CostSweep::Subject& subject, const CardOfFamily& card, const LongWork& work)
+        : subject_{subject.scene, subject.object, subject.meshes, subject.catalog},
+          families_{card.family} {
+        subject_.scene.camera = subject.camera;
+        options_.isStopped = [&work] { return work.isStopped(); };
+        options_.before = &before_;
+    }
+
+    /// Returns the cycles for 64 pixels; nothing where the way does not compile.
+    std::optional<double> cyclesOf(const ChosenLevels& levels) {
+        auto made = predictedPoints(subject_, std::span(&levels, 1), families_, options_);
+        if (!made) {
+            problems_ = made.error();
+            return std::nullopt;
+        }
+        points_.driver = std::move(made->driver);
+        points_.ways.push_back(std::move(made->ways.front()));
+        const Result<FamilyStatistics>& statistics = points_.ways.back().statistics;
+        const bool isThere = statistics && statistics->contains(families_.front()->id);
+        return isThere ? std::optional(statistics->at(families_.front()->id).fragment.cycles)
+                       : std::nullopt;
+    }
+
+    const PredictedPoints& points() const { return points_; }
+    const Errors& problems() const { return problems_; }
+
+  private:
+    PredictedSubject subject_;
+    std::array<const GpuFamily*, 1> families_;
+    FamilyCompilerOptions options_;
+    CompiledBefore before_;
+    PredictedPoints points_;
+    Errors problems_;
+};
+
+} // namespace
+
 Checked<Sweep> swept(CostSweep::Subject subject, const CostRequest& options, LongWork& work) {
     const auto named = namedLevels(
         options.ofPicture ? choicesOfPicture(subject.scene, *subject.catalog)
@@ -85,6 +128,13 @@ Checked<Sweep> swept(CostSweep::Subject subject, const CostRequest& options, Lon
     }
     CostSweep::Options wanted = sweepOptions(options);
     wanted.present = *named;
+    std::optional<WayCompiler> compiler;
+    if (options.card) {
+        compiler.emplace(subject, *options.card, work);
+        wanted.given = [&compiler](const ChosenLevels& levels) {
+            return compiler->cyclesOf(levels);
+        };
+    }
     auto sweep = CostSweep::create(std::move(subject), wanted);
     if (!sweep) {
         return tl::unexpected(oneError(sweep.error()));
@@ -99,12 +149,23 @@ Checked<Sweep> swept(CostSweep::Subject subject, const CostRequest& options, Lon
         }
         work.report(stepText(step));
     }
+    if (compiler && !compiler->problems().empty() && !work.isStopped()) {
+        return tl::unexpected(compiler->problems());
+    }
     if (!(*sweep)->problems().empty()) {
         return tl::unexpected((*sweep)->problems());
     }
     Sweep made{(*sweep)->chart(), {}, {}};
     if (made.chart.points.empty()) {
         return nothingYet();
+    }
+    if (compiler) {
+        auto predicted =
+            predictedChart(made.chart, compiler->points(), *options.card, options.shown);
+        if (!predicted) {
+            return tl::unexpected(oneError(predicted.error()));
+        }
+        made.chart = std::move(*predicted);
     }
     if (!options.errorMap.empty() && !work.isStopped()) {
         made.mapped = mappedPoint(made.chart, *named, options).levels;

@@ -98,12 +98,14 @@ DistinctPrograms distinct(std::vector<ProgramText> programs) {
 
 } // namespace
 
-Result<CompiledForFamilies> compileForFamilies(std::span<const GpuFamily* const> families,
-                                               std::vector<ProgramText> programs,
-                                               const FamilyCompilerOptions& options) {
+namespace {
+
+/// Compiles programs, of which no two are the same.
+Result<CompiledForFamilies> compiledNow(std::span<const GpuFamily* const> families,
+                                        std::vector<ProgramText> programs,
+                                        const FamilyCompilerOptions& options) {
     CompileRequest request = requestFor(families);
-    DistinctPrograms wanted = distinct(std::move(programs));
-    request.programs = std::move(wanted.texts);
+    request.programs = std::move(programs);
     const std::size_t count = request.programs.size();
     CompiledForFamilies compiled;
     do {
@@ -136,12 +138,38 @@ Result<CompiledForFamilies> compileForFamilies(std::span<const GpuFamily* const>
         const auto done = std::ptrdiff_t(compiled.programs.size() - before);
         request.programs.erase(request.programs.begin(), request.programs.begin() + done);
     } while (!request.programs.empty());
-    std::vector<Result<FamilyStatistics>> all;
-    for (const std::size_t index : wanted.indices) {
-        all.push_back(compiled.programs[index]);
-    }
-    compiled.programs = std::move(all);
     return compiled;
+}
+
+} // namespace
+
+Result<CompiledForFamilies> compileForFamilies(std::span<const GpuFamily* const> families,
+                                               std::vector<ProgramText> programs,
+                                               const FamilyCompilerOptions& options) {
+    const DistinctPrograms wanted = distinct(std::move(programs));
+    CompiledBefore once;
+    CompiledBefore& known = options.before != nullptr ? *options.before : once;
+    std::vector<ProgramText> unknown;
+    for (const ProgramText& text : wanted.texts) {
+        if (!known.programs.contains(text)) {
+            unknown.push_back(text);
+        }
+    }
+    if (!unknown.empty() || known.driver.empty()) {
+        auto compiled = compiledNow(families, unknown, options);
+        if (!compiled) {
+            return tl::unexpected(compiled.error());
+        }
+        known.driver = std::move(compiled->driver);
+        for (std::size_t i = 0; i < unknown.size(); ++i) {
+            known.programs.emplace(std::move(unknown[i]), std::move(compiled->programs[i]));
+        }
+    }
+    CompiledForFamilies all{known.driver, {}};
+    for (const std::size_t index : wanted.indices) {
+        all.programs.push_back(known.programs.at(wanted.texts[index]));
+    }
+    return all;
 }
 
 } // namespace patina

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,12 +15,19 @@
 
 namespace patina {
 
+/// Keeps what programs were compiled to for the same families, for commands that compile many.
+struct CompiledBefore {
+    std::string driver;
+    std::map<ProgramText, Result<FamilyStatistics>> programs;
+};
+
 /// Says how programs are compiled for other graphics cards.
 struct FamilyCompilerOptions {
     std::filesystem::path program{};                ///< is `patina-cost`; empty: beside this one
     std::size_t memoryBytes = std::size_t(2) << 30; ///< limits its data
     double secondsEach = 30.0;                      ///< limits its work on one program, CPU time
     std::function<bool()> isStopped = [] { return false; }; ///< ends it when that is true
+    CompiledBefore* before = nullptr; ///< is not compiled again, and gets what is compiled now
 };
 
 /// Holds what a driver made of programs.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 namespace patina {
 namespace {
@@ -61,6 +62,43 @@ Result<std::vector<const GpuFamily*>> gpuFamiliesIn(std::string_view list) {
         }
         list.remove_prefix(name.size() + 1);
     }
+}
+
+std::string CardOfFamily::text() const {
+    return card->name + " (" + family->label + ')';
+}
+
+std::vector<CardOfFamily> graphicsCards() {
+    std::vector<CardOfFamily> cards;
+    for (const GpuFamily& family : gpuFamilies()) {
+        for (const GraphicsCard& card : family.cards) {
+            cards.push_back({&family, &card});
+        }
+    }
+    return cards;
+}
+
+Result<CardOfFamily> graphicsCardIn(std::string_view name) {
+    std::vector<CardOfFamily> found;
+    std::string names;
+    for (const CardOfFamily& each : graphicsCards()) {
+        const std::string& card = each.card->name;
+        const auto part = std::ranges::search(card, name, [](char a, char b) {
+            return std::tolower(static_cast<unsigned char>(a)) ==
+                   std::tolower(static_cast<unsigned char>(b));
+        });
+        if (!part.empty()) {
+            found.push_back(each);
+        }
+        names += (names.empty() ? "" : ", ") + card;
+    }
+    if (found.size() != 1) {
+        return failure((found.empty() ? "there is no graphics card \""
+                                      : "there is more than one graphics card \"") +
+                           std::string(name) + '"',
+                       "one of " + names);
+    }
+    return found.front();
 }
 
 double predictedMilliseconds(double cyclesPerWave64, double pixels, const GpuFamily& family,

@@ -28,6 +28,15 @@ struct GpuFamily {
     std::vector<GraphicsCard> cards;
 };
 
+/// Is one graphics card with the family that it belongs to.
+struct CardOfFamily {
+    const GpuFamily* family = nullptr;
+    const GraphicsCard* card = nullptr;
+
+    /// Returns "Steam Deck (RDNA 2)".
+    std::string text() const;
+};
+
 /// Is the number of pixels of 1920 x 1080, for which milliseconds are given.
 inline constexpr double fullHdPixels = 1920.0 * 1080.0;
 
@@ -41,6 +50,13 @@ std::span<const GpuFamily> gpuFamilies();
 /// Returns the families of a list such as "rdna2,gcn", in its order and each once. It is an error
 /// where there is none of a name.
 Result<std::vector<const GpuFamily*>> gpuFamiliesIn(std::string_view list);
+
+/// Returns the cards of all families.
+std::vector<CardOfFamily> graphicsCards();
+
+/// Returns the card of a part of its name, such as "6600" or "steam deck". It is an error where
+/// none has it, or more than one.
+Result<CardOfFamily> graphicsCardIn(std::string_view name);
 
 /// Returns the milliseconds in which a card runs a fragment stage on each of `pixels`, when all its
 /// compute units do nothing else: pixels / 64 waves of `cyclesPerWave64` on every SIMD unit.

@@ -80,6 +80,55 @@ TEST(PredictedCost, Milliseconds_FollowFromCyclesUnitsAndClock) {
 }
 
 /// The compiler does not unroll the loops over 8, 16 and 48 places of a soft shadow's search, and
+/// A chart for a card: its times are those that --gpu predicts, its errors those that are measured
+/// here, and a budget is of both.
+nlohmann::json chartFor(std::vector<std::string> more) {
+    std::vector<std::string> command{"cost",   "--model", "phong",     "--scene", threeLights,
+                                     "--size", "32x32",   "--seconds", "2",       "--card"};
+    command.insert(command.end(), more.begin(), more.end());
+    return predicted(command).at(0);
+}
+
+TEST(PredictedCost, ChartOfACard_HasItsMillisecondsAndMeasuredErrors) {
+    const nlohmann::json chart = chartFor({"6800 xt", "--at", "1440p"});
+    EXPECT_EQ(chart.at("predictedFor"), "Radeon RX 6800 XT (RDNA 2)");
+    EXPECT_EQ(chart.at("size"), (nlohmann::json{2560, 1440}));
+    const nlohmann::json at1080p = stageOf("phong", "rdna2").at("milliseconds");
+    const auto& points = chart.at("points");
+    ASSERT_GE(points.size(), 3u);
+    EXPECT_NEAR(points.at(0).at("milliseconds").at("median").get<double>(),
+                at1080p.at("Radeon RX 6800 XT").get<double>() * 2560.0 * 1440.0 / 2073600.0, 1e-5);
+    EXPECT_LE(points.at(0).at("error").at("p99").get<double>(), 1e-4);
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        EXPECT_LT(points.at(i).at("ratio").at("median"), 1.0) << points.at(i).dump();
+        EXPECT_GT(points.at(i).at("error").at("p99"), 1e-4) << points.at(i).dump();
+    }
+}
+
+TEST(PredictedCost, BudgetOfACard_PicksWhatKeepsTimeAndErrorThere) {
+    const nlohmann::json free = chartFor({"6600"});
+    const double exact = free.at("points").at(0).at("milliseconds").at("median");
+    const std::string all = std::to_string(1.01 * exact);
+    const nlohmann::json roomy = chartFor({"6600", "--budget-ms", all, "--budget-error", "1/255"});
+    EXPECT_EQ(roomy.at("budget"), (nlohmann::json{{"fits", true}, {"index", 0}}));
+    const std::string less = std::to_string(0.99 * exact);
+    const nlohmann::json tight = chartFor({"6600", "--budget-ms", less, "--budget-error", "1/255"});
+    EXPECT_EQ(tight.at("budget").at("fits"), true);
+    const auto& bought = tight.at("points").at(tight.at("budget").at("index").get<std::size_t>());
+    EXPECT_LE(bought.at("milliseconds").at("median").get<double>(), 0.99 * exact);
+    EXPECT_LE(bought.at("error").at("p99").get<double>(), 1.0 / 255.0);
+}
+
+TEST(PredictedCost, CardThatNobodyKnowsOrTwoHave_IsRefusedWithTheKnownOnes) {
+    for (const char* name : {"voodoo", "radeon"}) {
+        const Outcome outcome = patina({"cost", gold, "--card", name});
+        EXPECT_NE(outcome.exitCode, 0);
+        EXPECT_NE(outcome.err.find("Steam Deck"), std::string::npos) << outcome.err;
+    }
+    const Outcome size = patina({"cost", gold, "--card", "deck", "--at", "large"});
+    EXPECT_NE(size.err.find("1440p"), std::string::npos) << size.err;
+}
+
 /// twice as many of its edge, and takes each to run 8 times.
 TEST(PredictedCost, RoundsOfALoopThatAreAConstant_CountEach) {
     const auto cyclesWith = [](const std::string& quality) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a budget for time or error buys.
+#include <QComboBox>
+
 #include "ui/accuracy_fixture.h"
 
 namespace patina::tests::accuracy_budget_test {
@@ -70,6 +72,32 @@ TEST_F(AccuracyPanel, ErrorBudget_PicksTheFastestWayWithinIt) {
     EXPECT_EQ(static_cast<int>(budget().answer()->point), pointOf("near"));
     press("Use it");
     EXPECT_EQ(level(), "near");
+}
+
+TEST_F(AccuracyPanel, CardThatIsNotHere_HasItsTimesItsFrontAndItsBudget) {
+    ASSERT_TRUE(measure()) << state().toStdString();
+    auto& card = *budget().findChild<QComboBox*>("card");
+    card.setCurrentIndex(card.findText("Steam Deck (RDNA 2)"));
+    const CostChart& drawn = dock().drawnChart();
+    ASSERT_EQ(drawn.points.size(), 3u) << state().toStdString();
+    EXPECT_EQ(drawn.predictedFor, "Steam Deck (RDNA 2)");
+    EXPECT_TRUE(state().contains("predicted")) << state().toStdString();
+    const CostPoint* near = drawn.find({{"work", "near"}});
+    const CostPoint* far = drawn.find({{"work", "far"}});
+    ASSERT_TRUE(near != nullptr && far != nullptr);
+    EXPECT_EQ(errorOf(*near), errorOfLevel("near")) << "errors are those measured here";
+    EXPECT_LT(far->cost.ratio.median, 0.5);
+    EXPECT_EQ(list().topLevelItemCount(), 3);
+    // The far way alone is quick enough for this budget, at 1080p as at 1440p.
+    typeInto(bound("milliseconds"), QString::number(1.05 * far->cost.milliseconds.median));
+    ASSERT_TRUE(budget().answer().has_value());
+    EXPECT_TRUE(budget().answer()->fits);
+    EXPECT_EQ(&drawn.points[budget().answer()->point], far);
+    press("Use it");
+    EXPECT_EQ(level(), "far");
+    card.setCurrentIndex(0);
+    EXPECT_TRUE(dock().drawnChart().predictedFor.empty());
+    EXPECT_EQ(dock().drawnChart(), dock().chart());
 }
 
 TEST_F(AccuracyPanel, TimeBudgetThatNothingMeets_SaysSo) {

@@ -20,7 +20,9 @@
 #include "docks/panel.h"
 #include "document/document.h"
 #include "measure/cost/cost_table.h"
+#include "measure/cost/predicted_chart.h"
 #include "session/session.h"
+#include "text/as_text.h"
 
 namespace patina {
 namespace {
@@ -28,23 +30,49 @@ namespace {
 /// Is the time between two checks for cancellation, each of which may show new points.
 constexpr std::chrono::milliseconds sweepSlice{100};
 constexpr QSize usualPageSize{720, 320};
-const QList<int> partSizes{2000, 3000}; ///< shares of the width: chart, table
+constexpr glm::ivec2 predictedSize{1920, 1080}; ///< are the pixels that predicted times are of
+const QList<int> partSizes{2000, 3000};         ///< shares of the width: chart, table
 
 std::unique_ptr<KeptResults> keptCharts(const ChartTarget& target, MessageLog& messages) {
     const bool isOfPicture = target.scope() == Choice::Scope::Picture;
     return std::make_unique<KeptCharts>(isOfPicture ? "picture" : "material", messages);
 }
 
+/// Compiles the ways of a chart of a material for all families of graphics cards.
+Result<PredictedPoints> predictedOf(const CostChart& chart, const CostSweep::Subject& subject,
+                                    Worker::Control& control) {
+    std::vector<ChosenLevels> ways;
+    for (const CostPoint& point : chart.points) {
+        ways.push_back(point.levels);
+    }
+    std::vector<const GpuFamily*> families;
+    for (const GpuFamily& family : gpuFamilies()) {
+        families.push_back(&family);
+    }
+    FamilyCompilerOptions options;
+    options.isStopped = [&control] { return control.isCancelled(); };
+    Scene scene = subject.scene;
+    scene.camera = subject.camera;
+    control.report(1.0, AccuracyPage::tr("Compiling for other graphics cards"), true);
+    return predictedPoints({std::move(scene), subject.object, subject.meshes, subject.catalog},
+                           ways, families, options)
+        .map_error([](const Errors& errors) { return errors.front(); });
+}
+
+using TakeChart = std::function<void(const MeasuredChart&)>;
+
 /// Runs in the worker's thread; `take` is called in the window's thread.
 MeasureEnd sweepCosts(const CostSweep::Subject& subject, const CostSweep::Options& options,
-                      Worker::Control& control, const std::function<void(const CostChart&)>& take) {
+                      Worker::Control& control, const TakeChart& take) {
     const auto sweep = CostSweep::create(subject, options);
     if (!sweep) {
         return endOf(false, {sweep.error()});
     }
+    MeasuredChart measured{subject.camera, {}, PredictedPoints()};
     const auto show = [&] {
-        if (!(*sweep)->chart().points.empty()) {
-            control.show([take, chart = (*sweep)->chart()] { take(chart); });
+        measured.chart = (*sweep)->chart();
+        if (!measured.chart.points.empty()) {
+            control.show([take, measured] { take(measured); });
         }
     };
     std::size_t shown = 0;
@@ -58,6 +86,10 @@ MeasureEnd sweepCosts(const CostSweep::Subject& subject, const CostSweep::Option
         if (std::exchange(shown, points) != points) {
             show();
         }
+    }
+    if (options.scope == Choice::Scope::Material && !(*sweep)->chart().points.empty() &&
+        !control.isCancelled()) {
+        measured.predicted = predictedOf((*sweep)->chart(), subject, control);
     }
     show();
     return endOf((*sweep)->finished(), (*sweep)->problems());
@@ -76,6 +108,9 @@ AccuracyPage::AccuracyPage(const DockContext& context, std::unique_ptr<ChartTarg
                           this)),
       notes_(hintLabel(this)), plot_(new CostPlot(this)), list_(new CostList(this)),
       budget_(new BudgetRow(this)) {
+    if (target_->scope() != Choice::Scope::Material) {
+        budget_->hideCards();
+    }
     layOut();
     connectParts();
     showSelected();
@@ -104,6 +139,7 @@ void AccuracyPage::connectParts() {
     connect(plot_, &CostPlot::picked, this, &AccuracyPage::apply);
     connect(list_, &CostList::picked, this, &AccuracyPage::apply);
     connect(budget_, &BudgetRow::wished, this, &AccuracyPage::apply);
+    connect(budget_, &BudgetRow::cardChosen, this, [this] { refresh(); });
     connect(plot_, &CostPlot::selectionMoved, this, &AccuracyPage::select);
     connect(list_, &CostList::selectionMoved, this, &AccuracyPage::select);
     connect(budget_, &BudgetRow::answered, this, &AccuracyPage::select);
@@ -115,10 +151,12 @@ QSize AccuracyPage::sizeHint() const {
 
 void AccuracyPage::showNumbers(bool stale) {
     const ChosenLevels current = target_->levels(target_->choices());
-    plot_->setChart(chart(), current, stale);
-    list_->setChart(chart(), current, stale);
-    budget_->setChart(chart(), stale || isMeasuring());
-    notes_->setText(chart().points.empty() || stale ? QString() : notesText(chart()));
+    const QString whyNot = predict();
+    plot_->setChart(drawn_, current, stale);
+    list_->setChart(drawn_, current, stale);
+    budget_->setChart(drawn_, stale || isMeasuring());
+    const bool hasNotes = !chart().points.empty() && !stale;
+    notes_->setText(!hasNotes ? QString() : whyNot.isEmpty() ? notesText(drawn_) : whyNot);
     notes_->setVisible(!notes_->text().isEmpty());
     showSelected();
 }
@@ -127,6 +165,23 @@ void AccuracyPage::select(int point) {
     plot_->select(point);
     list_->select(point);
     showSelected();
+QString AccuracyPage::predict() {
+    drawn_ = chart();
+    const auto card = budget_->card();
+    if (!card || drawn_.points.empty() || isMeasuring()) {
+        return {};
+    }
+    const Result<PredictedPoints>& predicted = numbers<MeasuredChart>().predicted;
+    const auto made = predicted ? predictedChart(drawn_, *predicted, *card, predictedSize)
+                                : Result<CostChart>(tl::unexpected(predicted.error()));
+    if (!made) {
+        drawn_.points.clear();
+        return asText(made.error().text());
+    }
+    drawn_ = *made;
+    return {};
+}
+
 }
 
 void AccuracyPage::showSelected() {
@@ -142,22 +197,18 @@ void AccuracyPage::measure(CostSweep::Options options) {
     options.present = target_->levels(target_->choices());
     select(-1);
     CostSweep::Subject subject = costSubject();
-    const auto take = [this, camera = subject.camera](const CostChart& chart) {
-        takeChart(camera, chart);
+    const TakeChart taken = [this](const MeasuredChart& measured) {
+        take(measured, methodText(measured.chart));
     };
-    start([subject = std::move(subject), options = std::move(options),
-           take](Worker::Control& control) { return sweepCosts(subject, options, control, take); });
-}
-
-void AccuracyPage::takeChart(const Camera& camera, const CostChart& chart) {
-    take(MeasuredChart{camera, chart}, methodText(chart));
+    start([subject = std::move(subject), options = std::move(options), taken](
+              Worker::Control& control) { return sweepCosts(subject, options, control, taken); });
 }
 
 /// A chart of another material or scene has other choices, and its points cannot be applied.
 const CostPoint* AccuracyPage::pointAt(int point) const {
-    const std::vector<CostPoint>& points = chart().points;
+    const std::vector<CostPoint>& points = drawn_.points;
     const bool isThere = point >= 0 && point < static_cast<int>(points.size()) &&
-                         chart().choices == target_->choices();
+                         drawn_.choices == target_->choices();
     return isThere ? &points[static_cast<std::size_t>(point)] : nullptr;
 }
 
@@ -182,11 +233,11 @@ std::string AccuracyPage::subjectName() const {
 ChartHeading AccuracyPage::heading() const {
     const QString name = QString::fromStdString(subjectName());
     const QString title = tr("What accuracy costs");
-    QStringList lines{shown()->method};
+    QStringList lines{methodText(drawn_)};
     if (const QString driver = driverLine(); !driver.isEmpty()) {
         lines << driver;
     }
-    const std::vector<Standing> standing = standings(chart().points);
+    const std::vector<Standing> standing = standings(drawn_.points);
     if (std::ranges::find(standing, Standing::Tie) != standing.end()) {
         lines << tr("A circle in the line's colour may be on it, too: the difference is within the "
                     "noise.");
@@ -203,9 +254,9 @@ QByteArray AccuracyPage::bytesFor(const QString& ending) const {
     }
     const std::string name = subjectName();
     if (ending == "csv") {
-        return QByteArray::fromStdString(costCsv(chart(), name, true));
+        return QByteArray::fromStdString(costCsv(drawn_, name, true));
     }
-    nlohmann::json json = costJson(chart());
+    nlohmann::json json = costJson(drawn_);
     json["preset"] = name;
     return QByteArray::fromStdString(writeJson(json));
 }
@@ -225,7 +276,8 @@ QString AccuracyPage::outOfDateText() const {
 }
 
 QString AccuracyPage::measuredText() const {
-    const QString method = MeasurePage::measuredText();
+    const QString method =
+        drawn_.predictedFor.empty() ? MeasurePage::measuredText() : methodText(drawn_);
     return numbers<MeasuredChart>().camera == document().scene().camera
                ? method
                : tr("Measured from another view. %1").arg(method);

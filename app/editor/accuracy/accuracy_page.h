@@ -35,6 +35,9 @@ class AccuracyPage : public MeasurePage {
     /// Returns the chart that is shown; it has no points where nothing was measured.
     const CostChart& chart() const { return numbers<MeasuredChart>().chart; }
 
+    /// Returns the chart as it is drawn: the same, or with the times of the chosen graphics card.
+    const CostChart& drawnChart() const { return drawn_; }
+
     /// Gives the target the levels of a point of the chart, as one undo step. Does nothing for a
     /// point that is not in the chart, or when the target's choices have changed since.
     void apply(int point);
@@ -58,7 +61,8 @@ class AccuracyPage : public MeasurePage {
     void connectParts();
     void select(int point);
     void showSelected();
-    void takeChart(const Camera& camera, const CostChart& chart);
+    /// Puts the times of the chosen graphics card into the drawn chart; returns why it cannot.
+    QString predict();
     /// Returns a point of the chart; null if it is not there, or if the chart's choices are not the
     /// target's.
     const CostPoint* pointAt(int point) const;
@@ -69,6 +73,7 @@ class AccuracyPage : public MeasurePage {
     QToolButton* compare_;
     QLabel* notes_;
     CostPlot* plot_;
+    CostChart drawn_;
     CostList* list_;
     BudgetRow* budget_;
 };

@@ -10,6 +10,7 @@
 #include "accuracy/bound_box.h"
 #include "accuracy/cost_text.h"
 #include "docks/panel.h"
+#include "text/as_text.h"
 
 namespace patina {
 namespace {
@@ -39,7 +40,8 @@ QString pictureTimeText(const ChoiceCost& cost, double pictures) {
 BudgetRow::BudgetRow(QWidget* parent)
     : QWidget(parent), timed_(new QCheckBox(tr("At most"), this)),
       milliseconds_(new BoundBox(BoundBox::Of::Milliseconds, usualMilliseconds, this)),
-      size_(new QComboBox(this)), bounded_(new QCheckBox(tr("Error below"), this)),
+      size_(new QComboBox(this)), on_(new QLabel(tr("on"), this)), card_(new QComboBox(this)),
+      bounded_(new QCheckBox(tr("Error below"), this)),
       share_(new BoundBox(BoundBox::Of::Share, usualShare, this)),
       use_(textButton(tr("Use it"), tr("Take what the budget buys"), this)),
       text_(new QLabel(this)) {
@@ -54,6 +56,14 @@ BudgetRow::BudgetRow(QWidget* parent)
     }
     size_->setCurrentIndex(usualEntry);
     size_->setToolTip(tr("The picture's size, filled as the measured one is"));
+    card_->setObjectName("card");
+    card_->setAccessibleName(tr("Graphics card of the times"));
+    card_->setToolTip(tr("Times as measured on this machine, or as predicted for a graphics card "
+                         "that need not be here; errors are those measured"));
+    card_->addItem(tr("this machine"));
+    for (const CardOfFamily& each : graphicsCards()) {
+        card_->addItem(asText(each.text()));
+    }
     bounded_->setToolTip(tr("The fastest way of which 99 of 100 pixels are off by no more"));
     share_->setObjectName("share");
     share_->setAccessibleName(tr("Greatest relative error"));
@@ -75,6 +85,8 @@ void BudgetRow::layOut() {
     }
     fields->addWidget(new QLabel(tr("at"), this));
     fields->addWidget(size_);
+    fields->addWidget(on_);
+    fields->addWidget(card_);
     fields->addSpacing(10);
     fields->addWidget(bounded_);
     fields->addWidget(share_);
@@ -100,11 +112,23 @@ void BudgetRow::connectParts() {
     connect(milliseconds_, &BoundBox::valueChanged, this, changed);
     connect(share_, &BoundBox::valueChanged, this, changed);
     connect(size_, &QComboBox::currentIndexChanged, this, changed);
+    connect(card_, &QComboBox::currentIndexChanged, this, &BudgetRow::cardChosen);
     connect(use_, &QToolButton::clicked, this, [this] {
         if (answer_) {
             Q_EMIT wished(static_cast<int>(answer_->point));
         }
     });
+}
+
+std::optional<CardOfFamily> BudgetRow::card() const {
+    const int chosen = card_->currentIndex() - 1; // the first entry is this machine
+    return chosen < 0 ? std::nullopt
+                      : std::optional(graphicsCards()[static_cast<std::size_t>(chosen)]);
+}
+
+void BudgetRow::hideCards() {
+    on_->hide();
+    card_->hide();
 }
 
 void BudgetRow::setChart(const CostChart& chart, bool stale) {

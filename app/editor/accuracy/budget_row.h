@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include "measure/cost/cost_chart.h"
+#include "predict/gpu_family.h"
 
 class QCheckBox;
 class QComboBox;
@@ -24,6 +25,11 @@ class BudgetRow : public QWidget {
   public:
     explicit BudgetRow(QWidget* parent = nullptr);
 
+    /// Returns the graphics card that times are wanted for; nothing for this machine.
+    std::optional<CardOfFamily> card() const;
+    /// Takes the choice of a card away, since nothing is predicted of what is shown.
+    void hideCards();
+
     /// Answers with these points; stale ones are shown but cannot be applied.
     void setChart(const CostChart& chart, bool stale);
 
@@ -33,6 +39,7 @@ class BudgetRow : public QWidget {
   Q_SIGNALS:
     void answered(int point); ///< is emitted when the artist changes the budget
     void wished(int point);   ///< is emitted when the artist applies the answer
+    void cardChosen();
 
   private:
     void layOut();
@@ -48,6 +55,8 @@ class BudgetRow : public QWidget {
     QCheckBox* timed_;
     BoundBox* milliseconds_;
     QComboBox* size_;
+    QLabel* on_;
+    QComboBox* card_;
     QCheckBox* bounded_;
     BoundBox* share_;
     QToolButton* use_;

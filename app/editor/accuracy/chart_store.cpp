@@ -52,6 +52,32 @@ Camera cameraFrom(const json& from) {
             number(from.value("far", json(0.0)))};
 }
 
+/// Writes what was predicted of the chart's points, in their order.
+json predictedJson(const Result<PredictedPoints>& predicted) {
+    if (!predicted) {
+        return {{"problem", predicted.error().problem}, {"expected", predicted.error().expected}};
+    }
+    json ways = json::array();
+    for (const PredictedWay& way : predicted->ways) {
+        ways.push_back({{"levels", way.levels}, {"answer", toJson(way.statistics)}});
+    }
+    return {{"driver", predicted->driver}, {"ways", ways}};
+}
+
+Result<PredictedPoints> predictedFrom(const json& from) {
+    if (from.contains("problem")) {
+        return failure(from.at("problem").get<std::string>(),
+                       from.at("expected").get<std::string>());
+    }
+    PredictedPoints predicted;
+    predicted.driver = from.value("driver", std::string());
+    for (const json& way : from.value("ways", json::array())) {
+        predicted.ways.push_back(
+            {way.at("levels").get<ChosenLevels>(), familyStatisticsIn(way.at("answer").dump())});
+    }
+    return predicted;
+}
+
 json jsonOf(const ChartKey& key, const StoredChart& stored) {
     return {{"format", formatName},
             {"version", formatVersion},
@@ -62,7 +88,8 @@ json jsonOf(const ChartKey& key, const StoredChart& stored) {
             {"camera", cameraJson(stored.measured.camera)},
             {"complete", stored.complete},
             {"problem", stored.problem},
-            {"chart", costJson(stored.measured.chart)}};
+            {"chart", costJson(stored.measured.chart)},
+            {"predicted", predictedJson(stored.measured.predicted)}};
 }
 
 Result<StoredChart> chartFrom(const json& from) {
@@ -76,6 +103,7 @@ Result<StoredChart> chartFrom(const json& from) {
         stored.complete = from.at("complete").get<bool>();
         stored.problem = from.at("problem").get<std::string>();
         stored.measured.chart = std::move(*chart);
+        stored.measured.predicted = predictedFrom(from.value("predicted", json::object()));
         stored.hash = from.at("hash").get<std::string>();
         return stored;
     } catch (const json::exception& missing) {

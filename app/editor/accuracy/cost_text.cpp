@@ -47,6 +47,9 @@ QString timeLine(const ChoiceCost& cost, RatioBound bound) {
     default:
         break;
     }
+    if (cost.runs == 0) {
+        return tr("%1 ns per pixel, %2 of the exact time, predicted").arg(time, ratio);
+    }
     if (!cost.isSure()) {
         return tr("%1 ns per pixel, %2 of the exact time, by too few pairs of frames to tell")
             .arg(time, ratio);
@@ -70,6 +73,9 @@ QString workText(const SweepStep& step, const CostChart& chart) {
 
 /// Writes a ratio, or a time that is as sure as the ratio, with its interval if that is known.
 QString asSure(const MedianInterval& interval, const ChoiceCost& cost) {
+    if (cost.runs == 0) { // it is predicted
+        return digitsText(interval.median);
+    }
     return cost.isSure() ? ratioText(interval)
                          : QStringLiteral("%1 ± ?").arg(digitsText(interval.median));
 }
@@ -133,6 +139,9 @@ QString ratioNote(const ChoiceCost& cost, RatioBound bound) {
         return tr("Neither its time nor the one that it would count from can be told from none");
     default:
         break;
+    }
+    if (cost.runs == 0) {
+        return tr("Predicted, the same every time");
     }
     return cost.isSure() ? tr("Between %1 and %2 with a probability of 95 %, by %3 pairs of frames")
                                .arg(digitsText(cost.ratio.lower), digitsText(cost.ratio.upper))
@@ -237,6 +246,12 @@ QString staleText() {
 }
 
 QString methodText(const CostChart& chart) {
+    if (!chart.predictedFor.empty()) {
+        return tr("%1 × %2 pixels of the object on a %3; %4; errors against %5.")
+            .arg(chart.size.x)
+            .arg(chart.size.y)
+            .arg(asText(chart.predictedFor), asText(chart.timer), asText(chart.groundTruth));
+    }
     return tr("%1 × %2 pixels, %3 of them shaded; %4; errors against %5.")
         .arg(chart.size.x)
         .arg(chart.size.y)

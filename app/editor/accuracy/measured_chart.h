@@ -2,14 +2,17 @@
 #pragma once
 
 #include "measure/cost/cost_chart.h"
+#include "measure/prediction/predicted_ways.h"
 #include "scene/scene.h"
 
 namespace patina {
 
-/// Holds a chart and the camera that it was measured from.
+/// Holds a chart, the camera that it was measured from, and what its ways would cost on graphics
+/// cards that are not here.
 struct MeasuredChart {
     Camera camera;
     CostChart chart;
+    Result<PredictedPoints> predicted; ///< has no ways where nobody asked
 };
 
 } // namespace patina

@@ -11,6 +11,7 @@
 #include "accuracy/cost_text.h"
 #include "accuracy/plot_colors.h"
 #include "accuracy/plot_library.h"
+#include "text/as_text.h"
 #include "text/mixed_color.h"
 
 namespace patina {
@@ -103,7 +104,6 @@ PlotMarks::PlotMarks(QCustomPlot& plot)
     }
     plot.xAxis->setTicker(QSharedPointer<QCPAxisTicker>(new AxisTicks(*plot.xAxis, roundText)));
     plot.yAxis->setTicker(errors_);
-    plot.xAxis->setLabel(QCoreApplication::translate("PlotMarks", "ns per pixel"));
     plot.yAxis->setLabel(QCoreApplication::translate("PlotMarks", "error"));
 }
 
@@ -188,6 +188,11 @@ void PlotMarks::scaleAxes(const CostChart& chart) {
     }
     from = to > 0.0 ? from / timeMargin : 1.0;
     to = to > 0.0 ? to * timeMargin : 100.0;
+    plot_.xAxis->setLabel(
+        chart.predictedFor.empty()
+            ? QCoreApplication::translate("PlotMarks", "ns per pixel")
+            : QCoreApplication::translate("PlotMarks", "ns per pixel, predicted for %1")
+                  .arg(asText(chart.predictedFor)));
     plot_.xAxis->setRange(from, to);
     plot_.yAxis->setRange(floor / errorMargin, worst * errorMargin);
     errors_->begin(floor, QCoreApplication::translate("PlotMarks", "exact"));

@@ -50,6 +50,9 @@ struct CostChart {
     std::string groundTruth;        ///< says with what frames are compared, for users
     std::vector<SameLevel> same;    ///< have no points of their own
     std::optional<ConvergedRender> converged{}; ///< is what some points are compared with instead
+    /// Names the graphics card that times are predicted for, "Steam Deck (RDNA 2)"; empty: they
+    /// were measured here.
+    std::string predictedFor{};
     std::size_t leftOut = 0; ///< counts possible points of the front that there was no time for
 
     /// Tells whether the point was compared with the converged render.

@@ -113,7 +113,7 @@ class CostSweep::Implementation {
         secondsInAll_ = secondsOfSingles(frames_, *drawn_);
         co_yield Steps::Pause();
         co_await makeStandard();
-        if (problems_.empty()) {
+        if (problems_.empty() && !options_.given) {
             co_await timeEmptyFrames();
         }
         while (problems_.empty()) {
@@ -193,6 +193,9 @@ class CostSweep::Implementation {
         const double began = spent_;
         CostPoint point{std::move(levels), {}, {}, {}};
         ++begun_;
+        if (options_.given && !takeGiven(point)) {
+            co_return;
+        }
         doing_ = {SweepStep::Work::Point, point.levels, 0.0};
         IncrementalCapture capture(drawn_->renderer(), drawn_->meshes(),
                                    frames_.captured(point.levels));
@@ -218,10 +221,30 @@ class CostSweep::Implementation {
             fold(std::move(point), began);
             co_return;
         }
-        co_await timePairs(point);
+        if (!options_.given) {
+            co_await timePairs(point);
+        }
         if (problems_.empty()) {
             add(std::move(point), began);
         }
+    }
+
+    /// Gives the point the cost that is given for it, beside that of the exact one; returns whether
+    /// there is one.
+    bool takeGiven(CostPoint& point) {
+        const std::optional<double> cost = options_.given(point.levels);
+        if (point.isExact()) {
+            exactCost_ = cost.value_or(0.0);
+        }
+        if (!(exactCost_ > 0.0)) {
+            problems_.push_back(
+                {{}, 0, 0, "nothing is predicted of the exact way", "a driver that compiles it"});
+            return false;
+        }
+        const double ratio = cost.value_or(0.0) / exactCost_;
+        point.cost.ratio = {ratio, ratio, ratio};
+        point.cost.settled = true;
+        return cost.has_value();
     }
 
     std::optional<InstructionCount> instructionsOf(const ChosenLevels& levels) const {
@@ -287,6 +310,9 @@ class CostSweep::Implementation {
     void add(CostPoint added, double began) {
         chart_.points.push_back(std::move(added));
         longestPoint_ = std::max(longestPoint_, spent_ - began);
+        if (options_.given) {
+            return;
+        }
         chart_.exactMilliseconds = medianInterval(exactTimes_).median;
         for (CostPoint& point : chart_.points) {
             point.cost = withTimes(point.cost, {chart_.exactMilliseconds, empty_, chart_.pixels});
@@ -312,6 +338,7 @@ class CostSweep::Implementation {
     double secondsInAll_ = 0.0;
     MedianInterval empty_; ///< milliseconds of a frame without what is measured
     std::vector<double> exactTimes_;
+    double exactCost_ = 0.0;              ///< is what is given for the exact point
     std::vector<glm::dvec3> exactColors_; ///< are those of the exact frame as the device draws it
     Doing doing_;
     std::chrono::milliseconds patience_{}; ///< is the current step's

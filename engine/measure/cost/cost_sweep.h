@@ -3,7 +3,9 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <optional>
 
 #include "measure/cost/cost_chart.h"
 #include "measure/cost/sweep_step.h"
@@ -38,6 +40,9 @@ class CostSweep {
         bool combinations = true;        ///< asks for them, not only for single choices
         ChosenLevels present{};          ///< are measured in any case
         std::vector<std::string> only{}; ///< are the Choice::id of what is measured; empty: all
+        /// Gives what a point costs in any unit, so that its time is not measured; a point without
+        /// such a cost is left out. Empty: times are measured.
+        std::function<std::optional<double>(const ChosenLevels&)> given{};
     };
 
     static Result<std::unique_ptr<CostSweep>> create(Subject subject, const Options& options);

@@ -195,6 +195,7 @@ nlohmann::json costJson(const CostChart& chart) {
             {"timer", chart.timer},
             {"right", chart.groundTruth},
             {"same", sameJson(chart.same)},
+            {"predictedFor", chart.predictedFor},
             {"leftOut", chart.leftOut},
             {"converged", convergedJson(chart)}};
 }

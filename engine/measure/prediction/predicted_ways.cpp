@@ -23,6 +23,14 @@ std::vector<ChosenLevels> eachLevel(const std::vector<Choice>& choices,
     return all;
 }
 
+/// Returns the scene of the subject with levels of its material's choices.
+Scene sceneWith(const PredictedSubject& subject, const std::vector<Choice>& choices,
+                const ChosenLevels& levels) {
+    ChosenFrame frame{subject.scene, {}};
+    choose(frame, subject.object, choices, levels, *subject.catalog);
+    return std::move(frame.scene);
+}
+
 /// Holds the levels of a subject's ways, and the scene of each.
 struct Ways {
     std::vector<ChosenLevels> levels;
@@ -37,14 +45,38 @@ Ways waysOf(const PredictedSubject& subject, PredictedLevels levels) {
     ways.levels = levels == PredictedLevels::Each ? eachLevel(choices, present)
                                                   : std::vector<ChosenLevels>{present};
     for (const ChosenLevels& each : ways.levels) {
-        ChosenFrame frame{scene, {}};
-        choose(frame, subject.object, choices, each, *subject.catalog);
-        ways.scenes.push_back(std::move(frame.scene));
+        ways.scenes.push_back(sceneWith(subject, choices, each));
     }
     return ways;
 }
 
 } // namespace
+
+const PredictedWay* PredictedPoints::find(const ChosenLevels& levels) const {
+    const auto found = std::ranges::find(ways, levels, &PredictedWay::levels);
+    return found == ways.end() ? nullptr : &*found;
+}
+
+Checked<PredictedPoints> predictedPoints(const PredictedSubject& subject,
+                                         std::span<const ChosenLevels> ways,
+                                         std::span<const GpuFamily* const> families,
+                                         const FamilyCompilerOptions& options) {
+    const std::vector<Choice> choices =
+        materialChoices(subject.scene, subject.object, *subject.catalog);
+    std::vector<Scene> scenes;
+    for (const ChosenLevels& levels : ways) {
+        scenes.push_back(sceneWith(subject, choices, levels));
+    }
+    auto compiled = compiledScenes(subject, scenes, families, options);
+    if (!compiled) {
+        return tl::unexpected(compiled.error());
+    }
+    PredictedPoints predicted{std::move(compiled->driver), {}};
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+        predicted.ways.push_back({ways[i], std::move(compiled->programs[i])});
+    }
+    return predicted;
+}
 
 Checked<PredictedWays> predictedWays(std::span<const PredictedSubject> subjects,
                                      PredictedLevels wanted,

@@ -16,6 +16,22 @@ struct PredictedWay {
     Result<FamilyStatistics> statistics;
 };
 
+/// Holds some ways to compute one material.
+struct PredictedPoints {
+    std::string driver;
+    std::vector<PredictedWay> ways;
+
+    /// Returns the way with these levels; null where it was not compiled.
+    const PredictedWay* find(const ChosenLevels& levels) const;
+};
+
+/// Predicts what these ways to compute the subject's material cost, in their order. Nothing is
+/// drawn.
+Checked<PredictedPoints> predictedPoints(const PredictedSubject& subject,
+                                         std::span<const ChosenLevels> ways,
+                                         std::span<const GpuFamily* const> families,
+                                         const FamilyCompilerOptions& options = {});
+
 /// Holds the ways of several subjects, in their order.
 struct PredictedWays {
     std::string driver;
