@@ -8,8 +8,12 @@
 
 #include "assets/asset_client.h"
 #include "cli/bundle_outcomes.h"
+#include "cli/content_hash.h"
 #include "cli/environment_setup.h"
+#include "cli/job.h"
+#include "cli/long_work.h"
 #include "cli/picture.h"
+#include "cli/preset_folder.h"
 #include "cli/scene_meshes.h"
 #include "cli/scene_setup.h"
 
@@ -22,7 +26,8 @@ constexpr glm::ivec2 pictureSize{256, 256};
 
 struct ExportOptions {
     std::vector<std::string> presets;
-    std::string output;
+    std::string output; ///< is a zip file, or a folder with one for each preset
+    JobOptions job;
     bool allowOutside = false;
     bool noPictures = false;
 };
@@ -72,52 +77,144 @@ class BundlePictures {
     std::optional<PictureMaker> maker_;
 };
 
-bool exportPresets(const ExportOptions& options) {
-    const auto catalog = std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()));
+/// Returns a preset as it stands in a zip file; it has no picture where that cannot be drawn.
+Checked<BundledPreset> bundled(const std::string& file, const ExportOptions& options,
+                               const Catalog& catalog, BundlePictures& pictures) {
+    PictureOptions picture;
+    picture.allowsOutside = options.allowOutside;
+    const auto setup = sceneFor(file, picture, catalog);
+    if (!setup) {
+        return tl::unexpected(setup.error());
+    }
+    report(setup->notes);
+    BundledPreset preset{fs::path(file).stem().stem().string(),
+                         setup->scene.objects.front().material};
+    if (!options.noPictures) {
+        if (auto drawn = pictures.draw(*setup)) {
+            preset.picture = std::move(*drawn);
+        } else {
+            report(drawn.error());
+        }
+    }
+    return preset;
+}
+
+/// Puts each preset into a zip file of its own.
+class ExportWork : public JobWork {
+  public:
+    ExportWork(const ExportOptions& options, std::shared_ptr<const Catalog> catalog)
+        : options_(options), catalog_(std::move(catalog)), pictures_(catalog_) {}
+
+    Checked<nlohmann::json> resultOf(const std::string& preset) override {
+        const auto made = bundled(preset, options_, *catalog_, pictures_);
+        if (!made) {
+            return tl::unexpected(made.error());
+        }
+        const std::string name = nameInFolder(preset, ".zip");
+        const auto outcomes = exportBundle(inFolder(name), {*made});
+        if (!outcomes) {
+            return tl::unexpected(oneError(outcomes.error()));
+        }
+        if (!outcomes->front().problem.empty()) {
+            return tl::unexpected(oneError(Error{preset, 0, 0, outcomes->front().problem, {}}));
+        }
+        return nlohmann::json{{"bundle", name}, {"hash", fileHash(inFolder(name))}};
+    }
+
+    bool isThere(const nlohmann::json& result) const override {
+        const std::string name = result.value("bundle", std::string());
+        return fileHash(inFolder(name)) == result.value("hash", std::string());
+    }
+
+  private:
+    fs::path inFolder(const std::string& name) const { return fs::path(options_.output) / name; }
+
+    const ExportOptions& options_;
+    std::shared_ptr<const Catalog> catalog_;
+    BundlePictures pictures_;
+};
+
+/// Puts each preset into a zip file of a folder, also where some fail; returns the exit status.
+Checked<int> exportEach(const CLI::App& command, const ExportOptions& options,
+                        const std::shared_ptr<const Catalog>& catalog) {
+    if (auto made = prepareFolder(options.output, options.presets, ".zip", "zip file"); !made) {
+        return tl::unexpected(oneError(made.error()));
+    }
+    ExportWork work(options, catalog);
+    LongWork longWork;
+    if (options.job.isWanted()) {
+        return runJob({command, options.job, options.presets, *catalog, options.allowOutside}, work,
+                      longWork);
+    }
+    int status = 0;
+    for (const std::string& preset : options.presets) {
+        if (longWork.isStopped()) {
+            return LongWork::stoppedStatus;
+        }
+        longWork.report(preset);
+        if (const auto made = work.resultOf(preset); !made) {
+            report(made.error());
+            status = 1;
+        }
+    }
+    longWork.report({});
+    return status;
+}
+
+/// Puts all presets into one zip file; returns the exit status.
+Checked<int> exportTogether(const ExportOptions& options,
+                            const std::shared_ptr<const Catalog>& catalog) {
     BundlePictures pictures(catalog);
-    std::vector<BundledPreset> bundled;
+    std::vector<BundledPreset> presets;
     bool isAllRead = true;
     for (const std::string& file : options.presets) {
-        PictureOptions picture;
-        picture.allowsOutside = options.allowOutside;
-        const auto setup = sceneFor(file, picture, *catalog);
-        if (!setup) {
-            report(setup.error());
+        if (auto made = bundled(file, options, *catalog, pictures)) {
+            presets.push_back(std::move(*made));
+        } else {
+            report(made.error());
             isAllRead = false;
-            continue;
         }
-        report(setup->notes);
-        BundledPreset preset{fs::path(file).stem().stem().string(),
-                             setup->scene.objects.front().material};
-        if (!options.noPictures) {
-            if (auto drawn = pictures.draw(*setup)) {
-                preset.picture = std::move(*drawn);
-            } else {
-                report(drawn.error());
-            }
-        }
-        bundled.push_back(std::move(preset));
     }
-    const auto outcomes = exportBundle(options.output, bundled);
+    const auto outcomes = exportBundle(options.output, presets);
     if (!outcomes) {
-        report({outcomes.error()});
-        return false;
+        return tl::unexpected(oneError(outcomes.error()));
     }
-    return tellOutcomes(*outcomes, options.output) && isAllRead;
+    return tellOutcomes(*outcomes, options.output) && isAllRead ? 0 : 1;
+}
+
+Checked<int> exportPresets(const CLI::App& command, const ExportOptions& options) {
+    const auto catalog = std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()));
+    if (options.job.isWanted() && !isFolder(options.output)) {
+        return tl::unexpected(oneError(
+            failure("--results are of one zip file for each preset", "-o FOLDER/").value()));
+    }
+    return isFolder(options.output) ? exportEach(command, options, catalog)
+                                    : exportTogether(options, catalog);
 }
 
 } // namespace
 
 void addExport(CLI::App& program, int& status) {
     CLI::App* command = program.add_subcommand(
-        "export", "Put presets into a zip file, with their images and a picture of each");
+        "export", "Put presets into a zip file, or into one for each, with their images and a "
+                  "picture of each");
     auto options = std::make_shared<ExportOptions>();
     command->add_option("presets", options->presets, "Presets (*.patina.json)")->required();
-    command->add_option("-o,--output", options->output, "The zip file")->required();
+    command
+        ->add_option("-o,--output", options->output,
+                     "The zip file, or a folder (FOLDER/) for a zip file of each preset")
+        ->required();
     command->add_flag("--allow-outside", options->allowOutside,
                       "Read what the presets name outside their folders");
     command->add_flag("--no-pictures", options->noPictures, "Draw nothing");
-    command->callback([options, &status] { status = exportPresets(*options) ? 0 : 1; });
+    addJobOptions(*command, options->job);
+    command->callback([command, options, &status] {
+        const Checked<int> ended = exportPresets(*command, *options);
+        status = ended.value_or(1);
+        if (!ended) {
+            report(ended.error());
+        }
+    });
 }
 
 } // namespace patina

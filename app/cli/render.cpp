@@ -19,6 +19,7 @@
 #include "cli/long_work.h"
 #include "cli/picture.h"
 #include "cli/picture_options.h"
+#include "cli/preset_folder.h"
 #include "cli/scene_meshes.h"
 #include "cli/scene_setup.h"
 #include "cli/shown_view.h"
@@ -40,10 +41,7 @@ struct RenderOptions {
     int turntable = 0; ///< counts the pictures of a whole turn; 0 for a single one, unturned
     TurntableOf turns = TurntableOf::Object;
 
-    bool isIntoFolder() const {
-        std::error_code unknown; // a path that cannot be examined is no folder
-        return output.name.ends_with('/') || std::filesystem::is_directory(output.name, unknown);
-    }
+    bool isIntoFolder() const { return isFolder(output.name); }
 };
 
 constexpr int maxPictures = 3600;
@@ -198,37 +196,6 @@ Checked<void> renderSeries(const RenderOptions& options, const Catalog& catalog,
     return {};
 }
 
-/// Returns the name of a preset's picture in a folder: that of its file, with another suffix.
-std::string pictureName(const std::string& preset) {
-    constexpr std::string_view suffix = ".patina.json";
-    const std::string name = std::filesystem::path(preset).filename().string();
-    const std::string stem = name.ends_with(suffix) ? name.substr(0, name.size() - suffix.size())
-                                                    : std::filesystem::path(name).stem().string();
-    return stem + ".png";
-}
-
-/// Makes the folder of the pictures; fails where two presets would have the same one.
-Result<void> prepareFolder(const RenderOptions& options) {
-    std::map<std::string, std::string> owners;
-    for (const std::string& preset : options.presets) {
-        const auto [owner, isNew] = owners.try_emplace(pictureName(preset), preset);
-        if (!isNew) {
-            return tl::unexpected(
-                Error{preset, 0, 0,
-                      fmt::format("its picture {} would take the place of that of {}", owner->first,
-                                  owner->second),
-                      "presets whose files have different names, or a folder for each"});
-        }
-    }
-    std::error_code failed;
-    std::filesystem::create_directories(options.output.name, failed);
-    if (failed && !std::filesystem::is_directory(options.output.name)) {
-        return tl::unexpected(
-            Error{options.output.name, 0, 0, "the folder cannot be made: " + failed.message(), {}});
-    }
-    return {};
-}
-
 /// Draws presets into a folder.
 class RenderWork : public JobWork {
   public:
@@ -251,7 +218,7 @@ class RenderWork : public JobWork {
         if (!image) {
             return tl::unexpected(image.error());
         }
-        const std::string name = pictureName(preset);
+        const std::string name = nameInFolder(preset, ".png");
         if (auto written = write({inFolder(name)}, *image, files_); !written) {
             return tl::unexpected(written.error());
         }
@@ -277,7 +244,8 @@ class RenderWork : public JobWork {
 /// Draws every preset into the folder, also where some fail; returns the exit status.
 Checked<int> renderAll(const CLI::App& command, const RenderOptions& options,
                        std::shared_ptr<const Catalog> catalog, AssetClient& files) {
-    if (auto prepared = prepareFolder(options); !prepared) {
+    if (auto prepared = prepareFolder(options.output.name, options.presets, ".png", "picture");
+        !prepared) {
         return tl::unexpected(oneError(prepared.error()));
     }
     RenderWork work(options, catalog, files);

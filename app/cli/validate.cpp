@@ -14,6 +14,8 @@
 #include "catalog/json_schema.h"
 #include "catalog/shader_names.h"
 #include "catalog/value_json.h"
+#include "cli/job.h"
+#include "cli/long_work.h"
 #include "material/preset_file.h"
 #include "scene/mesh_path.h"
 #include "scene/scene_file.h"
@@ -180,23 +182,53 @@ nlohmann::json toJson(const Error& error) {
 struct ValidateOptions {
     std::vector<std::string> files;
     bool json = false;
+    JobOptions job;
+};
+
+nlohmann::json toJson(const Errors& mistakes) {
+    nlohmann::json errors = nlohmann::json::array();
+    for (const Error& error : mistakes) {
+        errors.push_back(toJson(error));
+    }
+    return {{"valid", mistakes.empty()}, {"errors", errors}};
+}
+
+/// Checks the files of a job.
+class ValidateWork : public JobWork {
+  public:
+    explicit ValidateWork(const Catalog& catalog) : catalog_(catalog) {}
+
+    Checked<nlohmann::json> resultOf(const std::string& file) override {
+        const Errors mistakes = mistakesIn(file, catalog_);
+        report(mistakes);
+        return toJson(mistakes);
+    }
+
+    bool isGood(const nlohmann::json& result) const override {
+        return result.value("valid", false);
+    }
+
+  private:
+    const Catalog& catalog_;
 };
 
 void print(const ValidateOptions& options, const std::vector<Errors>& mistakes) {
     nlohmann::json array = nlohmann::json::array();
     for (std::size_t i = 0; i < mistakes.size(); ++i) {
-        nlohmann::json errors = nlohmann::json::array();
-        for (const Error& error : mistakes[i]) {
-            errors.push_back(toJson(error));
-        }
-        array.push_back(
-            {{"file", options.files[i]}, {"valid", mistakes[i].empty()}, {"errors", errors}});
+        array.push_back(toJson(mistakes[i]));
+        array.back()["file"] = options.files[i];
     }
     std::cout << writeJson(array);
 }
 
-bool validate(const ValidateOptions& options) {
+/// Returns the exit status.
+Checked<int> validate(const CLI::App& command, const ValidateOptions& options) {
     const Catalog catalog = loadCatalog(standardBlockRoots());
+    if (options.job.isWanted()) {
+        ValidateWork work(catalog);
+        LongWork longWork;
+        return runJob({command, options.job, options.files, catalog}, work, longWork);
+    }
     bool valid = true;
     std::vector<Errors> mistakes;
     for (const std::string& file : options.files) {
@@ -210,7 +242,7 @@ bool validate(const ValidateOptions& options) {
     if (options.json) {
         print(options, mistakes);
     }
-    return valid;
+    return valid ? 0 : 1;
 }
 
 } // namespace
@@ -221,8 +253,15 @@ void addValidate(CLI::App& program, int& status) {
         "Check presets, scenes, sheets and block descriptors; every mistake with its place");
     auto options = std::make_shared<ValidateOptions>();
     command->add_option("files", options->files, "The files")->required();
-    command->add_flag("--json", options->json, "Print the mistakes as JSON");
-    command->callback([options, &status] { status = validate(*options) ? 0 : 1; });
+    auto* json = command->add_flag("--json", options->json, "Print the mistakes as JSON");
+    addJobOptions(*command, options->job)->excludes(json);
+    command->callback([command, options, &status] {
+        const Checked<int> ended = validate(*command, *options);
+        status = ended.value_or(1);
+        if (!ended) {
+            report(ended.error());
+        }
+    });
 }
 
 } // namespace patina

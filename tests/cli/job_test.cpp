@@ -151,6 +151,62 @@ TEST_F(Job, MergedPicturesOfShards_AreThoseOfOneProcess) {
     }
 }
 
+TEST_F(Job, MergedExportsOfShards_AreThoseOfOneProcess) {
+    const auto exported = [this](const std::string& folder, const std::string& results,
+                                 Arguments more) {
+        more.insert(more.end(),
+                    {"--no-pictures", "-o", file(folder) + "/", "--results", file(results)});
+        return patina(command("export", more));
+    };
+    ASSERT_EQ(exported("a", "whole", {}).exitCode, 0);
+    for (const std::string shard : {"1", "2"}) {
+        const Outcome outcome = exported("b", shard, {"--shard", shard + "/2"});
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    }
+    ASSERT_EQ(merge({"1", "2"}).exitCode, 0);
+    EXPECT_EQ(textOf("merged"), textOf("whole"));
+    for (int i = 0; i < 6; ++i) {
+        const std::string name = "/preset" + std::to_string(i) + ".zip";
+        ASSERT_FALSE(textOf("a" + name).empty());
+        EXPECT_EQ(textOf("a" + name), textOf("b" + name)) << name;
+    }
+    fs::remove(folder_ / "a/preset3.zip");
+    EXPECT_NE(exported("a", "whole", {}).out.find("1 done now, 5 before"), std::string::npos);
+    ASSERT_EQ(patina({"import", file("a/preset3.zip"), "--into", file("out")}).exitCode, 0);
+    EXPECT_TRUE(fs::exists(folder_ / "out/preset3/preset3.patina.json"));
+}
+
+TEST_F(Job, MergedPredictionsOfShards_AreThoseOfOneProcessAndWithoutAJob) {
+    const auto predicted = [this](const std::string& results, Arguments more) {
+        more.insert(more.end(), {"--gpu", "rdna2", "--as-it-is", "--results", file(results)});
+        return patina(command("cost", more));
+    };
+    const Outcome outcome = predicted("whole", {});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    ASSERT_EQ(predicted("1", {"--shard", "1/2"}).exitCode, 0);
+    ASSERT_EQ(predicted("2", {"--shard", "2/2"}).exitCode, 0);
+    ASSERT_EQ(merge({"1", "2"}).exitCode, 0);
+    EXPECT_EQ(textOf("merged"), textOf("whole"));
+    const Outcome alone = patina({"cost", preset(1), "--gpu", "rdna2", "--as-it-is", "--json"});
+    EXPECT_EQ(nlohmann::json::parse(linesOf("whole").at(2)).at("result").at("ways"),
+              nlohmann::json::parse(alone.out).at("presets").at(0).at("ways"));
+}
+
+TEST_F(Job, MergedMistakesOfShards_AreThoseOfOneProcess) {
+    writeFile(preset(4), "{");
+    const auto validated = [this](const std::string& results, Arguments more) {
+        more.insert(more.end(), {"--results", file(results)});
+        return patina(command("validate", more));
+    };
+    const Outcome whole = validated("whole", {});
+    EXPECT_EQ(whole.exitCode, 1);
+    EXPECT_NE(whole.out.find("0 failed, 1 found wanting"), std::string::npos) << whole.out;
+    EXPECT_EQ(validated("1", {"--shard", "1/2"}).exitCode, 1);
+    EXPECT_EQ(validated("2", {"--shard", "2/2"}).exitCode, 0);
+    ASSERT_EQ(merge({"1", "2"}).exitCode, 0);
+    EXPECT_EQ(textOf("merged"), textOf("whole"));
+}
+
 TEST_F(Job, SecondStart_LeavesWholeLinesAloneAndDoesTheCutOne) {
     ASSERT_EQ(check("whole").exitCode, 0);
     std::vector<std::string> lines = linesOf("whole");
@@ -395,6 +451,13 @@ TEST_F(Job, PresetsWhosePicturesHaveOneName_AreRefused) {
 
 TEST_F(Job, SeveralPresetsIntoOneFile_AreRefused) {
     const Outcome outcome = patina({"render", preset(0), preset(1), "-o", file("a.png")});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.err.find("-o FOLDER/"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Job, ResultsOfAnExportIntoOneFile_AreRefused) {
+    const Outcome outcome =
+        patina({"export", preset(0), "-o", file("a.zip"), "--results", file("results")});
     EXPECT_EQ(outcome.exitCode, 1);
     EXPECT_NE(outcome.err.find("-o FOLDER/"), std::string::npos) << outcome.err;
 }
