@@ -10,10 +10,12 @@
 #include "catalog/json_text.h"
 #include "catalog/suggestion.h"
 #include "cli/command.h"
+#include "cli/half_check.h"
 #include "cli/job.h"
 #include "cli/long_work.h"
 #include "gl/headless_context.h"
 #include "material/preset_file.h"
+#include "measure/approximation/approximation_subject.h"
 #include "measure/stability/finding_text.h"
 #include "measure/stability/stability_sweep.h"
 #include "measure/stability/sweep_cases.h"
@@ -26,6 +28,8 @@ struct CheckOptions {
     /// Means every edge case and at least 300 000 cases where empty.
     std::optional<std::size_t> cases;
     bool json = false;
+    bool inHalf = false; ///< says which lines survive floats of 16 bits instead
+    double halfLimit = 1.0 / 255.0;
     JobOptions job;
 };
 
@@ -86,11 +90,60 @@ Checked<std::vector<EvalCase>> variantsOfPreset(const Catalog& catalog, const st
     return variants;
 }
 
-Checked<std::vector<EvalCase>> variantsOf(const Catalog& catalog, const std::string& subject) {
+bool isFile(const std::string& subject) {
     std::error_code ignored; // a path that cannot be examined is not a file
-    const bool file =
-        std::filesystem::is_regular_file(subject, ignored) || subject.ends_with(".json");
-    return file ? variantsOfPreset(catalog, subject) : variantsOfBlocks(catalog, subject);
+    return std::filesystem::is_regular_file(subject, ignored) || subject.ends_with(".json");
+}
+
+Checked<std::vector<EvalCase>> variantsOf(const Catalog& catalog, const std::string& subject) {
+    return isFile(subject) ? variantsOfPreset(catalog, subject)
+                           : variantsOfBlocks(catalog, subject);
+}
+
+/// Returns the cases that are evaluated in 16 bits: blocks with their defaults, or what a preset
+/// has.
+Checked<std::vector<EvalCase>> halfSubjects(const Catalog& catalog, const std::string& subject) {
+    auto all = variantsOf(catalog, subject);
+    if (!all || isFile(subject)) {
+        return all;
+    }
+    std::vector<EvalCase> blocks;
+    for (const Block* block : blocksNamed(catalog, subject)) {
+        auto made = defaultCase(catalog, *block);
+        if (!made) {
+            return tl::unexpected(made.error());
+        }
+        blocks.push_back(std::move(*made));
+    }
+    return blocks;
+}
+
+/// Prints which lines of the subjects survive floats of 16 bits; returns the exit status.
+Checked<int> checkInHalf(const Catalog& catalog, const CheckOptions& options) {
+    nlohmann::json all = nlohmann::json::array();
+    for (const std::string& subject : options.subjects) {
+        const auto cases = halfSubjects(catalog, subject);
+        if (!cases) {
+            return tl::unexpected(cases.error());
+        }
+        for (const EvalCase& each : *cases) {
+            const auto made =
+                halfReport(each, catalog.roots.front().folder, isFile(subject), options.halfLimit);
+            if (!made) {
+                return tl::unexpected(made.error());
+            }
+            const std::string name = each.block.block->kind + '/' + each.block.block->id;
+            if (options.json) {
+                all.push_back(halfJson(*made, name));
+            } else {
+                std::cout << halfText(*made, name);
+            }
+        }
+    }
+    if (options.json) {
+        std::cout << writeJson(all);
+    }
+    return 0;
 }
 
 /// Says how many cases are left out of a sweep that was asked for fewer than there are.
@@ -221,6 +274,9 @@ int checkAll(const CheckOptions& options, std::vector<std::vector<EvalCase>> var
 Checked<int> check(const CLI::App& command, const CheckOptions& options) {
     const Catalog catalog = loadCatalog(standardBlockRoots());
     report(catalog.errors);
+    if (options.inHalf) {
+        return checkInHalf(catalog, options);
+    }
     auto variants = allVariants(catalog, options.job.isWanted() ? std::vector<std::string>()
                                                                 : options.subjects);
     if (!variants) {
@@ -263,7 +319,16 @@ void addCheck(CLI::App& program, int& status) {
                      "each set of edge-case values, and 300000 in all where those are fewer")
         ->check(CLI::Range(1UL, 100000000UL));
     auto* json = command->add_flag("--json", options->json, "Print JSON, an array for several");
-    addJobOptions(*command, options->job)->excludes(json);
+    auto* results = addJobOptions(*command, options->job)->excludes(json);
+    auto* precision = command->add_option_function<std::string>(
+        "--precision", [options](const std::string& word) { options->inHalf = word == "half"; },
+        "half: say instead which lines of a block survive floats of 16 bits, and which break");
+    precision->check(CLI::IsMember({"half"}))->excludes(results)->excludes("--cases");
+    command
+        ->add_option("--error", options->halfLimit,
+                     "With --precision half: what a line may be off and hold; 0.0039 without this")
+        ->check(CLI::Range(0.0, 1.0))
+        ->needs(precision);
     command->callback([command, options, &status] {
         const Checked<int> ended = check(*command, *options);
         status = ended.value_or(1);

@@ -162,14 +162,25 @@ bool MeasuredText::isSafe(std::span<const double> exact, std::span<const double>
 
 TextError MeasuredText::error(std::span<const ShaderEdit> edits, const JudgedCases& cases,
                               double limit) const {
-    TextError error;
     const ShaderSource source = editedSource(*source_, *syntax_, edits);
     const auto syntax = parsedShader(source, rootFunction);
     if (!syntax) {
         return {std::numeric_limits<double>::infinity(), 0.0, false};
     }
     ShaderEvaluator evaluator(*syntax, ShaderPrecision::Float);
-    const int function = syntax->functionNamed(rootFunction);
+    return compared(evaluator, syntax->functionNamed(rootFunction), cases, limit);
+}
+
+TextError MeasuredText::errorInHalf(const std::vector<bool>& halved, const JudgedCases& cases,
+                                    double limit) const {
+    ShaderEvaluator evaluator(*syntax_, ShaderPrecision::Float);
+    evaluator.halve(&halved);
+    return compared(evaluator, syntax_->functionNamed(rootFunction), cases, limit);
+}
+
+TextError MeasuredText::compared(ShaderEvaluator& evaluator, int function, const JudgedCases& cases,
+                                 double limit) const {
+    TextError error;
     std::vector<double> got(shape_.results);
     for (std::size_t i = 0; i < cases.texels.size() && error.isWithin(limit); ++i) {
         evaluate(evaluator, function, cases.texels[i], got);

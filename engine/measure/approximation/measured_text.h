@@ -53,6 +53,11 @@ class MeasuredText {
     TextError error(std::span<const ShaderEdit> edits, const JudgedCases& cases,
                     double limit) const;
 
+    /// Evaluates the text in float, and these of its expressions in floats of 16 bits, and compares
+    /// it; where `limit` is passed it goes no further.
+    TextError errorInHalf(const std::vector<bool>& halved, const JudgedCases& cases,
+                          double limit) const;
+
     /// Tells whether all numbers of cases are finite, and none negative that must not be, where
     /// that holds for the exact text.
     bool isSafe(std::span<const ShaderEdit> edits, const JudgedCases& cases) const;
@@ -67,6 +72,8 @@ class MeasuredText {
     void evaluate(ShaderEvaluator& evaluator, int function, const std::vector<float>& texels,
                   std::span<double> results) const;
     bool isSafe(std::span<const double> exact, std::span<const double> got) const;
+    TextError compared(ShaderEvaluator& evaluator, int function, const JudgedCases& cases,
+                       double limit) const;
 
     std::unique_ptr<ShaderSource> source_;
     std::unique_ptr<ShaderSyntax> syntax_;

@@ -35,6 +35,21 @@ class Room {
 
 } // namespace
 
+double roundedToHalf(double x) {
+    constexpr int digits = 11;
+    constexpr int minExponent = -13; // of frexp(): below it digits are lost
+    constexpr double largest = 65504.0;
+    if (!std::isfinite(x) || x == 0.0) {
+        return x;
+    }
+    int exponent = 0;
+    std::frexp(x, &exponent);
+    const double step = std::ldexp(1.0, std::max(exponent, minExponent) - digits);
+    const double rounded = std::nearbyint(x / step) * step;
+    return std::abs(rounded) > largest ? std::copysign(std::numeric_limits<double>::infinity(), x)
+                                       : rounded;
+}
+
 bool ObservedValues::isConstant(std::size_t size) const {
     for (std::size_t i = 0; i < size; ++i) {
         if (!(min[i] == max[i])) {
@@ -139,6 +154,9 @@ bool ShaderEvaluator::truth(int index) {
 void ShaderEvaluator::evaluate(int index, double* out) {
     const ShaderExpression& expression = at(index);
     compute(expression, out);
+    if (isHalved(expression)) {
+        std::transform(out, out + expression.size, out, roundedToHalf);
+    }
     if (observed_ == nullptr || expression.size > 4) {
         return;
     }
@@ -148,6 +166,11 @@ void ShaderEvaluator::evaluate(int index, double* out) {
         seen.max[i] = seen.count == 0 ? out[i] : std::max(seen.max[i], out[i]);
     }
     ++seen.count;
+}
+
+bool ShaderEvaluator::isHalved(const ShaderExpression& expression) const {
+    return halved_ != nullptr && expression.type.isFloat() &&
+           (*halved_)[static_cast<std::size_t>(&expression - syntax_.expressions.data())];
 }
 
 void ShaderEvaluator::compute(const ShaderExpression& expression, double* out) {
@@ -467,6 +490,9 @@ void ShaderEvaluator::assign(const ShaderExpression& expression, double* out) {
         number = expression.sign == "="
                      ? room.data()[i]
                      : combined(expression.sign, target.type.base, number, room.data()[i]);
+        if (isHalved(expression)) {
+            number = roundedToHalf(number);
+        }
         out[i] = number;
     }
 }

@@ -10,6 +10,10 @@
 
 namespace patina {
 
+/// Returns the nearest number that a float of 16 bits holds (IEEE 754 binary16: 11 digits of base
+/// two, from 6e-8 with fewer digits below 6.1e-5, to 65504); beyond that it is infinite.
+double roundedToHalf(double x);
+
 /// Says how numbers are rounded between two operations.
 enum class ShaderPrecision { Double, Float };
 
@@ -35,6 +39,11 @@ class ShaderEvaluator {
     void call(int function, std::span<const double> arguments, std::span<const float> data,
               std::span<double> result);
 
+    /// Rounds the values of these expressions, in the order of ShaderSyntax::expressions, to floats
+    /// of 16 bits from now on, each operation by itself; null: no longer. It must outlive the
+    /// calls.
+    void halve(const std::vector<bool>* expressions) { halved_ = expressions; }
+
     /// Keeps the values of expressions from now on, in the order of ShaderSyntax::expressions;
     /// null: no longer.
     void observe(std::vector<ObservedValues>* values);
@@ -54,6 +63,7 @@ class ShaderEvaluator {
     Flow loop(const ShaderStatement& statement);
     void evaluate(int index, double* out);
     void compute(const ShaderExpression& expression, double* out);
+    bool isHalved(const ShaderExpression& expression) const;
     double* placeOf(int index);
     void field(const ShaderExpression& expression, double* out);
     void swizzle(const ShaderExpression& expression, double* out);
@@ -82,6 +92,7 @@ class ShaderEvaluator {
     double* result_ = nullptr;
     std::span<const float> data_;
     std::vector<ObservedValues>* observed_ = nullptr;
+    const std::vector<bool>* halved_ = nullptr;
 };
 
 } // namespace patina
