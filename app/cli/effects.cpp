@@ -5,7 +5,9 @@
 #include <charconv>
 #include <cmath>
 #include <iostream>
+#include <map>
 #include <memory>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -22,6 +24,7 @@
 #include "cli/scene_meshes.h"
 #include "cli/scene_setup.h"
 #include "gl/headless_context.h"
+#include "measure/prediction/predicted_functions.h"
 #include "render/gpu/texture_loader.h"
 #include "render/surfaces/object_rows.h"
 #include "render/surfaces/scene_depth.h"
@@ -216,13 +219,60 @@ nlohmann::json sourceJson(const ProgramSource& program) {
     return json;
 }
 
+/// Returns what each function takes on a family as the margin of its line.
+std::map<int, std::string> marginsOf(const PredictedFunctions& predicted,
+                                     const std::string& family) {
+    std::map<int, std::string> margins;
+    for (const PredictedFunction& function : predicted.functions) {
+        if (const auto saving = predicted.savingOf(function, family)) {
+            margins[function.line] =
+                fmt::format("{:5} instr. {:3} VGPRs {:6.0f} cycles", saving->instructions,
+                            saving->registers, saving->cycles);
+        }
+    }
+    return margins;
+}
+
+/// Explains the margin, and names the function that takes most registers.
+std::string marginLegend(const PredictedFunctions& predicted, const GpuFamily& family) {
+    std::string text = fmt::format(
+        "// predicted for {} by the compiler of {}: what a function takes, with what is computed "
+        "for it alone, so that a function and one that it calls both have the share of that\n",
+        family.label, predicted.driver);
+    const PredictedFunction* most = predicted.mostRegisters(family.id);
+    if (most != nullptr) {
+        text += fmt::format("// most registers: {} of {} because of {}()\n",
+                            predicted.savingOf(*most, family.id)->registers,
+                            predicted.whole->at(family.id).fragment.vectorRegisters, most->name);
+    }
+    return text;
+}
+
+nlohmann::json functionsJson(const PredictedFunctions& predicted,
+                             std::span<const GpuFamily* const> families) {
+    nlohmann::json functions = nlohmann::json::array();
+    for (const PredictedFunction& function : predicted.functions) {
+        nlohmann::json each{{"function", function.name}, {"line", function.line}};
+        for (const GpuFamily* family : families) {
+            if (const auto saving = predicted.savingOf(function, family->id)) {
+                each["families"][family->id] = {{"instructions", saving->instructions},
+                                                {"vgprs", saving->registers},
+                                                {"cycles", saving->cycles}};
+            }
+        }
+        functions.push_back(std::move(each));
+    }
+    return functions;
+}
+
 void printStages(const std::string& name, const ProgramSource& program,
-                 const std::vector<EffectLine>& lines) {
+                 const std::vector<EffectLine>& lines,
+                 const std::map<int, std::string>& margins = {}) {
     std::cout << markedSource(name + "vertex stage", program.vertex, lines);
     if (program.geometry) {
         std::cout << markedSource(name + "geometry stage", *program.geometry, lines);
     }
-    std::cout << markedSource(name + "fragment stage", program.fragment, lines);
+    std::cout << markedSource(name + "fragment stage", program.fragment, lines, margins);
 }
 
 /// Prints the program of the object as it is seen from the scene's camera. Fails for an object that
@@ -243,12 +293,25 @@ Checked<void> printSource(const Shown& subject, const EffectsOptions& options,
     if (!programs) {
         return tl::unexpected(programs.error());
     }
+    std::optional<PredictedFunctions> functions;
+    if (!options.families.empty()) {
+        auto predicted = predictedFunctions(
+            {programs->front().vertex.text, programs->front().fragment.text}, options.families);
+        if (!predicted || !predicted->whole) {
+            return tl::unexpected(
+                oneError(predicted ? predicted->whole.error() : predicted.error()));
+        }
+        functions = std::move(*predicted);
+    }
     if (options.json) {
         nlohmann::json json = tableJson(
             {shownObject(subject),
              objectRows(scene, object, catalog, meshes, images.known(), aspectOf(options)),
              {}});
         json.update(sourceJson(programs->front()));
+        if (functions) {
+            json["functions"] = functionsJson(*functions, options.families);
+        }
         if (set.outline) {
             json["outline"] = sourceJson(programs->back());
         }
@@ -257,7 +320,13 @@ Checked<void> printSource(const Shown& subject, const EffectsOptions& options,
     }
     const std::vector<EffectLine> lines = effectLines(set, {&material, scene, catalog, view});
     std::cout << "// " << objectText(shownObject(subject)) << '\n';
-    printStages("", programs->front(), lines);
+    if (functions) {
+        const GpuFamily& family = *options.families.front();
+        std::cout << marginLegend(*functions, family);
+        printStages("", programs->front(), lines, marginsOf(*functions, family.id));
+    } else {
+        printStages("", programs->front(), lines);
+    }
     if (set.outline) {
         printStages("outline: ", programs->back(), lines);
     }
@@ -319,8 +388,9 @@ void addEffects(CLI::App& program, int& status) {
                         "The object whose effects are listed: its name, or its number from 1; "
                         "unless given the first one, which has the preset");
     command->add_flag("--source", options->source,
-                      "Print the shader instead, each block marked; with --json its stages beside "
-                      "the list, as \"vertex\" and \"fragment\"");
+                      "Print the shader instead, each block marked; with --gpu a margin says what "
+                      "each function takes there; with --json its stages beside the list, as "
+                      "\"vertex\" and \"fragment\"");
     command->add_flag("--json", options->json, "Print JSON");
     command->add_flag("--no-cost", options->noCost,
                       "Do not draw the frames that show what each effect costs");

@@ -58,7 +58,14 @@ std::string markOf(const std::string& file, const std::vector<EffectLine>& effec
 } // namespace
 
 std::string markedSource(std::string_view title, const ShaderSource& source,
-                         const std::vector<EffectLine>& effects) {
+                         const std::vector<EffectLine>& effects,
+                         const std::map<int, std::string>& margins) {
+    std::size_t columns = 0;
+    for (const auto& margin : margins) {
+        columns = std::max(columns, margin.second.size());
+    }
+    const std::string blank = columns > 0 ? std::string(columns, ' ') + " | " : "";
+    int number = 0;
     std::string out = fmt::format("// ======== {}\n", title);
     std::string_view rest = source.text;
     const std::string* current = nullptr;
@@ -66,12 +73,16 @@ std::string markedSource(std::string_view title, const ShaderSource& source,
     while (!rest.empty()) {
         const std::size_t end = rest.find('\n');
         const std::string_view line = rest.substr(0, end);
+        const auto margin = margins.find(++number);
         if (const std::string* file = fileStarting(line, source)) {
             current = file;
         } else {
             // A "#line" that only returns to another file has no line of its own.
-            out += current != announced && current != nullptr ? markOf(*current, effects) : "";
+            const bool isAnother = current != announced && current != nullptr;
+            out += isAnother ? blank + markOf(*current, effects) : "";
             announced = current;
+            out +=
+                margin == margins.end() ? blank : fmt::format("{:>{}} | ", margin->second, columns);
             out.append(line).append("\n");
         }
         rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);

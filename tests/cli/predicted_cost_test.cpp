@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a material costs on graphics cards that are not here.
 #include <algorithm>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -79,7 +80,6 @@ TEST(PredictedCost, Milliseconds_FollowFromCyclesUnitsAndClock) {
                 1e-6 * expected); // JSON has seven digits
 }
 
-/// The compiler does not unroll the loops over 8, 16 and 48 places of a soft shadow's search, and
 /// A chart for a card: its times are those that --gpu predicts, its errors those that are measured
 /// here, and a budget is of both.
 nlohmann::json chartFor(std::vector<std::string> more) {
@@ -129,6 +129,7 @@ TEST(PredictedCost, CardThatNobodyKnowsOrTwoHave_IsRefusedWithTheKnownOnes) {
     EXPECT_NE(size.err.find("1440p"), std::string::npos) << size.err;
 }
 
+/// The compiler does not unroll the loops over 8, 16 and 48 places of a soft shadow's search, and
 /// twice as many of its edge, and takes each to run 8 times.
 TEST(PredictedCost, RoundsOfALoopThatAreAConstant_CountEach) {
     const auto cyclesWith = [](const std::string& quality) {
@@ -171,6 +172,39 @@ TEST(PredictedCost, OfEffects_IsWhatTheShaderHasMoreWithThem) {
     });
     ASSERT_NE(fog, json.at("effects").end());
     EXPECT_GT(fog->at("predicted").at("rdna2").at("cycles").get<double>(), 0.0);
+}
+
+TEST(PredictedCost, OfFunctions_IsWhatTheStageHasMoreWithThem) {
+    const std::vector<std::string> command{"effects", gold,    "--scene", threeLights,
+                                           "--gpu",   "rdna2", "--source"};
+    const nlohmann::json json = predicted(command);
+    const std::string text = json.at("fragment");
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) {
+        lines.push_back(line);
+    }
+    int largest = 0;
+    for (const auto& function : json.at("functions")) {
+        const std::string name = function.at("function");
+        EXPECT_NE(lines.at(function.at("line").get<std::size_t>() - 1).find(name),
+                  std::string::npos)
+            << name;
+        const int saved = function.at("families").at("rdna2").at("instructions");
+        EXPECT_GE(saved, 0) << name;
+        largest = name == "cookTorrance" ? saved : largest;
+    }
+    const nlohmann::json whole =
+        predicted({"cost", gold, "--scene", threeLights, "--gpu", "rdna2", "--as-it-is"});
+    const int all =
+        whole.at("presets")[0].at("ways")[0].at("families").at("rdna2").at("instructions");
+    EXPECT_GT(largest, all / 2) << "the model is most of " << all;
+    EXPECT_LT(largest, all);
+
+    const Outcome shown = patina(command);
+    EXPECT_NE(shown.out.find("// most registers: "), std::string::npos);
+    EXPECT_NE(shown.out.find(" VGPRs "), std::string::npos);
+    EXPECT_NE(shown.out.find(" | vec3 cookTorrance("), std::string::npos);
 }
 
 TEST(PredictedCost, UnknownFamily_IsRefusedWithTheKnownOnes) {
