@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <array>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <system_error>
-
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -17,6 +14,7 @@
 #include "cli/option_families.h"
 #include "gl/headless_context.h"
 #include "material/preset_file.h"
+#include "measure/approximation/approximation_subject.h"
 #include "measure/approximation/level_check.h"
 #include "measure/stability/sweep_cases.h"
 
@@ -41,55 +39,9 @@ struct ApproximateSubject {
     bool ofValues = false;
 };
 
-/// Makes a folder that is removed with it.
-class ScratchFolder {
-  public:
-    ScratchFolder() {
-        std::error_code none;
-        std::string name = (std::filesystem::temp_directory_path(none) / "patina-XXXXXX").string();
-        const char* const made = mkdtemp(name.data());
-        path_ = made == nullptr ? std::filesystem::path() : std::filesystem::path(made);
-    }
-    ~ScratchFolder() {
-        std::error_code none;
-        if (!path_.empty()) {
-            std::filesystem::remove_all(path_, none);
-        }
-    }
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-    const std::filesystem::path& path() const { return path_; }
-
-  private:
-    std::filesystem::path path_;
-};
-
-/// Returns the block with its defaults, for its first function that a case can hold.
-Checked<EvalCase> caseOfBlock(const Catalog& catalog, const Block& block) {
-    if (block.kind == kinds::models) {
-        return sweepVariant(catalog, defaultMaterial(block)).map_error(oneError);
-    }
-    const auto functions = evaluatedFunctions(block);
-    if (functions.empty()) {
-        return tl::unexpected(
-            oneError(failure(fmt::format("\"{}\" gives no single values", block.id),
-                             "a preset, or a block of a kind that `patina eval` takes")
-                         .value()));
-    }
-    EvalCase made;
-    made.subject = *subjectOf(*functions.front());
-    made.called = functions.front();
-    made.block.block = &block;
-    for (const Parameter& parameter : block.parameters) {
-        made.block.values.emplace(parameter.id, roundedToFloat(parameter.defaultValue));
-    }
-    return made;
-}
-
 Checked<ApproximateSubject> subjectOfBlock(std::shared_ptr<const Catalog> catalog,
                                            const Block& block) {
-    auto made = caseOfBlock(*catalog, block);
+    auto made = defaultCase(*catalog, block);
     if (!made) {
         return tl::unexpected(made.error());
     }
@@ -245,8 +197,7 @@ std::string waysText(const CheaperWays& ways, const ApproximateSubject& subject)
 void checkOnDevice(const ApproximateSubject& subject, CheaperWays& ways,
                    const CheaperSearchOptions& options, LongWork& work) {
     const auto context = gl::HeadlessContext::create();
-    const ScratchFolder scratch;
-    if (!context || scratch.path().empty()) {
+    if (!context) {
         ways.notes.push_back({{}, 0, 0, "not checked on the graphics device: there is none", {}});
         return;
     }
@@ -255,7 +206,7 @@ void checkOnDevice(const ApproximateSubject& subject, CheaperWays& ways,
         return work.isStopped();
     };
     const auto count = checkedOnDevice(subject.subject, ways, subject.catalog->roots.front().folder,
-                                       scratch.path(), options, isStopped);
+                                       options, isStopped);
     if (!count) {
         ways.notes.insert(ways.notes.end(), count.error().begin(), count.error().end());
     }
@@ -309,7 +260,8 @@ Checked<int> approximate(const ApproximateRequest& request) {
     report(ways->notes);
     std::cout << (request.json ? writeJson(waysJson(*ways, *subject)) : waysText(*ways, *subject));
     if (!request.output.empty() && !ways->ways.empty()) {
-        const auto made = approximatedBlock(subject->subject, *ways);
+        const auto made =
+            approximatedBlock(subject->subject, *ways, usualNaming(*subject->subject.block.block));
         const auto done = made ? writeApproximatedBlock(*made, request.output)
                                : Result<void>(tl::unexpected(made.error()));
         if (!done) {

@@ -3,13 +3,17 @@
 
 #include <memory>
 
+#include <QToolButton>
+
 #include "accuracy/accuracy_page.h"
+#include "accuracy/cheaper_page.h"
 #include "accuracy/match_page.h"
 #include "accuracy/material_target.h"
 #include "accuracy/measure_turn.h"
 #include "accuracy/models_page.h"
 #include "accuracy/picture_target.h"
 #include "accuracy/scaling_page.h"
+#include "docks/panel.h"
 
 namespace patina {
 
@@ -37,6 +41,19 @@ AccuracyDock::AccuracyDock(const DockContext& context) {
         tr("Time against pixels, lights and objects"));
     add(new MatchPage(context, turn), tr("Match"),
         tr("Values with which a model looks like another material or a measured surface"));
+    auto* cheaper = new CheaperPage(context, turn);
+    add(cheaper, tr("Cheaper Ways"),
+        tr("Search for cheaper ways to compute a model or another block"));
+    auto* find = textButton(tr("Find cheaper ways"),
+                            tr("Search for cheaper ways to compute the model, also such as nobody "
+                               "has declared"),
+                            material);
+    find->setObjectName("find");
+    material->addButton(find);
+    connect(find, &QToolButton::clicked, this, [this, cheaper] {
+        setCurrentWidget(cheaper);
+        cheaper->search();
+    });
 }
 
 } // namespace patina

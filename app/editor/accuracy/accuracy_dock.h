@@ -7,9 +7,10 @@
 
 namespace patina {
 
-/// Shows what accuracy costs on five pages, of which only one measures at a time: This Material and
+/// Shows what accuracy costs on six pages, of which only one measures at a time: This Material and
 /// This Picture chart time against error, All Models compares models, Scaling shows how time grows,
-/// Match finds the models that look like something else.
+/// Match finds the models that look like something else, Cheaper Ways searches for levels that
+/// nobody has declared.
 class AccuracyDock : public QTabWidget {
     Q_OBJECT
 

@@ -145,6 +145,10 @@ void AccuracyPage::connectParts() {
     connect(budget_, &BudgetRow::answered, this, &AccuracyPage::select);
 }
 
+void AccuracyPage::addButton(QToolButton* button) {
+    bar().addButton(button);
+}
+
 QSize AccuracyPage::sizeHint() const {
     return usualPageSize;
 }
@@ -161,10 +165,6 @@ void AccuracyPage::showNumbers(bool stale) {
     showSelected();
 }
 
-void AccuracyPage::select(int point) {
-    plot_->select(point);
-    list_->select(point);
-    showSelected();
 QString AccuracyPage::predict() {
     drawn_ = chart();
     const auto card = budget_->card();
@@ -182,6 +182,10 @@ QString AccuracyPage::predict() {
     return {};
 }
 
+void AccuracyPage::select(int point) {
+    plot_->select(point);
+    list_->select(point);
+    showSelected();
 }
 
 void AccuracyPage::showSelected() {

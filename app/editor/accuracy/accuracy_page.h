@@ -45,6 +45,9 @@ class AccuracyPage : public MeasurePage {
     /// them, as one undo step.
     void compare(int point);
 
+    /// Puts a button into the row above the chart.
+    void addButton(QToolButton* button);
+
     QSize sizeHint() const override;
 
   protected:
@@ -70,10 +73,10 @@ class AccuracyPage : public MeasurePage {
     ChartHeading heading() const;
 
     std::unique_ptr<ChartTarget> target_;
+    CostChart drawn_;
     QToolButton* compare_;
     QLabel* notes_;
     CostPlot* plot_;
-    CostChart drawn_;
     CostList* list_;
     BudgetRow* budget_;
 };

@@ -52,6 +52,10 @@ void MeasureBar::addButton(QToolButton* button) {
     row_->insertWidget(row_->indexOf(export_), button);
 }
 
+void MeasureBar::setStartText(const QString& text) {
+    start_->setText(text);
+}
+
 void MeasureBar::giveTwoLines() {
     text_->setWordWrap(true);
     text_->setMinimumHeight(2 * fontMetrics().lineSpacing()); // so that a longer text moves nothing

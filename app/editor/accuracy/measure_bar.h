@@ -21,6 +21,8 @@ class MeasureBar : public QWidget {
 
     /// Puts a button before the export.
     void addButton(QToolButton* button);
+    /// Writes other words than "Measure" on the button that starts.
+    void setStartText(const QString& text);
     /// Lets the sentence wrap, and keeps room for two lines from now on.
     void giveTwoLines();
 

@@ -41,7 +41,7 @@ MeasurePage::MeasurePage(const DockContext& context, std::shared_ptr<MeasureTurn
 
 void MeasurePage::connectParts() {
     connect(bar_, &MeasureBar::startWished, this, [this] { startMeasuring(); });
-    connect(bar_, &MeasureBar::stopWished, &worker_, &Worker::cancel);
+    connect(bar_, &MeasureBar::stopWished, this, [this] { stopMeasuring(); });
     connect(bar_, &MeasureBar::exportWished, this, [this](const QString& ending) {
         const QString file = askForChartFile(this, ending);
         if (!file.isEmpty()) {

@@ -47,6 +47,8 @@ class MeasurePage : public QWidget {
                 std::unique_ptr<KeptResults> results = std::make_unique<KeptResults>());
 
     virtual void startMeasuring() = 0;
+    /// Ends a measurement with what it has by then.
+    virtual void stopMeasuring() { worker_.cancel(); }
     /// Returns the subject of numbers that would be measured now.
     virtual MeasuredSubject subject() const = 0;
 

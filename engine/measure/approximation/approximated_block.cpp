@@ -287,6 +287,17 @@ nlohmann::json choiceJson(const CheaperWays& ways, const std::string& id) {
             {"values", std::move(levels)}};
 }
 
+/// Returns "phong-cheaper" for 1 and "phong-cheaper-2" for 2, also for what has such a name
+/// already.
+BlockNaming numberedNaming(const Block& block, int number) {
+    const std::string of = number == 1 ? "" : fmt::format("{}", number);
+    return {fmt::format("{}-cheaper{}", block.id.substr(0, block.id.find("-cheaper")),
+                        of.empty() ? of : '-' + of),
+            fmt::format("{} (cheaper ways{})",
+                        block.label.substr(0, block.label.find(" (cheaper ways")),
+                        of.empty() ? of : ' ' + of)};
+}
+
 } // namespace
 
 std::string wordsOf(const CheaperWay& way) {
@@ -323,7 +334,25 @@ std::string foundLevelDoc(const CheaperWays& ways, std::size_t index) {
                        ways.exact.cost, ways.unit);
 }
 
-Result<ApproximatedBlock> approximatedBlock(const EvalCase& subject, const CheaperWays& ways) {
+BlockNaming usualNaming(const Block& block) {
+    return block.shipped ? numberedNaming(block, 1) : BlockNaming{block.id, block.label};
+}
+
+BlockNaming freeNaming(const Block& block, const Catalog& catalog,
+                       const std::filesystem::path& folder) {
+    for (int number = 1;; ++number) {
+        BlockNaming naming = numberedNaming(block, number);
+        std::error_code unknown; // what cannot be looked at is not there
+        if (catalog.find(block.kind, naming.id) == nullptr &&
+            !std::filesystem::exists(folder / (naming.id + ".glsl"), unknown) &&
+            !std::filesystem::exists(folder / (naming.id + ".json"), unknown)) {
+            return naming;
+        }
+    }
+}
+
+Result<ApproximatedBlock> approximatedBlock(const EvalCase& subject, const CheaperWays& ways,
+                                            const BlockNaming& naming) {
     const Block& block = *subject.block.block;
     const auto glsl = readShaderFile(block.shaderFile);
     if (!glsl) {
@@ -339,13 +368,12 @@ Result<ApproximatedBlock> approximatedBlock(const EvalCase& subject, const Cheap
     made.glsl = LevelWriter(subject, ways, fieldName(made.choice)).written(*glsl);
     made.descriptor = std::move(descriptor->value);
     made.descriptor["accuracy"].push_back(choiceJson(ways, made.choice));
-    if (!block.shipped) {
+    if (naming.id == block.id) {
         return made;
     }
-    made.id += "-cheaper";
+    made.id = naming.id;
     Block copy = block;
     copy.id = made.id;
-    Block withChoice = block;
     AccuracyChoice choice{made.choice, {}, {}, {{"exact", {}, {}}}};
     for (std::size_t i = 0; i < ways.ways.size(); ++i) {
         choice.values.push_back({foundLevelId(i), {}, {}});
@@ -353,7 +381,7 @@ Result<ApproximatedBlock> approximatedBlock(const EvalCase& subject, const Cheap
     copy.accuracy.push_back(std::move(choice));
     made.glsl = renamed(made.glsl, ownNames(block, copy, made.glsl));
     made.descriptor["id"] = made.id;
-    made.descriptor["label"] = block.label + " (cheaper ways)";
+    made.descriptor["label"] = naming.label;
     made.descriptor.erase("formerIds");
     return made;
 }

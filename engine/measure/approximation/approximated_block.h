@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -35,11 +36,27 @@ double statedError(const CheaperWay& way);
 /// Returns what a level is, in plain words, with its error and its cost.
 std::string foundLevelDoc(const CheaperWays& ways, std::size_t way);
 
+/// Is what a written block is called.
+struct BlockNaming {
+    std::string id;
+    std::string label;
+};
+
+/// Returns the block's own id and label, and for a block that ships others, because a user's block
+/// may not have the id of another one: "phong-cheaper", "Phong (cheaper ways)".
+BlockNaming usualNaming(const Block& block);
+
+/// Returns an id and a label like those that no block of the catalogue has, and of whose id there
+/// is no file in `folder`: "phong-cheaper", "phong-cheaper-2" ...
+BlockNaming freeNaming(const Block& block, const Catalog& catalog,
+                       const std::filesystem::path& folder);
+
 /// Writes the block of a case with the ways that were found for it. The ways are functions beside
 /// the block's own, which stays as it is under another name; what the program was not searched for,
-/// such as another choice of a compiled enum, is computed exactly. A block that ships gets an id of
-/// its own, because a user's block may not have that of another one. It is an error where a file of
-/// the block cannot be read.
-Result<ApproximatedBlock> approximatedBlock(const EvalCase& subject, const CheaperWays& ways);
+/// such as another choice of a compiled enum, is computed exactly. With another id than the block's
+/// all names that it shares with others get the new one. It is an error where a file of the block
+/// cannot be read.
+Result<ApproximatedBlock> approximatedBlock(const EvalCase& subject, const CheaperWays& ways,
+                                            const BlockNaming& naming);
 
 } // namespace patina

@@ -65,6 +65,9 @@ class CheaperSearch {
         addPolynomials();
         tryTogether();
         finish();
+        if (options_.isAbandoned()) {
+            return tl::unexpected(oneError(Error{{}, 0, 0, "it was stopped", {}}));
+        }
         return std::move(found_);
     }
 
@@ -74,7 +77,8 @@ class CheaperSearch {
     }
 
     bool isOver() const {
-        return found_.isStopped || secondsGone() > shareOfTrials * options_.seconds;
+        return found_.isStopped || options_.isAbandoned() ||
+               secondsGone() > shareOfTrials * options_.seconds;
     }
 
     /// Reports, and keeps the wish to stop.
@@ -151,7 +155,8 @@ class CheaperSearch {
             return;
         }
         auto moves =
-            polynomialMoves(shader(), terms, std::min(secondsOfSollya, 0.3 * options_.seconds));
+            polynomialMoves(shader(), terms, std::min(secondsOfSollya, 0.3 * options_.seconds),
+                            [this] { return stopsNow(); });
         if (!moves) {
             found_.notes.push_back(moves.error());
             return;
@@ -172,7 +177,7 @@ class CheaperSearch {
     /// Judges ways on all cores, and leaves out those that are too far off or break.
     void judge(std::vector<TriedWay>& ways) {
         inParallel(ways.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
+            for (std::size_t i = begin; i < end && !options_.isAbandoned(); ++i) {
                 const std::vector<ShaderEdit> edits = editsFor(ways[i].moves);
                 ways[i].error = text_->error(edits, quick_, options_.maxError);
                 if (ways[i].error.isWithin(options_.maxError)) {
@@ -325,6 +330,9 @@ class CheaperSearch {
 
     /// Keeps few ways of the front, with their errors on cases that the search has not seen.
     void finish() {
+        if (options_.isAbandoned()) {
+            return;
+        }
         CaseWish wish{options_.heldOut, heldOutSeed, rowsOfSearch,
                       std::max<std::size_t>(options_.heldOut / 32, 1), options_.ofValues};
         const JudgedCases unseen = text_->judged(texelsOfCases(commonCases(subject_, wish)));
@@ -357,7 +365,7 @@ class CheaperSearch {
             }
         }
         inParallel(open.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
+            for (std::size_t i = begin; i < end && !options_.isAbandoned(); ++i) {
                 const std::vector<ShaderEdit> edits = editsFor(open[i]->moves);
                 const TextError last = text_->error(edits, unseen, options_.maxError);
                 TextError& error = open[i]->error;
@@ -369,7 +377,7 @@ class CheaperSearch {
         });
         std::erase_if(
             tried_, [this](const TriedWay& way) { return !way.error.isWithin(options_.maxError); });
-        return !open.empty();
+        return !open.empty() && !options_.isAbandoned();
     }
 
     /// Leaves out, one after the other, the way that its neighbours replace best.

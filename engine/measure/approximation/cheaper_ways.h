@@ -20,6 +20,8 @@ struct CheaperSearchOptions {
     std::size_t heldOut = 10000;       ///< counts those on which the found ways are judged at last
     std::size_t ways = 5;              ///< limits those that are kept of the front
     bool ofValues = false;             ///< judges the subject's own values only, and folds them
+    /// Ends it with an error, without judging what it has found.
+    std::function<bool()> isAbandoned = [] { return false; };
 };
 
 /// Is a way to compute a block more cheaply.
@@ -52,7 +54,7 @@ using CheaperProgress = std::function<bool(double share, const CheaperWays& soFa
 /// then together, beginning with what is best so far. Errors are those of float against double
 /// precision, costs are predicted. Every way is finite and not negative in edge cases, and its
 /// error is the largest on cases that the search did not see. It is an error where the text does
-/// not compile or cannot be evaluated in double precision.
+/// not compile or cannot be evaluated in double precision, or where the search is abandoned.
 Checked<CheaperWays> cheaperWays(const EvalCase& subject, const std::filesystem::path& shaders,
                                  const CheaperSearchOptions& options,
                                  const CheaperProgress& progress);

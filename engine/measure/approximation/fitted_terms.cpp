@@ -321,14 +321,15 @@ std::vector<OneVariableTerm> oneVariableTerms(const ShaderSource& source,
 
 Result<std::vector<CheapMove>> polynomialMoves(const ObservedShader& shader,
                                                std::span<const OneVariableTerm> terms,
-                                               double seconds) {
+                                               double seconds,
+                                               const std::function<bool()>& isStopped) {
     std::vector<PolynomialWish> wishes;
     for (const OneVariableTerm& term : terms) {
         for (int degree = minDegree; degree <= maxDegree; ++degree) {
             wishes.push_back({term.function, -1.0, 1.0, degree});
         }
     }
-    const auto fitted = fittedPolynomials(wishes, seconds);
+    const auto fitted = fittedPolynomials(wishes, seconds, isStopped);
     if (!fitted) {
         return tl::unexpected(fitted.error());
     }

@@ -29,6 +29,7 @@ std::vector<OneVariableTerm> oneVariableTerms(const ShaderSource& source,
 /// where Sollya is missing.
 Result<std::vector<CheapMove>> polynomialMoves(const ObservedShader& shader,
                                                std::span<const OneVariableTerm> terms,
-                                               double seconds);
+                                               double seconds,
+                                               const std::function<bool()>& isStopped);
 
 } // namespace patina

@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
+#include <system_error>
+
+#include <unistd.h>
 
 #include <fmt/format.h>
 
@@ -19,6 +23,30 @@ constexpr std::uint32_t seedOfDevice = 3;
 constexpr std::size_t firstRowOfDevice = 4096; ///< is behind the sets of values of the search
 constexpr std::size_t sweptCases = 60000;
 
+/// Makes a folder that is removed with it.
+class ScratchFolder {
+  public:
+    ScratchFolder() {
+        std::error_code none;
+        std::string name = (std::filesystem::temp_directory_path(none) / "patina-XXXXXX").string();
+        const char* const made = mkdtemp(name.data());
+        path_ = made == nullptr ? std::filesystem::path() : std::filesystem::path(made);
+    }
+    ~ScratchFolder() {
+        std::error_code none;
+        if (!path_.empty()) {
+            std::filesystem::remove_all(path_, none);
+        }
+    }
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+
+  private:
+    std::filesystem::path path_;
+};
+
 /// Is a block that was written, read again.
 struct WrittenBlock {
     Catalog catalog;
@@ -29,7 +57,7 @@ struct WrittenBlock {
 Checked<WrittenBlock> writtenBlock(const EvalCase& subject, const CheaperWays& ways,
                                    const std::filesystem::path& shaders,
                                    const std::filesystem::path& folder) {
-    const auto made = approximatedBlock(subject, ways);
+    const auto made = approximatedBlock(subject, ways, usualNaming(*subject.block.block));
     if (!made) {
         return tl::unexpected(oneError(made.error()));
     }
@@ -215,10 +243,13 @@ Result<void> writeApproximatedBlock(const ApproximatedBlock& block,
 
 Checked<std::size_t> checkedOnDevice(const EvalCase& subject, CheaperWays& ways,
                                      const std::filesystem::path& shaders,
-                                     const std::filesystem::path& folder,
                                      const CheaperSearchOptions& options,
                                      const std::function<bool()>& isStopped) {
-    const auto written = writtenBlock(subject, ways, shaders, folder);
+    const ScratchFolder scratch;
+    if (scratch.path().empty()) {
+        return tl::unexpected(oneError(Error{{}, 0, 0, "no folder for files could be made", {}}));
+    }
+    const auto written = writtenBlock(subject, ways, shaders, scratch.path());
     if (!written) {
         return tl::unexpected(written.error());
     }

@@ -8,11 +8,9 @@ namespace patina {
 /// Tries the found ways of a written block on the graphics device, whose context must be current:
 /// in the stability sweep and on common cases that are not those of the search. Ways that are not
 /// finite or negative there are taken out, and errors become those of the device where these are
-/// larger. `folder` must be empty; it gets the block's two files. Returns how many cases were
-/// tried; an error says why none was.
+/// larger. Returns how many cases were tried; an error says why none was.
 Checked<std::size_t> checkedOnDevice(const EvalCase& subject, CheaperWays& ways,
                                      const std::filesystem::path& shaders,
-                                     const std::filesystem::path& folder,
                                      const CheaperSearchOptions& options,
                                      const std::function<bool()>& isStopped);
 

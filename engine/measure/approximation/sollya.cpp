@@ -96,7 +96,8 @@ class AnswerReader {
 } // namespace
 
 Result<std::vector<std::optional<FittedPolynomial>>>
-fittedPolynomials(std::span<const PolynomialWish> wishes, double seconds) {
+fittedPolynomials(std::span<const PolynomialWish> wishes, double seconds,
+                  const std::function<bool()>& isStopped) {
     const std::filesystem::path program = sollyaProgram();
     if (program.empty()) {
         return failure("Sollya is not installed, which fits polynomials", installSollya);
@@ -119,7 +120,7 @@ fittedPolynomials(std::span<const PolynomialWish> wishes, double seconds) {
             break;
         }
         const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - began;
-        if (waited.count() > seconds) {
+        if (waited.count() > seconds || isStopped()) {
             break; // what it has by now is used
         }
     }

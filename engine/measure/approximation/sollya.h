@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -28,9 +29,10 @@ struct FittedPolynomial {
 inline constexpr const char* installSollya = "apt-get install sollya";
 
 /// Fits polynomials by Sollya's fpminimax, and bounds their errors by its supnorm, in a process of
-/// its own. What it finds nothing for is empty. It is an error where Sollya is not installed or
-/// does not answer within `seconds`.
+/// its own. What it finds nothing for, within `seconds` and before `isStopped` says so, is empty.
+/// It is an error where Sollya is not installed.
 Result<std::vector<std::optional<FittedPolynomial>>>
-fittedPolynomials(std::span<const PolynomialWish> wishes, double seconds);
+fittedPolynomials(std::span<const PolynomialWish> wishes, double seconds,
+                  const std::function<bool()>& isStopped);
 
 } // namespace patina

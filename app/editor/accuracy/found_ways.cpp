@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "accuracy/found_ways.h"
+
+#include <algorithm>
+
+#include <QByteArrayView>
+#include <QCoreApplication>
+#include <QHashFunctions>
+
+#include "catalog/json_text.h"
+#include "core/ordinary_file.h"
+#include "core/text.h"
+#include "measure/approximation/level_check.h"
+#include "text/as_text.h"
+#include "text/display_number.h"
+
+namespace patina {
+namespace {
+
+constexpr std::uintmax_t maxShaderBytes = 8u << 20;
+constexpr double shareOfSearch = 0.9; ///< of the progress; the rest is the check on the device
+
+class WaysText {
+    Q_DECLARE_TR_FUNCTIONS(WaysText)
+};
+
+QString numberText(std::size_t number) {
+    return numberLocale().toString(static_cast<qulonglong>(number));
+}
+
+QString searchText(const CheaperWays& soFar) {
+    return WaysText::tr("Searching: %1 changes, %2 tried, %3 cheaper ways so far")
+        .arg(numberText(soFar.moves), numberText(soFar.tried), numberText(soFar.ways.size()));
+}
+
+std::filesystem::path folderOfBlock(const FoundWays& found) {
+    return found.wish.folder / found.wish.subject.block.block->kind;
+}
+
+/// Adds what would be saved; a block that cannot be read leaves it empty.
+void writeBlockOf(FoundWays& found, const Catalog& catalog) {
+    const BlockNaming naming =
+        freeNaming(*found.wish.subject.block.block, catalog, folderOfBlock(found));
+    found.block =
+        approximatedBlock(found.wish.subject, found.ways, naming).value_or(ApproximatedBlock());
+}
+
+/// Tells whether two searches show the same ways.
+bool areSame(const std::vector<CheaperWay>& a, const std::vector<CheaperWay>& b) {
+    return std::ranges::equal(a, b, [](const CheaperWay& x, const CheaperWay& y) {
+        return x.cost == y.cost && x.error == y.error;
+    });
+}
+
+class WaySearch {
+  public:
+    WaySearch(const WaysWish& wish, const std::atomic<bool>& isEnough, Worker::Control& control,
+              const std::function<void(const FoundWays&)>& take)
+        : wish_(wish), isEnough_(isEnough), control_(control), take_(take),
+          shader_(textHash(wish.subject.block.block->shaderFile)) {
+        wish_.options.isAbandoned = [this] { return control_.isCancelled(); };
+    }
+
+    MeasureEnd run() {
+        const auto progress = [this](double share, const CheaperWays& soFar) {
+            control_.report(shareOfSearch * share, searchText(soFar));
+            if (!areSame(shown_, soFar.ways)) {
+                shown_ = soFar.ways;
+                show(soFar, false);
+            }
+            return !isEnough_;
+        };
+        auto ways = cheaperWays(wish_.subject, shaders(), wish_.options, progress);
+        if (control_.isCancelled()) {
+            return endOf(false, {});
+        }
+        if (!ways) {
+            return tl::unexpected(ways.error());
+        }
+        check(*ways);
+        if (control_.isCancelled()) {
+            return endOf(false, {});
+        }
+        show(*ways, true);
+        return endOf(!ways->isStopped, {});
+    }
+
+  private:
+    const std::filesystem::path& shaders() const { return wish_.catalog->roots.front().folder; }
+
+    void check(CheaperWays& ways) {
+        if (ways.ways.empty()) {
+            return;
+        }
+        control_.report(shareOfSearch, WaysText::tr("Checking on the graphics device"), true);
+        const auto checked = checkedOnDevice(wish_.subject, ways, shaders(), wish_.options,
+                                             [this] { return control_.isCancelled(); });
+        if (!checked) {
+            ways.notes.insert(ways.notes.end(), checked.error().begin(), checked.error().end());
+        }
+    }
+
+    void show(const CheaperWays& ways, bool isChecked) {
+        FoundWays found{wish_, ways, {}, isChecked, shader_};
+        found.wish.options.isAbandoned = [] { return false; };
+        writeBlockOf(found, *wish_.catalog);
+        control_.show([take = take_, found = std::move(found)] { take(found); });
+    }
+
+    WaysWish wish_;
+    const std::atomic<bool>& isEnough_;
+    Worker::Control& control_;
+    const std::function<void(const FoundWays&)>& take_;
+    std::uint64_t shader_;
+    std::vector<CheaperWay> shown_;
+};
+
+} // namespace
+
+std::uint64_t textHash(const std::filesystem::path& file) {
+    const Result<std::string> text = readFile(file, maxShaderBytes);
+    return text ? qHash(QByteArrayView(*text)) : 0;
+}
+
+MeasureEnd findWays(const WaysWish& wish, const std::atomic<bool>& isEnough,
+                    Worker::Control& control, const std::function<void(const FoundWays&)>& take) {
+    return WaySearch(wish, isEnough, control, take).run();
+}
+
+Result<std::string> savedWays(const FoundWays& found, const Catalog& catalog) {
+    const Block& block = *found.wish.subject.block.block;
+    if (!found.isChecked) {
+        return failure("the ways are not checked yet", "a search that has ended");
+    }
+    if (found.wish.folder.empty()) {
+        return failure("there is no folder for blocks of yours", "a start with your blocks");
+    }
+    if (textHash(block.shaderFile) != found.shader) {
+        return tl::unexpected(Error{block.shaderFile.string(), 0, 0,
+                                    "it has changed since cheaper ways were searched for",
+                                    "another search"});
+    }
+    const BlockNaming naming = freeNaming(block, catalog, folderOfBlock(found));
+    auto made = approximatedBlock(found.wish.subject, found.ways, naming);
+    if (!made) {
+        return tl::unexpected(made.error());
+    }
+    if (auto written = writeApproximatedBlock(*made, folderOfBlock(found)); !written) {
+        return tl::unexpected(written.error());
+    }
+    return made->id;
+}
+
+QString methodText(const FoundWays& found) {
+    return WaysText::tr("%1 of %2, predicted. Errors where white is 1, light and viewer 3° or more "
+                        "above the surface; the largest of %3 cases that the search did not see.")
+        .arg(asText(capitalised(found.ways.unit)), asText(found.wish.subject.block.block->label),
+             numberText(found.ways.heldOut));
+}
+
+QString entryText(const FoundWays& found) {
+    const auto choices = found.block.descriptor.find("accuracy");
+    return choices == found.block.descriptor.end() || choices->empty()
+               ? QString()
+               : asText(writeJson(choices->back()));
+}
+
+} // namespace patina
