@@ -195,18 +195,31 @@ Checked<void> printTable(const Shown& subject, const EffectsOptions& options,
     return {};
 }
 
-/// Returns the object's program, and that of its outline where it has one.
-Checked<std::vector<ProgramSource>> programsOf(const EffectSet& set, const Catalog& catalog) {
-    std::vector<ProgramSource> programs;
-    for (const bool isOutline : {false, true}) {
-        if (isOutline && !set.outline) {
-            continue;
+struct NamedProgram {
+    std::string name; ///< is empty for the surface's own
+    ProgramSource source;
+};
+
+/// Returns the object's program, and those of its fins and its outline where it has them.
+Checked<std::vector<NamedProgram>> programsOf(const EffectSet& set, const Catalog& catalog) {
+    std::vector<NamedProgram> programs;
+    Errors errors;
+    const auto add = [&](const char* name, Checked<ProgramSource> made) {
+        if (made) {
+            programs.push_back({name, std::move(*made)});
+        } else {
+            errors = made.error();
         }
-        auto made = isOutline ? outlineProgram(set, catalog) : surfaceProgram(set, catalog);
-        if (!made) {
-            return tl::unexpected(made.error());
-        }
-        programs.push_back(std::move(*made));
+    };
+    add("", surfaceProgram(set, catalog));
+    if (set.shells && hasFins(*set.shells)) {
+        add("fins", finsProgram(set, catalog));
+    }
+    if (set.outline) {
+        add("outline", outlineProgram(set, catalog));
+    }
+    if (!errors.empty()) {
+        return tl::unexpected(errors);
     }
     return programs;
 }
@@ -280,7 +293,7 @@ void printStages(const std::string& name, const ProgramSource& program,
 Checked<void> printSource(const Shown& subject, const EffectsOptions& options,
                           const Catalog& catalog, Images& images) {
     const auto& [scene, object, meshes] = subject;
-    if (const std::string why = whyNotDrawn(scene, object, meshes, aspectOf(options));
+    if (const std::string why = whyNotDrawn(scene, object, catalog, meshes, aspectOf(options));
         !why.empty()) {
         return tl::unexpected(oneError(
             failure(fmt::format("{} has no shader: {}", objectText(shownObject(subject)), why))
@@ -296,7 +309,8 @@ Checked<void> printSource(const Shown& subject, const EffectsOptions& options,
     std::optional<PredictedFunctions> functions;
     if (!options.families.empty()) {
         auto predicted = predictedFunctions(
-            {programs->front().vertex.text, programs->front().fragment.text}, options.families);
+            {programs->front().source.vertex.text, programs->front().source.fragment.text},
+            options.families);
         if (!predicted || !predicted->whole) {
             return tl::unexpected(
                 oneError(predicted ? predicted->whole.error() : predicted.error()));
@@ -308,27 +322,32 @@ Checked<void> printSource(const Shown& subject, const EffectsOptions& options,
             {shownObject(subject),
              objectRows(scene, object, catalog, meshes, images.known(), aspectOf(options)),
              {}});
-        json.update(sourceJson(programs->front()));
+        for (const NamedProgram& program : *programs) {
+            const nlohmann::json source = sourceJson(program.source);
+            if (program.name.empty()) {
+                json.update(source);
+            } else {
+                json[program.name] = source;
+            }
+        }
         if (functions) {
             json["functions"] = functionsJson(*functions, options.families);
-        }
-        if (set.outline) {
-            json["outline"] = sourceJson(programs->back());
         }
         std::cout << writeJson(json);
         return {};
     }
     const std::vector<EffectLine> lines = effectLines(set, {&material, scene, catalog, view});
     std::cout << "// " << objectText(shownObject(subject)) << '\n';
+    std::map<int, std::string> margins;
     if (functions) {
         const GpuFamily& family = *options.families.front();
         std::cout << marginLegend(*functions, family);
-        printStages("", programs->front(), lines, marginsOf(*functions, family.id));
-    } else {
-        printStages("", programs->front(), lines);
+        margins = marginsOf(*functions, family.id);
     }
-    if (set.outline) {
-        printStages("outline: ", programs->back(), lines);
+    for (const NamedProgram& program : *programs) {
+        const bool isSurface = program.name.empty();
+        printStages(isSurface ? "" : program.name + ": ", program.source, lines,
+                    isSurface ? margins : std::map<int, std::string>());
     }
     return {};
 }

@@ -27,6 +27,12 @@ constexpr auto edge =
     std::to_array<ArgumentField>({{.key = "silhouette", .type = Field::Flag, .usual = 0},
                                   {.key = "open", .type = Field::Flag, .usual = 0},
                                   {.key = "dihedral", .max = std::numbers::pi, .usual = 0}});
+constexpr auto strand = std::to_array<ArgumentField>({{.key = "height", .usual = 0.5},
+                                                      {.key = "n", .type = Field::Direction},
+                                                      {.key = "nl", .usual = 1},
+                                                      {.key = "size", .usual = 1},
+                                                      {.key = "tone", .usual = 0.5},
+                                                      {.key = "phase", .usual = 0.5}});
 constexpr auto layer = std::to_array<ArgumentField>({{.key = "depth"}, {.key = "opacity"}});
 constexpr auto skyRay =
     std::to_array<ArgumentField>({{.key = "direction", .type = Field::Direction, .member = "d"},
@@ -41,6 +47,11 @@ constexpr auto ofRefraction =
               BlockFunction{"Left", "vec3", "float", "way", false, way});
 constexpr auto ofOutline =
     functions(BlockFunction{"", "vec2", "Edge", "e", false, edge}, BlockFunction{"Color", "vec3"});
+constexpr auto ofShells = functions(BlockFunction{"", "vec3", "Directions", "d"},
+                                    BlockFunction{"Offset", "vec3", "Strand", "s", true, strand},
+                                    BlockFunction{"Radius", "float", "Strand", "s", false, strand},
+                                    BlockFunction{"Curl", "vec2", "Strand", "s", true, strand},
+                                    BlockFunction{"Tint", "vec3", "Strand", "s", false, strand});
 constexpr auto ofLights = functions(BlockFunction{"", "Illumination", "vec3", "x"});
 constexpr auto ofShadows = functions(BlockFunction{"", "float", "ShadowPoint", "s"});
 constexpr auto ofFog =
@@ -52,6 +63,7 @@ constexpr auto ofPass = functions(BlockFunction{"", "vec3", "PicturePoint", "at"
 constexpr auto ofEnvironment = functions(BlockFunction{"", "vec3", "SkyRay", "o", false, skyRay});
 
 constexpr std::array<std::string_view, 2> indexSources{"surface", "own"};
+constexpr std::array<std::string_view, 2> strandLights{"surface", "strand"};
 constexpr std::array<std::string_view, 2> falloffs{"polynomial", "inverse-square"};
 constexpr std::array<std::string_view, 3> backdrops{"sharp", "blurred", "hidden"};
 
@@ -71,6 +83,11 @@ constexpr auto inRefraction = std::to_array<ParameterRole>(
      {.word = roles::filter, .type = ParameterType::Color, .mayRepeat = true}});
 constexpr auto inOutline =
     std::to_array<ParameterRole>({{.word = roles::width, .mayRepeat = true}});
+constexpr auto inShells = std::to_array<ParameterRole>(
+    {{.word = roles::length, .isNeeded = true},
+     {.word = roles::density, .isNeeded = true},
+     {.word = roles::lighting, .type = ParameterType::Enum, .choices = strandLights},
+     {roles::fins, ParameterType::Bool}});
 constexpr auto inLights = std::to_array<ParameterRole>(
     {{roles::color, ParameterType::Color},
      {roles::intensity},
@@ -135,6 +152,15 @@ constexpr auto rows = std::to_array<BlockKind>({
      .owner = BlockOwner::Material,
      .functions = ofOutline,
      .roles = inOutline},
+    {.folder = kinds::shells,
+     .singular = "shells",
+     .plural = "shells",
+     .label = "Shells",
+     .word = "Shells",
+     .owner = BlockOwner::Material,
+     .functions = ofShells,
+     .absent = "No fur or grass",
+     .roles = inShells},
     {.folder = kinds::lights,
      .singular = "light",
      .plural = "lights",

@@ -38,13 +38,13 @@ void VertexArray::shorts(unsigned location, const Buffer& buffer) {
 }
 
 void VertexArray::instanced(unsigned location, const Buffer& buffer, unsigned count,
-                            std::size_t offset) const {
+                            std::size_t offset, unsigned copies) const {
     constexpr std::size_t size = 4 * sizeof(float);
     bind();
     glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
     for (unsigned i = 0; i < count; ++i) {
         glEnableVertexAttribArray(location + i);
-        glVertexAttribDivisor(location + i, 1);
+        glVertexAttribDivisor(location + i, copies);
         glVertexAttribPointer(location + i, 4, GL_FLOAT, GL_FALSE,
                               static_cast<GLsizei>(count * size),
                               reinterpret_cast<const void*>(offset + i * size)); // NOLINT: as above

@@ -27,10 +27,10 @@ class VertexArray {
     void shorts(unsigned location, const Buffer& buffer);
 
     /// Reads `count` attributes of four floats each into the locations from `location` on. They lie
-    /// one behind the other in `buffer` from `offset` bytes on and advance once per instance.
-    /// Leaves the vertex array bound.
-    void instanced(unsigned location, const Buffer& buffer, unsigned count,
-                   std::size_t offset) const;
+    /// one behind the other in `buffer` from `offset` bytes on and advance once per `copies`
+    /// instances. Leaves the vertex array bound.
+    void instanced(unsigned location, const Buffer& buffer, unsigned count, std::size_t offset,
+                   unsigned copies = 1) const;
 
     unsigned name() const { return name_.get(); }
 

@@ -159,6 +159,10 @@ class RandomScenes {
         if (chance(0.3)) {
             made.parts["outline"] = block("outline");
         }
+        if (chance(0.1)) {
+            made.parts["shells"] = block("shells");
+            chooseAccuracy(made, *catalog_.find("shells", made.parts["shells"].id));
+        }
         chooseAccuracy(made, *catalog_.find("models", made.model.id));
         addTextures(made);
         return made;

@@ -99,7 +99,8 @@ class RandomScene : public GpuTest, public testing::WithParamInterface<std::uint
     };
 
     Named namedBy(const EffectSet& set, GLsizei corners) const {
-        Named named{{}, set.textures.size(), corners, set.outline.has_value(), false};
+        const bool hasLines = set.outline || (set.shells && hasFins(*set.shells));
+        Named named{{}, set.textures.size(), corners, hasLines, false};
         std::size_t textures = 0;
         for (const EffectLine& line : effectLines(set)) {
             const auto slash = line.effect.find('/');
@@ -230,6 +231,7 @@ class RandomScene : public GpuTest, public testing::WithParamInterface<std::uint
         for (Object& each : scene.objects) {
             makeSolid(each.material);
             each.material.parts.erase("outline");
+            each.material.parts.erase("shells");
         }
         renderer->setCatalog(examining_);
         const Image image = captured(scene, number, false);

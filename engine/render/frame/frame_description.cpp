@@ -55,6 +55,9 @@ void FrameDescription::countPrograms(const PreparedFrame& frame, FrameReport& re
     for (const DrawBatch& batch : frame.list.batches()) {
         const DrawMaterial& material = frame.materials[batch.material];
         addOnce<const void*>(programs_, material.pipeline->program.get());
+        if (material.pipeline->finsProgram) {
+            addOnce<const void*>(programs_, material.pipeline->finsProgram.get());
+        }
         if (frame.hasLines(batch.material)) {
             addOnce<const void*>(programs_, material.pipeline->outlineProgram.get());
         }

@@ -7,6 +7,7 @@
 #include "render/pass/blended_pass.h"
 #include "render/pass/depth_normal_pass.h"
 #include "render/pass/display_pass.h"
+#include "render/pass/fin_pass.h"
 #include "render/pass/ground_pass.h"
 #include "render/pass/layer_pass.h"
 #include "render/pass/mesh_pass.h"
@@ -22,15 +23,17 @@ namespace patina {
 struct FramePasses {
     /// Returns the passes in the order of preparing: each needs only what those before it have
     /// added to the plan.
-    std::array<Pass*, 13> prepared(FrameData& data) {
-        return {&meshes, &shadows, &display,  &background, &programs,     &data,   &layers,
-                &solid,  &ground,  &outlines, &blended,    &depthNormals, &resolve};
+    std::array<Pass*, 14> prepared(FrameData& data) {
+        return {&meshes, &shadows, &display, &background, &programs, &data,         &layers,
+                &solid,  &fins,    &ground,  &outlines,   &blended,  &depthNormals, &resolve};
     }
 
     /// Returns the passes that are drawn first, in their order; then objects() are drawn, then
     /// `depthNormals` and `resolve`.
     std::array<Pass*, 3> beforeObjects() { return {&meshes, &shadows, &background}; }
-    std::array<Pass*, 5> objects() { return {&solid, &ground, &outlines, &blended, &layers}; }
+    std::array<Pass*, 6> objects() {
+        return {&solid, &fins, &ground, &outlines, &blended, &layers};
+    }
 
     MeshPass meshes;
     ShadowPass shadows;
@@ -39,6 +42,7 @@ struct FramePasses {
     ProgramPass programs;
     LayerPass layers;
     SolidPass solid;
+    FinPass fins;
     GroundPass ground;
     OutlinePass outlines;
     BlendedPass blended;

@@ -8,6 +8,7 @@
 #include <epoxy/gl.h>
 
 #include "render/gpu/edge_finder.h"
+#include "render/gpu/vertex_attributes.h"
 
 namespace patina {
 namespace {
@@ -49,7 +50,7 @@ gl::VertexArray GpuEdges::makeArray(const gl::Buffer& vertices) const {
     gl::VertexArray array = gl::VertexArray::create();
     array.bind();
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.name());
-    array.attribute(0, vertices, 3, sizeof(Vertex), offsetof(Vertex, position));
+    vertexAttributes(array, vertices);
     return array;
 }
 

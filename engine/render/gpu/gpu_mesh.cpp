@@ -10,6 +10,7 @@
 #include <epoxy/gl.h>
 
 #include "render/gpu/valid_normals.h"
+#include "render/gpu/vertex_attributes.h"
 
 namespace patina {
 namespace {
@@ -56,12 +57,7 @@ gl::VertexArray GpuMesh::makeArray() const {
     gl::VertexArray array = gl::VertexArray::create();
     array.bind();
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.name());
-    array.attribute(0, vertices_, 3, sizeof(Vertex), offsetof(Vertex, position));
-    array.attribute(1, vertices_, 3, sizeof(Vertex), offsetof(Vertex, normal));
-    array.attribute(2, vertices_, 3, sizeof(Vertex), offsetof(Vertex, tangent));
-    array.attribute(3, vertices_, 2, sizeof(Vertex), offsetof(Vertex, uv));
-    array.attribute(4, vertices_, 1, sizeof(Vertex),
-                    offsetof(Vertex, tangent) + offsetof(glm::vec4, w));
+    vertexAttributes(array, vertices_);
     if (openness_) {
         array.shorts(opennessAttribute, *openness_);
     }

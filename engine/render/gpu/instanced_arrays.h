@@ -18,8 +18,11 @@ struct DrawRange {
     int triangles = 0;
     std::size_t firstInstance = 0;
     std::size_t instances = 1;
+    int copies = 1; ///< is how many instances each object is drawn as, one after the other
 
-    std::int64_t total() const { return std::int64_t(triangles) * std::int64_t(instances); }
+    std::int64_t total() const {
+        return std::int64_t(triangles) * std::int64_t(instances) * copies;
+    }
 };
 
 /// Keeps a vertex array of a mesh for each buffer of instances. A driver may compile again for a
@@ -37,6 +40,7 @@ class InstancedArrays {
     struct Array {
         std::shared_ptr<const gl::Buffer> instances;
         std::size_t offset = 0;
+        int copies = 1;
         gl::VertexArray array;
     };
 

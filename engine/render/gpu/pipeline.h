@@ -29,6 +29,8 @@ struct Pipeline {
                                                      ///< a fit
     std::optional<OutlineLayout> outline; ///< is that of outlineProgram; empty without outlines
     std::shared_ptr<const gl::Program> outlineProgram;
+    std::shared_ptr<const gl::Program> finsProgram; ///< draws strands on edges, with the data of
+                                                    ///< `program`; null without fins
 };
 
 } // namespace patina

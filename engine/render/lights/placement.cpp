@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/lights/placement.h"
 
+#include <glm/geometric.hpp>
+
 #include "render/lights/shadow_view.h"
 
 namespace patina {
@@ -24,10 +26,26 @@ Placement placementOf(const Object& object, const Bounds& bounds) {
     return placement;
 }
 
-bool isOutside(const Placement& placement, const glm::dmat4& worldToClip) {
+std::array<glm::dvec3, 8> cornersWithin(const Placement& placement, double metres) {
+    std::array<glm::dvec3, 8> corners = placement.corners;
+    if (!(metres > 0.0)) {
+        return corners;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        const glm::dvec3 along(placement.world[axis]);
+        const double size = glm::length(along);
+        const glm::dvec3 step = size > 0.0 ? along * (metres / size) : glm::dvec3(0.0);
+        for (int corner = 0; corner < 8; ++corner) {
+            corners[static_cast<std::size_t>(corner)] += (corner >> axis & 1) != 0 ? step : -step;
+        }
+    }
+    return corners;
+}
+
+bool isOutside(const Placement& placement, const glm::dmat4& worldToClip, double metres) {
     glm::bvec4 beyond(true); // each side of the picture
     bool isBehind = true;
-    for (const glm::dvec3& corner : placement.corners) {
+    for (const glm::dvec3& corner : cornersWithin(placement, metres)) {
         const glm::dvec4 x = worldToClip * glm::dvec4(corner, 1.0);
         const double w = x.w + planeMargin * std::abs(x.w);
         beyond.x = beyond.x && x.x < -w;

@@ -25,9 +25,12 @@ struct Placement {
 
 Placement placementOf(const Object& object, const Bounds& bounds);
 
-/// Returns true when nothing of the box can be in the picture. `worldToClip` is a perspective; its
-/// near and far plane do not matter.
-bool isOutside(const Placement& placement, const glm::dmat4& worldToClip);
+/// Returns the corners of a box around all that is no farther than `metres` from the box.
+std::array<glm::dvec3, 8> cornersWithin(const Placement& placement, double metres);
+
+/// Returns true when nothing within `metres` of the box can be in the picture. `worldToClip` is a
+/// perspective; its near and far plane do not matter.
+bool isOutside(const Placement& placement, const glm::dmat4& worldToClip, double metres = 0.0);
 
 /// Keeps the placements of a scene's objects and computes one again only when it has changed.
 class PlacementStore {

@@ -5,10 +5,12 @@
 
 namespace patina {
 
-bool BatchDrawer::drawTriangles(FrameGpu& gpu, const DrawBatch& batch, StepBudget& budget) {
-    return drawSlices(gpu, batch, batch.mesh->triangles(), budget, [&](const DrawRange& range) {
+bool BatchDrawer::drawTriangles(FrameGpu& gpu, const DrawBatch& batch, StepBudget& budget,
+                                int copies) {
+    const auto drawn = [&](const DrawRange& range) {
         batch.mesh->draw(gpu.data.instances(), range);
-    });
+    };
+    return drawSlices(gpu, batch, {batch.mesh->triangles(), copies}, budget, drawn);
 }
 
 /// Lines are drawn like opaque objects and hide each other by their depth.
@@ -19,20 +21,38 @@ bool BatchDrawer::drawLines(const PreparedFrame& frame, FrameGpu& gpu, const Dra
         return true;
     }
     gpu.data.feedLines(frame, batch);
-    setBlendState(BlendState::Opaque);
-    glDepthMask(GL_TRUE);
-    return drawSlices(gpu, batch, batch.mesh->edgeCount(), budget, [&](const DrawRange& range) {
-        batch.mesh->drawEdges(gpu.data.instances(), range);
-    });
+    return drawEdges(gpu, batch, budget);
 }
 
-/// Draws all `triangles` (or edges) of each of the batch's objects in slices.
-bool BatchDrawer::drawSlices(FrameGpu& gpu, const DrawBatch& batch, int triangles,
-                             StepBudget& budget,
+/// Fins are drawn with the data of the surface.
+bool BatchDrawer::drawFins(const PreparedFrame& frame, FrameGpu& gpu, const DrawBatch& batch,
+                           StepBudget& budget) {
+    const Pipeline& pipeline = *frame.materials[batch.material].pipeline;
+    if (!pipeline.finsProgram || !batch.mesh->hasEdges() || batch.mesh->edgeCount() == 0) {
+        return true;
+    }
+    gpu.data.feed(frame, batch);
+    pipeline.finsProgram->use();
+    gpu.data.forgetProgram();
+    return drawEdges(gpu, batch, budget);
+}
+
+bool BatchDrawer::drawEdges(FrameGpu& gpu, const DrawBatch& batch, StepBudget& budget) {
+    setBlendState(BlendState::Opaque);
+    glDepthMask(GL_TRUE);
+    const auto drawn = [&](const DrawRange& range) {
+        batch.mesh->drawEdges(gpu.data.instances(), range);
+    };
+    return drawSlices(gpu, batch, {batch.mesh->edgeCount(), 1}, budget, drawn);
+}
+
+/// Draws the triangles (or edges) of each of the batch's objects in slices.
+bool BatchDrawer::drawSlices(FrameGpu& gpu, const DrawBatch& batch, Amount each, StepBudget& budget,
                              const std::function<void(const DrawRange&)>& draw) {
     while (!slices_.isDone(batch.count)) {
-        const DrawRange range =
-            slices_.next(triangles, batch.first, batch.count, budget.maxTriangles());
+        DrawRange range = slices_.next(each.triangles, batch.first, batch.count,
+                                       budget.maxTriangles() / each.copies);
+        range.copies = each.copies;
         draw(range);
         ++gpu.report.drawCalls;
         budget.addTriangles(range.total());

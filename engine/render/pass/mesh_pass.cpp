@@ -33,11 +33,12 @@ bool MeshPass::draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budge
     return findEdges(frame, gpu, budget);
 }
 
-/// Finds and uploads the edges of meshes with outlines; returns false when the budget is used up.
+/// Finds and uploads the edges of meshes with outlines or fins; returns false when the budget is
+/// used up.
 bool MeshPass::findEdges(const PreparedFrame& frame, FrameGpu& gpu, const StepBudget& budget) {
     for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
         const PlannedItem& item = frame.plan.items[i];
-        if (!frame.plan.materials[item.material].isOutlined) {
+        if (!frame.plan.materials[item.material].needsEdges()) {
             continue;
         }
         GpuEdges& edges = gpu.shared.meshes.prepareEdges(*frame.meshes[i], item.view);

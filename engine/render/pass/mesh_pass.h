@@ -5,7 +5,8 @@
 
 namespace patina {
 
-/// Uploads the meshes of a frame, and the edges of those with outlines, to the GPU.
+/// Uploads the meshes of a frame, and the edges of those with outlines or fins, to the
+/// GPU.
 class MeshPass : public Pass {
   public:
     /// Allocates meshes that are new.

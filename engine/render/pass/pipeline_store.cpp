@@ -14,6 +14,27 @@
 #include "shading/effects/texture_writer.h"
 
 namespace patina {
+namespace {
+
+/// Assigns the blocks and images that a program of surfaces reads.
+void bindSurface(const gl::Program& program, const EffectSet& effects) {
+    program.bindBlock("ViewBlock", binding::view);
+    program.bindBlock("SceneBlock", binding::scene);
+    program.bindBlock("ObjectBlock", binding::object);
+    for (std::size_t i = 0; i < effects.textures.size(); ++i) {
+        program.bindSampler(samplerName(i).c_str(),
+                            binding::firstTexture + static_cast<unsigned>(i));
+    }
+    program.bindSampler("shadowMaps", binding::shadowMaps);
+    RefractionTargets::assignUnits(program);
+    if (effects.environment) {
+        environment::assignUnits(program);
+    }
+    program.bindSampler("blockTables", binding::blockTables);
+    program.bindSampler("measuredTable", binding::measuredTable);
+}
+
+} // namespace
 
 PipelineStore::PipelineStore(std::filesystem::path programCache, SurfaceOutput output)
     : programs_(std::move(programCache)), output_(output),
@@ -77,6 +98,21 @@ tl::expected<void, PipelineStore::Entry> PipelineStore::addOutline(Pipeline& pip
     return {};
 }
 
+tl::expected<void, PipelineStore::Entry> PipelineStore::addFins(Pipeline& pipeline,
+                                                                const EffectSet& effects) {
+    const auto source = finsProgram(effects, *catalog_, sceneCapacity_);
+    if (!source) {
+        return tl::unexpected(Entry{nullptr, source.error()});
+    }
+    const ProgramCache::Found found = programs_.get(*source);
+    if (!found.program) {
+        return tl::unexpected(Entry{nullptr, found.errors, found.isFinal});
+    }
+    bindSurface(*found.program, effects);
+    pipeline.finsProgram = found.program;
+    return {};
+}
+
 /// Adds the program that fills tables together with the one that reads them, so that filling them
 /// later compiles nothing.
 tl::expected<void, PipelineStore::Entry> PipelineStore::addTables(Pipeline& pipeline,
@@ -131,20 +167,7 @@ PipelineStore::Entry PipelineStore::make(EffectSet effects, std::uint64_t sceneK
     if (!found.program) {
         return {nullptr, found.errors, found.isFinal};
     }
-    found.program->bindBlock("ViewBlock", binding::view);
-    found.program->bindBlock("SceneBlock", binding::scene);
-    found.program->bindBlock("ObjectBlock", binding::object);
-    for (std::size_t i = 0; i < effects.textures.size(); ++i) {
-        found.program->bindSampler(samplerName(i).c_str(),
-                                   binding::firstTexture + static_cast<unsigned>(i));
-    }
-    found.program->bindSampler("shadowMaps", binding::shadowMaps);
-    RefractionTargets::assignUnits(*found.program);
-    if (effects.environment) {
-        environment::assignUnits(*found.program);
-    }
-    found.program->bindSampler("blockTables", binding::blockTables);
-    found.program->bindSampler("measuredTable", binding::measuredTable);
+    bindSurface(*found.program, effects);
     pipeline->object = objectLayout(effects);
     if (!pipeline->object.tables.empty() && output_ == SurfaceOutput::Picture) {
         if (auto added = addTables(*pipeline, effects); !added) {
@@ -158,6 +181,11 @@ PipelineStore::Entry PipelineStore::make(EffectSet effects, std::uint64_t sceneK
     }
     if (effects.outline && output_ == SurfaceOutput::Picture) {
         if (auto added = addOutline(*pipeline, effects); !added) {
+            return added.error();
+        }
+    }
+    if (effects.shells && hasFins(*effects.shells) && output_ == SurfaceOutput::Picture) {
+        if (auto added = addFins(*pipeline, effects); !added) {
             return added.error();
         }
     }

@@ -48,7 +48,8 @@ bool SolidPass::drawBatches(const PreparedFrame& frame, FrameGpu& gpu, StepBudge
         const DrawBatch& batch = frame.list.batches()[batch_];
         gpu.data.feed(frame, batch);
         setBlendState(BlendState::Opaque);
-        if (!drawer_.drawTriangles(gpu, batch, budget)) {
+        const int copies = instancesOf(frame.materials[batch.material].pipeline->effects);
+        if (!drawer_.drawTriangles(gpu, batch, budget, copies)) {
             return false;
         }
         gpu.report.drawnObjects += static_cast<int>(batch.count);

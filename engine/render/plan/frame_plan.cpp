@@ -25,7 +25,7 @@ const BlockValues& FramePlan::transparency() const {
 }
 
 bool FramePlan::hasManyTriangles(std::int64_t more) const {
-    return triangles + edges + more > maxTrianglesAtOnce;
+    return triangles + layered + edges + more > maxTrianglesAtOnce;
 }
 
 void FramePlan::moveTo(const Scene& copy, const Scene& effectsCopy) {

@@ -24,6 +24,11 @@ struct PlannedMaterial {
     bool isTransparent = false;
     bool canShadow = true;
     bool isOutlined = false; ///< says that the edges of its objects' meshes are wanted
+    double shells = 0.0;     ///< is how far strands reach from the surface, in metres
+    int layers = 0;          ///< is how many layers of strands are drawn over the surface
+    bool hasFins = false;    ///< says that strands stand on the edges of its objects' meshes
+
+    bool needsEdges() const { return isOutlined || hasFins; }
 };
 
 /// Says what is seen of one object of a scene.
@@ -67,7 +72,8 @@ struct FramePlan {
     PlannedGround ground;
     EffectView effectView; ///< is what the programs depend on in the view, except missing lights
     std::int64_t triangles = 0;
-    std::int64_t edges = 0; ///< is about the number of edges that may be drawn as outlines
+    std::int64_t layered = 0; ///< is the number of triangles of layers of strands
+    std::int64_t edges = 0; ///< is about the number of edges that may be drawn as outlines or fins
 
     glm::dmat4 worldToClip() const;
 

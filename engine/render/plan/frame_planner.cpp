@@ -9,6 +9,7 @@
 #include "shading/effects/opacity.h"
 #include "shading/effects/outline.h"
 #include "shading/effects/shadows.h"
+#include "shading/effects/shells.h"
 
 namespace patina {
 namespace {
@@ -36,7 +37,7 @@ FogReach fogReach(const FramePlan& plan, const Catalog& catalog) {
         return fog;
     }
     for (const PlannedItem& item : plan.items) {
-        fog.add(item.placement->corners);
+        fog.add(cornersWithin(*item.placement, plan.materials[item.material].shells));
     }
     if (plan.ground.isSeen) {
         fog.add(groundBounds(), worldMatrix(plan.ground.place));
@@ -52,12 +53,14 @@ std::size_t missingKinds(FramePlan& plan, std::size_t lights) {
 
 void count(FramePlan& plan) {
     plan.triangles = 0;
+    plan.layered = 0;
     plan.edges = 0;
     for (const PlannedItem& item : plan.items) {
         const std::int64_t triangles = std::ssize(item.view.indices) / 3;
         plan.triangles += triangles;
+        plan.layered += plan.materials[item.material].layers * triangles;
         // A closed mesh has three edges for two triangles.
-        plan.edges += plan.materials[item.material].isOutlined ? 3 * triangles / 2 : 0;
+        plan.edges += plan.materials[item.material].needsEdges() ? 3 * triangles / 2 : 0;
     }
 }
 
@@ -107,7 +110,8 @@ void FramePlanner::collect(FramePlan& plan, const MeshSource& meshes, const Cata
         }
         if (!mesh.indices.empty()) {
             PlannedItem& item = plan.items.emplace_back(itemOf(plan, i, mesh, catalog));
-            item.isInPicture = plan.isUnseen || !isOutside(*item.placement, worldToClip);
+            const double shells = plan.materials[item.material].shells;
+            item.isInPicture = plan.isUnseen || !isOutside(*item.placement, worldToClip, shells);
         }
     }
 }
@@ -115,9 +119,12 @@ void FramePlanner::collect(FramePlan& plan, const MeshSource& meshes, const Cata
 PlannedItem FramePlanner::itemOf(FramePlan& plan, std::size_t index, const MeshView& mesh,
                                  const Catalog& catalog) {
     const Placement& place = placements_.of(index, plan.scene->objects[index], mesh.bounds);
-    const std::size_t lights = plan.lightLists.listFor(place.ball);
+    const double shells = shellsLength(plan.scene->objects[index].material, catalog);
+    Ball ball = place.ball;
+    ball.radius += shells;
+    const std::size_t lights = plan.lightLists.listFor(ball);
     if (!mesh.bounds.empty()) {
-        plan.depths.add(place.corners, plan.worldToCamera);
+        plan.depths.add(cornersWithin(place, shells), plan.worldToCamera);
     }
     return {index,  mesh,
             &place, glm::distance(place.middle, plan.eye),
@@ -145,6 +152,9 @@ std::size_t FramePlanner::materialOf(FramePlan& plan, std::size_t object, std::s
         material.isTransparent = isTransparent(effects, catalog);
         material.canShadow = canShadow(values, catalog);
         material.isOutlined = outlineChoice(effects, catalog).block != nullptr;
+        material.shells = shellsLength(values, catalog);
+        material.layers = layersOver(effects, catalog);
+        material.hasFins = hasFins(effects, catalog);
     }
     return number;
 }

@@ -18,6 +18,7 @@
 #include "shading/effects/lights.h"
 #include "shading/effects/opacity.h"
 #include "shading/effects/refraction.h"
+#include "shading/effects/shells.h"
 
 namespace patina {
 namespace {
@@ -157,24 +158,26 @@ void takeOut(std::vector<EffectRow>& rows, const std::string& reason) {
 }
 
 /// Returns true when the renderer would leave the object out, because it is outside the picture.
-bool isOutside(const Scene& scene, std::size_t object, const MeshView& mesh, double aspect) {
+bool isOutside(const Scene& scene, std::size_t object, const MeshView& mesh, const Catalog& catalog,
+               double aspect) {
     const glm::dmat4 worldToClip =
         projection(scene.camera, aspect, DepthRange()) * viewMatrix(scene.camera);
     return !mesh.indices.empty() &&
-           patina::isOutside(placementOf(scene.objects[object], mesh.bounds), worldToClip);
+           patina::isOutside(placementOf(scene.objects[object], mesh.bounds), worldToClip,
+                             shellsLength(scene.objects[object].material, catalog));
 }
 
 } // namespace
 
-std::string whyNotDrawn(const Scene& scene, std::size_t object, const MeshSource& meshes,
-                        double aspect) {
+std::string whyNotDrawn(const Scene& scene, std::size_t object, const Catalog& catalog,
+                        const MeshSource& meshes, double aspect) {
     if (!scene.objects[object].visible) {
         return "The object is hidden.";
     }
     if (!canBeSeen(scene.objects[object].material)) {
         return "Nothing of the object can be seen: its opacity is 0.";
     }
-    return aspect > 0.0 && isOutside(scene, object, meshes(scene.objects[object]), aspect)
+    return aspect > 0.0 && isOutside(scene, object, meshes(scene.objects[object]), catalog, aspect)
                ? "The object is outside the view: it is not drawn."
                : "";
 }
@@ -185,7 +188,7 @@ std::vector<EffectRow> objectRows(const Scene& scene, std::size_t object, const 
     const EffectView view = objectView(scene, object, catalog, meshes);
     std::vector<EffectRow> rows = effectRows(scene, object, catalog, view);
     const Material& material = scene.objects[object].material;
-    if (const std::string why = whyNotDrawn(scene, object, meshes, aspect); !why.empty()) {
+    if (const std::string why = whyNotDrawn(scene, object, catalog, meshes, aspect); !why.empty()) {
         takeOut(rows, why);
         return rows;
     }

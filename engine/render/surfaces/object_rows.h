@@ -28,7 +28,7 @@ std::vector<EffectRow> objectRows(const Scene& scene, std::size_t object, const 
 
 /// Returns why an object is not drawn, as a sentence for its rows; empty where it is drawn.
 /// `aspect` is the same as above.
-std::string whyNotDrawn(const Scene& scene, std::size_t object, const MeshSource& meshes,
-                        double aspect);
+std::string whyNotDrawn(const Scene& scene, std::size_t object, const Catalog& catalog,
+                        const MeshSource& meshes, double aspect);
 
 } // namespace patina

@@ -41,7 +41,7 @@ void chooseTables(Material& material, const Block& block) {
 
 /// Returns a material that has the block where its kind is a material's, and is plain otherwise.
 /// What puts surfaces together and what refracts needs it to be transparent; it still casts a
-/// shadow.
+/// shadow. Strands grow on a solid one.
 Material trialMaterial(const Block& block, const Catalog& catalog) {
     const bool isPart = std::ranges::count(partKinds(BlockOwner::Material), block.kind) > 0;
     const Block* model = block.kind == kinds::models
@@ -50,7 +50,7 @@ Material trialMaterial(const Block& block, const Catalog& catalog) {
                                    return !isPart || suitsPart(candidate, block.kind);
                                });
     Material material = model == nullptr ? Material() : defaultMaterial(*model);
-    material.opacity = 0.5;
+    material.opacity = block.kind == kinds::shells ? 1.0 : 0.5;
     if (isPart) {
         material.parts[block.kind] = defaultBlockValues(block);
     }

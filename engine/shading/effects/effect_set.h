@@ -22,6 +22,7 @@
 #include "shading/effects/picture_effect.h"
 #include "shading/effects/refraction.h"
 #include "shading/effects/shadows.h"
+#include "shading/effects/shells.h"
 #include "shading/effects/slots.h"
 #include "shading/effects/textures.h"
 #include "shading/effects/transparency_effect.h"
@@ -31,7 +32,7 @@ namespace patina {
 /// Lists every effect, in the order in which a program's text is assembled, which is that of
 /// its rows. A new one is a row here.
 using AllEffects =
-    EffectChoices<GroundEffect, ModelEffect, SlotsEffect, LightsEffect, ShadowsEffect,
+    EffectChoices<GroundEffect, ModelEffect, SlotsEffect, ShellsEffect, LightsEffect, ShadowsEffect,
                   OcclusionEffect, AmbientEffect, HemisphereEffect, EnvironmentEffect, BlendEffect,
                   EmissionEffect, TexturesEffect, FogEffect, OpacityEffect, RefractionEffect,
                   RefractedSceneEffect, TransparencyEffect, OutlineEffect, PictureEffect>;

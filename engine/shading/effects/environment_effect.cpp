@@ -84,6 +84,9 @@ EnvironmentMethod methodFor(const EffectSet& set) {
     if (set.model->block().lighting == LightsWanted::Key) {
         return EnvironmentMethod::OneLight;
     }
+    if (set.shells && lightsStrands(*set.shells)) {
+        return EnvironmentMethod::OneLight; // no table has their light
+    }
     const bool isTextured = std::ranges::any_of(set.textures, [](const BoundTexture& texture) {
         return texture.role == TextureRole::Input;
     });
@@ -126,7 +129,7 @@ void writeFitted(SurfaceText& text, const EnvironmentEffect& effect) {
     if (effect.method == EnvironmentMethod::Fitted) {
         text.out.add(lobeTableSource(lobeTableShape(text.set.model->block())));
         text.out.addFile("passes/environment_fitted.glsl");
-        text.main += "    shaded += fittedLight(s);\n";
+        text.main += fmt::format("    shaded += {}fittedLight(s);\n", text.unasked);
     } else {
         text.out.addFile("passes/environment_fitted_here.glsl");
         text.main += "    shaded += fittedLight(s, model);\n";

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shading/effects/surface_program.h"
 
+#include <algorithm>
+#include <cctype>
+
 #include <fmt/format.h>
 
 #include "shading/effects/surface_buffer_layout.h"
@@ -42,6 +45,9 @@ void writeFrame(SurfaceText& text) {
         text.out.addFile("passes/inspection.glsl");
     }
     text.textures.writeDeclarations(text.out);
+    if (text.drawsShells()) {
+        writeShells(text);
+    }
     text.main += text.textures.relief();
     text.readFrom("objectData");
 }
@@ -162,6 +168,9 @@ std::string writeVertexLight(SurfaceText& text) {
 /// statements of its main.
 std::string writeVertices(SurfaceText& text, int sceneVec4s) {
     std::string work;
+    if (text.drawsShells()) {
+        work += writeShellsVertex(text);
+    }
     if (text.leavesNormals()) {
         text.out.addFile("lib/math.glsl");
         work += "    worldNormal = safeNormalize(worldNormal, vec3(0.0));\n";
@@ -177,6 +186,65 @@ std::string writeVertices(SurfaceText& text, int sceneVec4s) {
         work += writeVertexFog(text);
     }
     return work;
+}
+
+/// Writes each effect's part of the vertex stage and returns its statements.
+std::string writeEffectVertices(SurfaceText& text) {
+    std::string statements;
+    text.set.each([&](const auto& effect) {
+        if constexpr (requires { effect.writeVertex(text.out); }) {
+            statements += effect.writeVertex(text.out);
+        }
+    });
+    return statements;
+}
+
+/// Is what a fragment is handed by the stage before it.
+struct Varying {
+    std::string type; ///< with its qualifier: "centroid in vec3"
+    std::string name;
+
+    /// Returns the name under which the skin's vertices hand it on to fins.
+    std::string ofSkin() const {
+        std::string capital = name;
+        capital.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
+        return "skin" + capital;
+    }
+};
+
+/// Lists what a fragment stage is handed by the vertices: all but what fins add themselves.
+std::vector<Varying> varyingsOf(const std::string& fragment) {
+    std::vector<Varying> varyings;
+    for (std::size_t begin = 0; begin < fragment.size();) {
+        const std::size_t end = std::min(fragment.find('\n', begin), fragment.size());
+        const std::string_view line(fragment.data() + begin, end - begin);
+        begin = end + 1;
+        if (!line.starts_with("in ") && !line.starts_with("centroid in ")) {
+            continue;
+        }
+        const std::string_view declared = line.substr(0, line.find(';'));
+        const std::size_t space = declared.rfind(' ');
+        Varying varying{std::string(declared.substr(0, space)),
+                        std::string(declared.substr(space + 1))};
+        if (varying.name != "finShare") {
+            varyings.push_back(std::move(varying));
+        }
+    }
+    return varyings;
+}
+
+/// Returns the text of a geometry stage that takes them from the skin's corners and hands them on.
+std::string passingSource(const std::vector<Varying>& varyings) {
+    std::string declared = "layout(lines_adjacency) in;\n";
+    std::string passed = "void passOn(int corner) {\n";
+    for (const Varying& varying : varyings) {
+        std::string handed = varying.type;
+        handed.replace(handed.find("in "), 2, "out");
+        declared += fmt::format("{0} {1}[];\n{2} {3};\n", varying.type, varying.ofSkin(), handed,
+                                varying.name);
+        passed += fmt::format("    {} = {}[corner];\n", varying.name, varying.ofSkin());
+    }
+    return declared + passed + "}\n";
 }
 
 } // namespace
@@ -206,12 +274,7 @@ Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catal
         }
         const VertexWork work = [&](SourceBuilder& stage) {
             SurfaceText text(stage, set, object, scene);
-            std::string statements;
-            set.each([&](const auto& effect) {
-                if constexpr (requires { effect.writeVertex(stage); }) {
-                    statements += effect.writeVertex(stage);
-                }
-            });
+            const std::string statements = writeEffectVertices(text);
             return statements + (output == SurfaceOutput::Picture ? writeVertices(text, sceneVec4s)
                                                                   : std::string());
         };
@@ -223,6 +286,41 @@ Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catal
         }
         SurfaceText text(fragment, set, object, scene, output);
         writeFragment(text);
+    });
+}
+
+Checked<ProgramSource> finsProgram(const EffectSet& set, const Catalog& catalog, int sceneVec4s) {
+    const ObjectLayout object = objectLayout(set);
+    const SceneLayout scene = sceneLayout(set);
+    const auto writeFins = [&](SourceBuilder& fragment) {
+        fragment.add(fmt::format("#define SCENE_VEC4S {}\n", sceneVec4s));
+        SurfaceText text(fragment, set, object, scene);
+        text.isOfFins = true;
+        writeFragment(text);
+    };
+    const auto alone = program(
+        catalog, [](SourceBuilder&) {}, writeFins);
+    if (!alone) {
+        return alone;
+    }
+    const std::vector<Varying> varyings = varyingsOf(alone->fragment.text);
+    const auto writeVertex = [&](SourceBuilder& vertex) {
+        for (const Varying& varying : varyings) {
+            vertex.add(fmt::format("#define {} {}\n", varying.name, varying.ofSkin()));
+        }
+        addSurfaceVertex(vertex, set, object, [&](SourceBuilder& stage) {
+            SurfaceText text(stage, set, object, scene);
+            text.isOfFins = true;
+            const std::string statements = writeEffectVertices(text);
+            return statements + writeShellsVertex(text);
+        });
+    };
+    return program(catalog, writeVertex, writeFins, [&](SourceBuilder& geometry) {
+        geometry.add(fmt::format("#define OBJECT_VEC4S {}\n", object.vec4s));
+        geometry.addFile("passes/blocks.glsl");
+        geometry.add(passingSource(varyings));
+        geometry.addFile("passes/fins.glsl");
+        geometry.add("void main() {\n    drawFin();\n}\n");
     });
 }
 

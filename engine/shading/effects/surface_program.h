@@ -20,6 +20,11 @@ Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catal
                                       SurfaceOutput output = SurfaceOutput::Picture,
                                       int sceneVec4s = SceneLayout::minCapacity);
 
+/// Returns the program that draws the strands of a set with fins on edges of the mesh (GpuEdges).
+/// Its data are those of the program for the picture.
+Checked<ProgramSource> finsProgram(const EffectSet& set, const Catalog& catalog,
+                                   int sceneVec4s = SceneLayout::minCapacity);
+
 /// Holds the vertex stage of surfaceProgram(); `work`, of its main, stands behind what places a
 /// vertex.
 using VertexWork = std::function<std::string(SourceBuilder&)>;

@@ -31,6 +31,7 @@ class SurfaceText {
     const SurfaceOutput output;
     const TextureWriter textures;
 
+    bool isOfFins = false;     ///< it draws strips on edges, with strands in place of a surface
     std::string main;          ///< statements: `s` is the Surface, `shaded` the light so far
     std::string last;          ///< behind everything else in main
     std::string alpha = "1.0"; ///< an expression for the share that hides what is behind
@@ -46,6 +47,9 @@ class SurfaceText {
     };
     LightFromAround around;
 
+    /// Is a factor, with its operator, of light whose reflectance comes from a table of the model.
+    std::string unasked;
+
     /// The inspection looks at values one by one, and nothing of it is in a picture's text.
     bool isInspected() const { return output == SurfaceOutput::Inspection; }
 
@@ -53,6 +57,8 @@ class SurfaceText {
     bool isPicture() const;
     bool lightsAtVertices() const { return isPicture() && set.lightsAtVertices; }
     bool leavesNormals() const { return isPicture() && set.leavesNormals; }
+    /// Only a picture shows strands: other outputs are of the surface on which they grow.
+    bool drawsShells() const { return isPicture() && set.shells.has_value(); }
     bool fogsAtVertices() const { return isPicture() && set.fogsAtVertices; }
 
     /// Tells which array unpack functions read that are declared from now on.

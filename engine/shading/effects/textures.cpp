@@ -38,15 +38,16 @@ bool takes(const Parameter& parameter, TextureChannel channel) {
     });
 }
 
-/// Returns the block that the model's slot of this kind calls, or the Fresnel term that blends the
-/// sum.
+/// Returns the block that the model's slot of this kind calls, the Fresnel term that blends the
+/// sum, or the shells.
 const Block* partBlock(std::string_view kind, const Block& model, const Material& material,
                        const Catalog& catalog) {
     if (const Slot* slot = model.slot(kind)) {
         return slotChoice(*slot, material, catalog).block;
     }
     const BlockValues* part = material.part(kind);
-    return part != nullptr && kind == kinds::fresnel ? catalog.find(kind, part->id) : nullptr;
+    const bool isCalled = kind == kinds::fresnel || kind == kinds::shells;
+    return part != nullptr && isCalled ? catalog.find(kind, part->id) : nullptr;
 }
 
 /// Finds the parameter behind a key: the model's own first, then "<kind>.<id>" of a part.
@@ -143,6 +144,9 @@ std::vector<const BlockUse*> usesOf(const EffectSet& set) {
     }
     if (set.blend) {
         uses.push_back(&*set.blend);
+    }
+    if (set.shells) {
+        uses.push_back(&*set.shells);
     }
     return uses;
 }
