@@ -5,6 +5,7 @@
 
 #include "catalog/fills.h"
 #include "catalog/unit_direction.h"
+#include "catalog/wavelength_choice.h"
 
 namespace patina {
 namespace {
@@ -38,7 +39,9 @@ std::size_t eachField(const Block& block, OfParameter ofParameter, OfChoice ofCh
         }
     }
     for (const AccuracyChoice& choice : block.accuracy) {
-        ofChoice(choice, placed(floats, 1));
+        if (&choice != wavelengthChoice(block)) {
+            ofChoice(choice, placed(floats, 1));
+        }
     }
     return roundedUp(floats);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/matrix.hpp>
 
 namespace patina {
@@ -30,7 +31,70 @@ const glm::dmat3 toRec709{glm::dvec3(3.2404542, -0.9692660, 0.0556434),
                           glm::dvec3(-1.5371385, 1.8760108, -0.2040259),
                           glm::dvec3(-0.4985314, 0.0415560, 1.0572252)};
 
+constexpr int firstWavelength = 380; ///< nm, as the last one
+constexpr int lastWavelength = 730;
+
+/// Returns what the channels see of each nanometre; each channel adds up to 1.
+std::vector<glm::dvec3> seenByNanometre() {
+    std::vector<glm::dvec3> seen;
+    glm::dvec3 sum(0.0);
+    for (int nm = firstWavelength; nm <= lastWavelength; ++nm) {
+        seen.push_back(glm::max(toRec709 * matching(nm), glm::dvec3(0.0)));
+        sum += seen.back();
+    }
+    for (glm::dvec3& each : seen) {
+        each /= sum;
+    }
+    return seen;
+}
+
+/// Moves each wavelength to the mean of the light that is nearest to it. Returns how far the
+/// farthest one moved, in nm.
+double moveToMeans(std::vector<WavelengthShare>& nodes, const std::vector<glm::dvec3>& seen) {
+    double farthest = 0.0;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const double end = i + 1 < nodes.size()
+                               ? 0.5 * (nodes[i].wavelength + nodes[i + 1].wavelength)
+                               : lastWavelength;
+        glm::dvec3 shares(0.0);
+        double moment = 0.0;
+        for (; next < seen.size() && firstWavelength + double(next) <= end; ++next) {
+            shares += seen[next];
+            moment += (seen[next].x + seen[next].y + seen[next].z) *
+                      (firstWavelength + double(next));
+        }
+        const double weight = shares.x + shares.y + shares.z;
+        const double mean = weight > 0.0 ? moment / weight : nodes[i].wavelength;
+        farthest = std::max(farthest, std::abs(mean - nodes[i].wavelength));
+        nodes[i] = {mean, shares};
+    }
+    return farthest;
+}
+
 } // namespace
+
+std::vector<WavelengthShare> wavelengthShares(int count) {
+    const std::vector<glm::dvec3> seen = seenByNanometre();
+    const auto nodes = static_cast<std::size_t>(std::clamp(count, 1, 100));
+    double whole = 0.0;
+    for (const glm::dvec3& each : seen) {
+        whole += std::sqrt(each.x + each.y + each.z);
+    }
+    // Begins near the end: many lie where much is seen.
+    std::vector<WavelengthShare> found;
+    double before = 0.0;
+    for (std::size_t i = 0; i < seen.size() && found.size() < nodes; ++i) {
+        before += std::sqrt(seen[i].x + seen[i].y + seen[i].z);
+        if (before * double(nodes) >= (double(found.size()) + 0.5) * whole) {
+            found.push_back({firstWavelength + double(i), glm::dvec3(0.0)});
+        }
+    }
+    constexpr int maxRounds = 1000;
+    for (int i = 0; i < maxRounds && moveToMeans(found, seen) > 1e-9; ++i) {
+    }
+    return found;
+}
 
 std::vector<glm::dvec3> spectrumWeights(std::span<const float> wavelengths) {
     std::vector<glm::dvec3> weights;

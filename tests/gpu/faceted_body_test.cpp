@@ -6,6 +6,8 @@
 #include <glm/gtc/matrix_inverse.hpp>
 
 #include "catalog/parameter_layout.h"
+#include "core/convex_facets.h"
+#include "measured/spectrum_color.h"
 #include "measure/choice/choices.h"
 #include "measure/error/display_curve.h"
 #include "measure/error/flip.h"
@@ -19,6 +21,7 @@ namespace {
 
 constexpr int size = 64;
 constexpr int raysPerPixel = 16;
+constexpr int usualWavelengths = 3; ///< of tests that are not about them
 
 // Where the program has the rays of a pixel begin (passes/environment_points.glsl), so that the
 // same rays are compared, and not the grain of others.
@@ -78,7 +81,8 @@ std::vector<Plane> planesOf(const Mesh& mesh, const glm::dmat4& world) {
 /// Holds a stone and what is around it.
 struct Stone {
     std::vector<Plane> planes;
-    glm::dvec3 indices; ///< for red, green and blue light
+    /// Are the indices of the wavelengths that are followed, and what each channel has of them.
+    std::vector<std::pair<double, glm::dvec3>> wavelengths;
     int reflections;
     std::function<glm::dvec3(const glm::dvec3&)> light;
 };
@@ -139,13 +143,11 @@ double split(const glm::dvec3& d, const glm::dvec3& n, double eta, glm::dvec3& o
     return 0.5 * (across * across + along * along);
 }
 
-/// Returns what a ray sees of one colour that comes in at x through a facet.
-double seen(const Stone& stone, glm::dvec3 x, glm::dvec3 d, const Plane& facet, int channel) {
-    const double index = stone.indices[channel];
-    const auto light = [&](const glm::dvec3& towards) { return stone.light(towards)[channel]; };
+/// Returns what a ray of one wavelength sees that comes in at x through a facet.
+glm::dvec3 seen(const Stone& stone, glm::dvec3 x, glm::dvec3 d, const Plane& facet, double index) {
     glm::dvec3 inside(0.0);
     double share = split(d, facet.n, index, inside);
-    double sum = share * light(glm::reflect(d, facet.n));
+    glm::dvec3 sum = share * stone.light(glm::reflect(d, facet.n));
     share = 1.0 - share;
     d = inside;
     for (int i = 0; i <= stone.reflections; ++i) {
@@ -154,11 +156,55 @@ double seen(const Stone& stone, glm::dvec3 x, glm::dvec3 d, const Plane& facet, 
         x += way * d;
         glm::dvec3 out(0.0);
         const double kept = split(d, -next->n, 1.0 / index, out);
-        sum += kept < 1.0 ? share * (1.0 - kept) * light(out) : 0.0;
+        sum += kept < 1.0 ? share * (1.0 - kept) * stone.light(out) : glm::dvec3(0.0);
         share *= kept;
         d = glm::reflect(d, next->n);
     }
-    return sum + share * light(d);
+    return sum + share * stone.light(d);
+}
+
+/// Returns the index for a wavelength in nm: Cauchy's, by the lines d, F and C.
+double cauchys(double wavelength, double index, double dispersion) {
+    const double spread = 0.05 * dispersion * (index - 1.0) /
+                          (1.0 / (0.4861 * 0.4861) - 1.0 / (0.6563 * 0.6563));
+    return index + spread * (1e6 / (wavelength * wavelength) - 1.0 / (0.5876 * 0.5876));
+}
+
+/// Returns a flat body with so many sides around its upright axis, and two ends.
+Mesh coin(int sides) {
+    Mesh made;
+    const auto corner = [&](int i, float y, const glm::dvec3& n) {
+        const double angle = 2.0 * std::numbers::pi * i / sides;
+        Vertex vertex{};
+        vertex.position = {std::cos(angle), y, std::sin(angle)};
+        vertex.normal = n;
+        made.vertices.push_back(vertex);
+        return static_cast<unsigned>(made.vertices.size() - 1);
+    };
+    const auto triangle = [&](unsigned a, unsigned b, unsigned c) {
+        made.indices.insert(made.indices.end(), {a, b, c});
+    };
+    for (int i = 0; i < sides; ++i) {
+        const double middle = 2.0 * std::numbers::pi * (i + 0.5) / sides;
+        const glm::dvec3 n(std::cos(middle), 0.0, std::sin(middle));
+        const unsigned first = corner(i, -0.5f, n);
+        corner(i, 0.5f, n);
+        corner(i + 1, 0.5f, n);
+        corner(i + 1, -0.5f, n);
+        triangle(first, first + 1, first + 2);
+        triangle(first, first + 2, first + 3);
+    }
+    for (const float y : {-0.5f, 0.5f}) {
+        const glm::dvec3 n(0.0, 2.0 * double(y), 0.0);
+        const unsigned first = corner(0, y, n);
+        for (int i = 1; i < sides; ++i) {
+            corner(i, y, n);
+            const auto here = first + static_cast<unsigned>(i);
+            triangle(first, y > 0.0f ? here : here - 1, y > 0.0f ? here - 1 : here);
+        }
+    }
+    made.bounds = boundsOf(made.vertices);
+    return made;
 }
 
 class FacetedBody : public RefractionTest {
@@ -185,26 +231,29 @@ class FacetedBody : public RefractionTest {
         return image ? *image : Image();
     }
 
-    /// Returns Cauchy's indices at 650, 550 and 450 nm, by the lines d, F and C.
-    glm::dvec3 indices() const {
+    /// Returns what stands for all light: so many wavelengths where colours bend apart.
+    std::vector<std::pair<double, glm::dvec3>> wavelengths(int count) const {
         const Values& values = scene_.objects[0].material.parts.at("refraction").parameters;
         const double index = std::get<double>(values.at("index"));
-        const double spread = 0.05 * std::get<double>(values.at("dispersion")) * (index - 1.0) /
-                              (1.0 / (0.4861 * 0.4861) - 1.0 / (0.6563 * 0.6563));
-        const auto at = [&](double wavelength) {
-            return index + spread * (1.0 / (wavelength * wavelength) - 1.0 / (0.5876 * 0.5876));
-        };
-        return {at(0.65), at(0.55), at(0.45)};
+        const double dispersion = std::get<double>(values.at("dispersion"));
+        if (dispersion == 0.0) {
+            return {{index, glm::dvec3(1.0)}};
+        }
+        std::vector<std::pair<double, glm::dvec3>> all;
+        for (const WavelengthShare& each : wavelengthShares(count)) {
+            all.emplace_back(cauchys(each.wavelength, index, dispersion), each.shares);
+        }
+        return all;
     }
 
-    Stone exact(int reflections) {
+    Stone exact(int reflections, int count = usualWavelengths) {
         const BlockValues& part = *scene_.part(kinds::environment);
         const reference::Block* sky = reference::findBlock("environment", part.id);
         std::vector<double> values =
             packed(*catalog->find(kinds::environment, part.id), part.parameters, {});
         mesh(gem());
         const std::string name = gem().mesh.substr(gem().mesh.find(':') + 1);
-        return {planesOf(meshes.at(name), worldMatrix(gem())), indices(), reflections,
+        return {planesOf(meshes.at(name), worldMatrix(gem())), wavelengths(count), reflections,
                 [sky, values](const glm::dvec3& d) {
                     return sky->environment(d, glm::dvec3(1.0), values);
                 }};
@@ -224,29 +273,40 @@ class FacetedBody : public RefractionTest {
             const glm::dvec2 aside = placeInPixel(i, x, size - 1 - y);
             const glm::dvec3 d = rayThrough(x + aside.x, y - aside.y, size);
             const double to = (facet->offset - glm::dot(facet->n, from)) / glm::dot(facet->n, d);
-            for (int channel = 0; channel < 3; ++channel) {
-                sum[channel] += seen(stone, from + to * d, d, *facet, channel);
+            for (const auto& [index, shares] : stone.wavelengths) {
+                sum += shares * seen(stone, from + to * d, d, *facet, index);
             }
         }
         return sum / double(raysPerPixel);
     }
 
-    /// Returns the mean FLIP of a picture from rays of so many reflections.
-    double flip(const Image& picture, int reflections) {
-        const Stone stone = exact(reflections);
-        const DisplayCurve curve = DisplayCurve::of(scene_, *catalog);
-        std::vector<glm::dvec3> right;
-        std::vector<glm::dvec3> shown;
-        for (int i = 0; i < size * size; ++i) {
-            shown.emplace_back(pixel(picture, i % size, i / size));
-        }
-        right = shown;
+    /// Returns what rays of so many reflections and wavelengths see; what the picture has beside
+    /// the stone.
+    std::vector<glm::dvec3> exactPicture(const Image& picture, int reflections,
+                                         int count = usualWavelengths) {
+        const Stone stone = exact(reflections, count);
+        std::vector<glm::dvec3> right = lightOf(picture);
         inParallel(right.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 const int place = static_cast<int>(i);
                 right[i] = exactPixel(stone, place % size, place / size, right[i]);
             }
         });
+        return right;
+    }
+
+    static std::vector<glm::dvec3> lightOf(const Image& picture) {
+        std::vector<glm::dvec3> light;
+        for (int i = 0; i < size * size; ++i) {
+            light.emplace_back(pixel(picture, i % size, i / size));
+        }
+        return light;
+    }
+
+    /// Returns the mean FLIP of a picture from what is right.
+    double flip(const Image& picture, std::vector<glm::dvec3> right) const {
+        const DisplayCurve curve = DisplayCurve::of(scene_, *catalog);
+        std::vector<glm::dvec3> shown = lightOf(picture);
         for (std::vector<glm::dvec3>* each : {&right, &shown}) {
             for (glm::dvec3& light : *each) {
                 light = curve.shown(light);
@@ -255,10 +315,15 @@ class FacetedBody : public RefractionTest {
         const std::vector<double> map = Flip({size, size}, right).differences(shown);
         return std::accumulate(map.begin(), map.end(), 0.0) / double(map.size());
     }
+
+    double flip(const Image& picture, int reflections) {
+        return flip(picture, exactPicture(picture, reflections));
+    }
 };
 
 TEST_F(FacetedBody, FromFiveDirections_IsWhatRaysSee) {
     set(gem(), "dispersion", 0.36);
+    gem().material.accuracy["wavelengths"] = std::to_string(usualWavelengths);
     for (const glm::dvec3& rotation :
          {glm::dvec3(90.0, 0.0, 0.0), glm::dvec3(70.0, 20.0, 0.0), glm::dvec3(20.0, -35.0, 0.0),
           glm::dvec3(-60.0, 10.0, 15.0), glm::dvec3(0.0, 80.0, 40.0)}) {
@@ -287,6 +352,49 @@ TEST_F(FacetedBody, OfFewerReflections_IsThoseRaysAndFartherFromAll) {
         last = error;
     }
     EXPECT_GT(last, 0.1);
+}
+
+/// Each level is the rays that its number says, and more of them are nearer to all.
+TEST_F(FacetedBody, OfMoreWavelengths_IsThoseRaysAndNearerToAll) {
+    gem() = clear("cube", "faceted-body", 1.6);
+    gem().rotation = {35.0, 25.0, 0.0};
+    set(gem(), "dispersion", 2.0);
+    follow(1);
+    double last = 1.0;
+    std::vector<glm::dvec3> ofAllLight;
+    for (const int count : {3, 5, 9, 15}) {
+        gem().material.accuracy["wavelengths"] = std::to_string(count);
+        const Image image = stone();
+        if (ofAllLight.empty()) {
+            ofAllLight = exactPicture(image, 1, 100);
+        }
+        EXPECT_LT(flip(image, exactPicture(image, 1, count)), 0.005) << count;
+        const double error = flip(image, ofAllLight);
+        EXPECT_LT(error, last) << count;
+        last = error;
+    }
+}
+
+/// 64 rays of 15 wavelengths among 128 facets: the driver ends none of their loops.
+TEST_F(FacetedBody, OfAsManyFacetsAsThereMayBe_IsWhiteInWhiteSurroundings) {
+    surround(true);
+    gem() = clear("cube", "faceted-body", 2.417);
+    gem().mesh = "builtin:coin";
+    meshes["coin"] = coin(126);
+    ASSERT_EQ(convexFacetsOf(mesh(gem())).planes.size(), 128u);
+    for (const char* wavelengths : {"3", "5", "9", "15"}) {
+        set(gem(), "dispersion", 0.36);
+        gem().material.accuracy["wavelengths"] = wavelengths;
+        View view = viewOf(scene_, 9);
+        view.samples = 1;
+        view.environmentImage = environment_;
+        view.environmentSamples = 256;
+        const auto image = renderer->capture(scene_, view, meshSource(), false);
+        ASSERT_TRUE(image);
+        for (const float value : image->pixels) {
+            ASSERT_NEAR(value, 1.0f, 2e-3f) << wavelengths;
+        }
+    }
 }
 
 TEST_F(FacetedBody, Reflections_AreAChoiceOfItsChart) {

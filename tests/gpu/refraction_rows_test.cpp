@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the effects say of materials that refract light, and what is in their programs.
+#include <algorithm>
+
+#include "measure/choice/choices.h"
 #include "shading/effects/effect_key.h"
 #include "shading/effects/effect_rows.h"
 #include "shading/effects/refraction.h"
@@ -123,8 +126,39 @@ TEST_F(RefractionRows, Index_IsTheModelsWhereThereIsNoFresnelTerm) {
     EXPECT_DOUBLE_EQ(index(), 1.8);
 }
 
+TEST_F(RefractionRows, ThatBendsAllAlike_KnowsNoWavelengths) {
+    const std::string plain = text();
+    for (const char* level : {"15", "9", "5", "3"}) {
+        glass().accuracy["wavelengths"] = level;
+        EXPECT_EQ(text(), plain) << level;
+    }
+    EXPECT_FALSE(textHas("avelength"));
+    EXPECT_FALSE(textHas("WAVELENGTH"));
+}
+
+TEST_F(RefractionRows, ThatBendsColoursApart_HasAsManyRaysAsAreChosen) {
+    values()["dispersion"] = 0.3;
+    EXPECT_TRUE(textHas("#define WAVELENGTHS 15\n"));
+    for (const char* level : {"15", "9", "5", "3"}) {
+        glass().accuracy["wavelengths"] = level;
+        EXPECT_TRUE(textHas(std::string("#define WAVELENGTHS ") + level + '\n')) << level;
+    }
+    glass().accuracy["wavelengths"] = "7"; // which is not among them
+    EXPECT_TRUE(textHas("#define WAVELENGTHS 15\n"));
+}
+
+TEST_F(RefractionRows, Wavelengths_AreAChoiceWhereColoursBendApart) {
+    const auto offers = [&] {
+        const std::vector<Choice> choices = materialChoices(scene_, 0, catalog());
+        return std::ranges::count(choices, "refraction.wavelengths", &Choice::id) > 0;
+    };
+    EXPECT_FALSE(offers());
+    values()["dispersion"] = 0.3;
+    EXPECT_TRUE(offers());
+}
+
 TEST_F(RefractionRows, Key_DiffersExactlyWhereTheTextDoes) {
-    std::vector<Material> materials(8, glass());
+    std::vector<Material> materials(11, glass());
     materials[1].opacity = 1.0;
     materials[2].parts["refraction"].parameters["index"] = 1.0;
     materials[3].parts["refraction"].parameters["index"] = 1.7;
@@ -132,6 +166,11 @@ TEST_F(RefractionRows, Key_DiffersExactlyWhereTheTextDoes) {
     materials[5].parts["refraction"] = block("refraction", "thin-pane");
     materials[6].parts.clear();
     materials[7].parts["refraction"].parameters["absorption.distance"] = 3.0;
+    materials[8].accuracy["wavelengths"] = "3";
+    materials[9] = materials[4];
+    materials[9].accuracy["wavelengths"] = "3";
+    materials[10] = materials[4];
+    materials[10].accuracy["wavelengths"] = "9";
     for (const Material& a : materials) {
         for (const Material& b : materials) {
             EXPECT_EQ(EffectKey::ofMaterial(a, catalog()) == EffectKey::ofMaterial(b, catalog()),

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of clear bodies against rays that are followed in double precision.
 #include <algorithm>
+#include <map>
 
+#include "measured/spectrum_color.h"
 #include "refraction_fixture.h"
 
 namespace patina::refraction_test {
@@ -137,6 +139,73 @@ TEST_F(RefractionOfABall, WithDispersion_HasColoursOfItsOwn) {
     const glm::vec3 after = pixel(fringed, 16, 16);
     EXPECT_GT(std::abs(after.b - before.b), 2.0f * std::abs(after.g - before.g));
     EXPECT_GT(std::abs(after.b - before.b), 5e-3f);
+}
+
+/// Light of many wavelengths is the sum of pictures that are of one each, and so are the levels.
+class WavelengthsOfABall : public RefractionTest {
+  protected:
+    static constexpr double index = 1.6;
+    static constexpr double dispersion = 2.0;
+
+    void SetUp() override {
+        RefractionTest::SetUp();
+        scene_.setPart(kinds::environment, block("environment", "strip-lights"));
+        scene_.objects = {clear("sphere", "solid-body", index)};
+    }
+
+    /// Returns a pixel's mean error against so many pictures of one wavelength each.
+    double error(const Image& picture, int count) {
+        const auto found = sums_.find(count);
+        const std::vector<double>& sum = found != sums_.end() ? found->second : sumOf(count);
+        double error = 0.0;
+        for (std::size_t i = 0; i < sum.size(); ++i) {
+            error += std::abs(double(picture.pixels[i]) - sum[i]);
+        }
+        return error / double(sum.size());
+    }
+
+    Image of(const std::string& level) {
+        set(scene_.objects[0], "index", index);
+        set(scene_.objects[0], "dispersion", dispersion);
+        scene_.objects[0].material.accuracy["wavelengths"] = level;
+        return drawn(size);
+    }
+
+  private:
+    static constexpr int size = 33;
+
+    const std::vector<double>& sumOf(int count) {
+        std::vector<double>& sum = sums_[count];
+        set(scene_.objects[0], "dispersion", 0.0);
+        for (const WavelengthShare& each : wavelengthShares(count)) {
+            // Cauchy's two terms through the lines F and C, 20 over the dispersion apart.
+            const auto square = [](double length) { return 1.0 / (length * length); };
+            const double spread =
+                0.05 * dispersion * (index - 1.0) / (square(0.4861) - square(0.6563));
+            set(scene_.objects[0], "index",
+                index + spread * (square(0.001 * each.wavelength) - square(0.5876)));
+            const Image one = drawn(size);
+            sum.resize(one.pixels.size());
+            for (std::size_t i = 0; i < one.pixels.size(); ++i) {
+                const double share = i % 4 < 3 ? each.shares[static_cast<int>(i % 4)] : 1.0 / count;
+                sum[i] += share * double(one.pixels[i]);
+            }
+        }
+        return sum;
+    }
+
+    std::map<int, std::vector<double>> sums_;
+};
+
+TEST_F(WavelengthsOfABall, OfEachLevel_AreTheSumOfTheirPicturesAndNearerToAll) {
+    double last = 1.0;
+    for (const int count : {3, 5, 9, 15}) {
+        const Image picture = of(std::to_string(count));
+        EXPECT_LT(error(picture, count), 2e-4) << count;
+        const double fromAll = error(picture, 60);
+        EXPECT_LT(fromAll, last) << count;
+        last = fromAll;
+    }
 }
 
 class RefractionOfAPane : public RefractionTest {};

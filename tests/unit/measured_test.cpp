@@ -262,5 +262,109 @@ TEST_F(Measured, FileOfTenGigabytesOfNothing_IsRefused) {
     EXPECT_NE(reading.error().text().find("1 GiB"), std::string::npos) << reading.error().text();
 }
 
+glm::dvec3 sumOf(const std::vector<WavelengthShare>& all, double (*light)(double)) {
+    glm::dvec3 sum(0.0);
+    for (const WavelengthShare& each : all) {
+        sum += light(each.wavelength) * each.shares;
+    }
+    return sum;
+}
+
+TEST(WavelengthShares, OfEachChannel_AddUpToOneAndAreNotNegative) {
+    for (int count = 1; count <= 100; ++count) {
+        const std::vector<WavelengthShare> all = wavelengthShares(count);
+        ASSERT_EQ(all.size(), static_cast<std::size_t>(count));
+        const glm::dvec3 sum = sumOf(all, [](double) { return 1.0; });
+        for (int channel = 0; channel < 3; ++channel) {
+            EXPECT_NEAR(sum[channel], 1.0, 1e-12) << count;
+        }
+        double last = 380.0;
+        for (const WavelengthShare& each : all) {
+            EXPECT_GT(each.wavelength, last) << count;
+            EXPECT_LT(each.wavelength, 730.0) << count;
+            EXPECT_TRUE(each.shares.x >= 0.0 && each.shares.y >= 0.0 && each.shares.z >= 0.0);
+            last = each.wavelength;
+        }
+    }
+}
+
+TEST(WavelengthShares, OutsideTheirRange_AreThoseAtItsEnds) {
+    EXPECT_EQ(wavelengthShares(-3), wavelengthShares(1));
+    EXPECT_EQ(wavelengthShares(1000), wavelengthShares(100));
+}
+
+/// What is nearest to a wavelength has its mean there, so that light which changes evenly over the
+/// spectrum is right in the sum of the channels, whatever the number.
+TEST(WavelengthShares, OfLightThatChangesEvenly_AreExactInAll) {
+    const auto evenly = [](double wavelength) { return wavelength; };
+    const glm::dvec3 right = sumOf(wavelengthShares(100), evenly);
+    for (const int count : {1, 3, 5, 9, 15, 63}) {
+        const glm::dvec3 sum = sumOf(wavelengthShares(count), evenly);
+        EXPECT_NEAR(sum.x + sum.y + sum.z, right.x + right.y + right.z, 1e-6) << count;
+    }
+}
+
+/// A rainbow's edge, which is sharp, and light that comes and goes every 120 nm.
+TEST(WavelengthShares, OfMoreWavelengths_AreNearerToAllLight) {
+    double last = 1.0;
+    for (const int count : {3, 5, 9, 15, 63}) {
+        double worst = 0.0;
+        const std::vector<WavelengthShare> few = wavelengthShares(count);
+        const std::vector<WavelengthShare> many = wavelengthShares(100);
+        for (int i = 0; i < 24; ++i) {
+            glm::dvec3 error(0.0);
+            for (const auto& [all, side] : {std::pair{&few, 1.0}, std::pair{&many, -1.0}}) {
+                for (const WavelengthShare& each : *all) {
+                    const double turn = each.wavelength / 120.0 + i / 24.0;
+                    error += side * std::sin(2.0 * std::numbers::pi * turn) * each.shares;
+                }
+            }
+            worst = std::max({worst, std::abs(error.x), std::abs(error.y), std::abs(error.z)});
+        }
+        EXPECT_LT(worst, last) << count;
+        last = worst;
+    }
+    EXPECT_LT(last, 1e-3);
+}
+
+/// Returns how far two sets of shares are apart along the spectrum, in nm: the mean over the
+/// channels of what would have to be moved how far.
+double apart(const std::vector<WavelengthShare>& a, const std::vector<WavelengthShare>& b) {
+    const auto until = [](const std::vector<WavelengthShare>& all, double wavelength) {
+        glm::dvec3 sum(0.0);
+        for (const WavelengthShare& each : all) {
+            sum += each.wavelength <= wavelength ? each.shares : glm::dvec3(0.0);
+        }
+        return sum;
+    };
+    constexpr double step = 0.25;
+    double sum = 0.0;
+    for (double wavelength = 380.0; wavelength < 730.0; wavelength += step) {
+        const glm::dvec3 off = glm::abs(until(a, wavelength) - until(b, wavelength));
+        sum += (off.x + off.y + off.z) / 3.0 * step;
+    }
+    return sum;
+}
+
+/// What the levels of blocks say.
+TEST(WavelengthShares, OfEachLevel_AreAsFarOffAsItSays) {
+    const std::vector<WavelengthShare> many = wavelengthShares(100);
+    for (const auto& [count, said] :
+         {std::pair(15, 4.0), std::pair(9, 7.0), std::pair(5, 12.0), std::pair(3, 19.0)}) {
+        EXPECT_NEAR(apart(wavelengthShares(count), many), said, 0.6) << count;
+    }
+}
+
+/// Red, green and blue are seen where their names say (CIE 1931 by Wyman, Sloan and Shirley 2013).
+TEST(WavelengthShares, OfThree_AreRedGreenAndBlue) {
+    const std::vector<WavelengthShare> three = wavelengthShares(3);
+    EXPECT_NEAR(three[0].wavelength, 452.0, 5.0);
+    EXPECT_NEAR(three[1].wavelength, 540.0, 5.0);
+    EXPECT_NEAR(three[2].wavelength, 610.0, 5.0);
+    EXPECT_GT(three[0].shares.z, 0.95);
+    EXPECT_GT(three[1].shares.y, 0.8);
+    EXPECT_GT(three[2].shares.x, 0.8);
+}
+
 } // namespace
 } // namespace patina::measured_test

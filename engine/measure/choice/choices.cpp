@@ -7,17 +7,25 @@
 
 #include <fmt/format.h>
 
+#include "catalog/wavelength_choice.h"
 #include "measure/choice/picture_choices.h"
 #include "shading/effects/effect_set.h"
+#include "shading/effects/refracted_wavelengths.h"
 
 namespace patina {
 namespace {
 
-void addBlock(std::vector<Choice>& choices, const Block& block, const std::string& prefix) {
+/// Tells whether no level of the choice is in the program, whichever is chosen.
+bool isWithoutEffect(const BlockUse& use, const AccuracyChoice& choice) {
+    return &choice == wavelengthChoice(use.block()) && wavelengthCount(use) == 0;
+}
+
+void addBlock(std::vector<Choice>& choices, const BlockUse& use, const std::string& prefix) {
+    const Block& block = use.block();
     for (const AccuracyChoice& accuracy : block.accuracy) {
         const bool isKnown = std::ranges::any_of(
             choices, [&accuracy](const Choice& known) { return known.key == accuracy.id; });
-        if (isKnown || accuracy.values.size() < 2) {
+        if (isKnown || accuracy.values.size() < 2 || isWithoutEffect(use, accuracy)) {
             continue;
         }
         Choice choice{Choice::Scope::Material, prefix + accuracy.id, accuracy.id, accuracy.label,
@@ -50,14 +58,14 @@ std::vector<Choice> materialChoices(const Scene& scene, std::size_t object,
     }
     const EffectSet set = effectSet(scene.objects[object].material, scene, catalog);
     if (set.model) {
-        addBlock(choices, set.model->block(), {});
+        addBlock(choices, *set.model, {});
     }
     for (const BlockUse& slot : set.slots) {
-        addBlock(choices, slot.block(), slot.block().kind + '.');
+        addBlock(choices, slot, slot.block().kind + '.');
     }
     for (const std::optional<BlockUse>& part : {set.blend, set.refraction}) {
         if (part) {
-            addBlock(choices, part->block(), part->block().kind + '.');
+            addBlock(choices, *part, part->block().kind + '.');
         }
     }
     return choices;

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "catalog/wavelength_choice.h"
 #include "measure/stability/edge_case_values.h"
 #include "measure/stability/pairwise.h"
 
@@ -65,7 +66,8 @@ std::vector<std::size_t> compiledCounts(const Block& block) {
         }
     }
     for (const AccuracyChoice& choice : block.accuracy) {
-        counts.push_back(choice.values.size());
+        // How many wavelengths are followed the block's functions do not know.
+        counts.push_back(&choice == wavelengthChoice(block) ? 1 : choice.values.size());
     }
     return counts;
 }

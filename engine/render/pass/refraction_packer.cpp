@@ -1,11 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/pass/refraction_packer.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "shading/effects/refracted_wavelengths.h"
 #include "shading/effects/refraction.h"
+#include "shading/program/given_value.h"
 #include "shading/program/parameter_packer.h"
 #include "shading/program/storable.h"
 
 namespace patina {
+namespace {
+
+double dispersionOf(const RefractionChoice& choice) {
+    const Parameter* parameter = choice.block->withRole(roles::dispersion);
+    const auto* number = parameter == nullptr ? nullptr
+                                              : std::get_if<double>(&givenValue(*parameter,
+                                                                                *choice.values));
+    return number != nullptr && std::isfinite(*number)
+               ? std::clamp(*number, parameter->min, parameter->max)
+               : 0.0;
+}
+
+/// Puts the body's index for each wavelength in the place of that.
+void packIndices(std::span<glm::vec4> wavelengths, double index, double dispersion) {
+    for (glm::vec4& each : wavelengths) {
+        each.w = static_cast<float>(indexAt(double(each.w), index, dispersion));
+    }
+}
+
+} // namespace
 
 void packRefraction(std::span<glm::vec4> out, const Pipeline& pipeline, const Material& material,
                     const glm::dvec3& background) {
@@ -23,6 +48,11 @@ void packRefraction(std::span<glm::vec4> out, const Pipeline& pipeline, const Ma
         }
     }
     out[static_cast<std::size_t>(pipeline.object.refractionBackground())] = storable(background);
+    if (const auto wavelengths = wavelengthPlace(pipeline.object)) {
+        packIndices(out.subspan(static_cast<std::size_t>(wavelengths->first),
+                                static_cast<std::size_t>(wavelengths->count)),
+                    bodyIndex(material, choice, *pipeline.catalog), dispersionOf(choice));
+    }
 }
 
 } // namespace patina

@@ -2,14 +2,18 @@
 #include "shading/effects/refraction.h"
 
 #include <algorithm>
-#include <charconv>
+#include <array>
 #include <cmath>
+#include <mutex>
 #include <string_view>
 
 #include <fmt/format.h>
 
+#include "catalog/wavelength_choice.h"
+#include "measured/spectrum_color.h"
 #include "shading/effects/data_layout.h"
 #include "shading/effects/effect_set.h"
+#include "shading/effects/refracted_wavelengths.h"
 #include "shading/effects/surface_text.h"
 #include "shading/program/given_value.h"
 
@@ -82,9 +86,12 @@ std::string refractionText(const EffectSubject& subject, const EffectSet& set) {
     const char* order = subject.scene.part(kinds::transparency)
                             ? " Such objects are sorted, and hide what else is transparent."
                             : "";
-    return fmt::format("What passes is refracted with an index of {:.4g} and shows {}.{}",
-                       bodyIndex(*subject.material, choice, subject.catalog), whatIsBehind(set),
-                       order);
+    const int wavelengths = set.refraction ? wavelengthCount(*set.refraction) : 0;
+    const std::string rays =
+        wavelengths > 0 ? fmt::format(", in light of {} wavelengths,", wavelengths) : "";
+    return fmt::format("What passes is refracted with an index of {:.4g}{} and shows {}.{}",
+                       bodyIndex(*subject.material, choice, subject.catalog), rays,
+                       whatIsBehind(set), order);
 }
 
 bool bendsColorsApart(const BlockUse& use) {
@@ -95,8 +102,16 @@ bool bendsColorsApart(const BlockUse& use) {
            });
 }
 
-/// One ray stands for all colours where they are refracted alike: green.
-const char* channelSource(const BlockUse& use) {
+/// One ray stands for all colours where they are refracted alike: green. Else each wavelength has
+/// one, or each channel where the block does not let wavelengths be chosen.
+std::string channelSource(const SurfaceText& text, const BlockUse& use) {
+    if (const auto wavelengths = wavelengthPlace(text.object)) {
+        return fmt::format("#define WAVELENGTHS {}\n#define FIRST_WAVELENGTH {}\n"
+                           "#define WAVELENGTH_INDEX {}\n#define WAVELENGTH_DISPERSION {}\n",
+                           wavelengths->count, wavelengths->first,
+                           fieldName(use.block().withRole(roles::index)->id),
+                           fieldName(use.block().withRole(roles::dispersion)->id));
+    }
     return bendsColorsApart(use) ? "#define FIRST_CHANNEL 0\n#define LAST_CHANNEL 2\n"
                                  : "#define FIRST_CHANNEL 1\n#define LAST_CHANNEL 1\n";
 }
@@ -121,33 +136,74 @@ std::string namesSource(const Block& block) {
                        structName(block), function);
 }
 
-/// Returns the number that an accuracy level's whole id is; nothing where it is none.
-std::optional<int> countOf(const EnumValue& level) {
-    int count = 0;
-    const char* end = level.id.data() + level.id.size();
-    const auto read = std::from_chars(level.id.data(), end, count);
-    return read.ec == std::errc() && read.ptr == end && count >= 0 ? std::optional(count)
-                                                                   : std::nullopt;
-}
-
 /// Returns the choice whose levels count reflections inside of a body; null where there is none.
 const AccuracyChoice* reflectionChoice(const Block& block) {
-    const auto found = std::ranges::find_if(block.accuracy, [](const AccuracyChoice& choice) {
-        return std::ranges::all_of(
-            choice.values, [](const EnumValue& level) { return countOf(level).has_value(); });
-    });
+    const AccuracyChoice* wavelengths = wavelengthChoice(block);
+    const auto found =
+        std::ranges::find_if(block.accuracy, [wavelengths](const AccuracyChoice& choice) {
+            return &choice != wavelengths &&
+                   std::ranges::all_of(choice.values, [](const EnumValue& level) {
+                       return wholeNumber(level).has_value();
+                   });
+        });
     return found == block.accuracy.end() ? nullptr : &*found;
+}
+
+/// Returns how many facets a round of the search looks at: a software driver may end a program
+/// after 65536 rounds of its loops, and 64 rays of all wavelengths with nine ways inside have
+/// fewer.
+int facetsAtOnce(int wavelengths) {
+    return wavelengths > 9 ? 32 : wavelengths > 5 ? 16 : wavelengths > 3 ? 8 : 4;
 }
 
 /// Writes the ways of rays from facet to facet.
 void writeFacets(SurfaceText& text, const BlockUse& use) {
     const EnumValue& level = use.level(*reflectionChoice(use.block()));
-    text.out.add(fmt::format("#define INNER_REFLECTIONS {}\n", *countOf(level)));
+    const int wavelengths = wavelengthCount(use);
+    text.out.add(fmt::format("#define INNER_REFLECTIONS {}\n#define FACETS_AT_ONCE {}\n",
+                             *wholeNumber(level), facetsAtOnce(wavelengths)));
     text.out.addFile(text.set.environment ? "passes/refraction_facets_environment.glsl"
                                           : "passes/refraction_facets_plain.glsl");
     text.out.addFile(text.set.isShownRefracted ? "passes/refraction_facets_behind.glsl"
                                                : "passes/refraction_facets_alone.glsl");
     text.out.addFile("passes/refraction_facets.glsl");
+    text.out.addFile(wavelengths > 0 ? "passes/refraction_facets_colors.glsl"
+                                     : "passes/refraction_facets_color.glsl");
+    text.out.addFile("passes/refraction_facets_rays.glsl");
+}
+
+/// Returns what is compiled of the block, without a number of wavelengths that bend alike.
+std::string detailOf(const BlockUse& use) {
+    const AccuracyChoice* idle = wavelengthCount(use) > 0 ? nullptr : wavelengthChoice(use.block());
+    std::string text;
+    for (const CompiledValue& value : use.compiled()) {
+        if (idle == nullptr || value.id != idle->id) {
+            text += fmt::format("{}{}={}", text.empty() ? "" : ", ", value.id, value.value);
+        }
+    }
+    return text;
+}
+
+/// Finds the wavelengths of each number once.
+const std::vector<WavelengthShare>& sharesOf(std::size_t count) {
+    static constexpr std::size_t maxCount = 64;
+    static std::array<std::vector<WavelengthShare>, maxCount + 1> known;
+    static std::mutex mutex;
+    const std::scoped_lock lock(mutex);
+    std::vector<WavelengthShare>& shares = known[std::min(count, maxCount)];
+    if (shares.empty()) {
+        shares = wavelengthShares(static_cast<int>(count));
+    }
+    return shares;
+}
+
+/// Packs the shares of the wavelengths; the indices for them, which depend on the catalogue, are
+/// packed with the refraction.
+void packShares(std::span<glm::vec4> out, const Material&, const EffectSet&) {
+    const std::vector<WavelengthShare>& shares = sharesOf(out.size());
+    for (std::size_t i = 0; i < out.size() && i < shares.size(); ++i) {
+        out[i] = glm::vec4(glm::vec3(shares[i].shares), shares[i].wavelength);
+    }
 }
 
 /// Writes what is seen where a ray leaves everything.
@@ -197,6 +253,31 @@ double bodyIndex(const Material& material, const RefractionChoice& choice, const
     return std::isfinite(given) ? std::clamp(given, 0.1, 10.0) : 1.0;
 }
 
+int wavelengthCount(const BlockUse& refraction) {
+    const AccuracyChoice* choice = wavelengthChoice(refraction.block());
+    return choice == nullptr || !bendsColorsApart(refraction)
+               ? 0
+               : wholeNumber(refraction.level(*choice)).value_or(0);
+}
+
+double indexAt(double wavelength, double index, double dispersion) {
+    // The lines F, d and C by which Abbe numbers are stated, in micrometres.
+    constexpr double lineF = 0.4861;
+    constexpr double lineD = 0.5876;
+    constexpr double lineC = 0.6563;
+    const double spread = 0.05 * dispersion * (index - 1.0);
+    const double b = spread / (1.0 / (lineF * lineF) - 1.0 / (lineC * lineC));
+    const double micrometres = 0.001 * wavelength;
+    return std::max(index + b * (1.0 / (micrometres * micrometres) - 1.0 / (lineD * lineD)), 0.01);
+}
+
+std::optional<WavelengthPlace> wavelengthPlace(const ObjectLayout& layout) {
+    const auto found = std::ranges::find_if(
+        layout.own, [](const ObjectLayout::Place& place) { return place.pack == packShares; });
+    return found == layout.own.end() ? std::nullopt
+                                     : std::optional(WavelengthPlace{found->first, found->vec4s});
+}
+
 bool isSheet(const Block& refraction) {
     return refraction.withRole(roles::thickness) != nullptr;
 }
@@ -227,12 +308,16 @@ void RefractionEffect::choose(const MaterialSubject& subject, const EffectSet&) 
     refraction.reset();
     if (choice.block != nullptr) {
         refraction.emplace(*choice.block, *choice.values, subject.material.accuracy);
+        const AccuracyChoice* wavelengths = wavelengthChoice(*choice.block);
+        if (wavelengths != nullptr && !bendsColorsApart(*refraction)) {
+            refraction->setExact(*wavelengths);
+        }
     }
 }
 
 void RefractionEffect::list(EffectListing& listing, const EffectSet& set) const {
     if (refraction) {
-        listing.add(*refraction,
+        listing.add(effectName(*refraction), detailOf(*refraction),
                     [&set](const EffectSubject& subject) { return refractionText(subject, set); });
     }
 }
@@ -250,6 +335,9 @@ void RefractionEffect::place(ObjectLayout& layout, const EffectSet&) const {
     if (refraction) {
         layout.refraction = placed(*refraction, layout.vec4s);
         layout.vec4s += 1;
+        if (const int wavelengths = wavelengthCount(*refraction); wavelengths > 0) {
+            layout.place(packShares, wavelengths, layout.vec4s);
+        }
     }
 }
 
@@ -264,14 +352,18 @@ void RefractionEffect::write(SurfaceText& text) const {
     text.readFrom("objectData");
     text.addBlock(block);
     text.addUnpack(*refraction, "unpackRefraction");
-    text.out.add(namesSource(block) + channelSource(*refraction));
+    text.out.add(namesSource(block) + channelSource(text, *refraction));
     text.out.addFile("passes/refraction_passage.glsl");
+    const bool bendsApart = wavelengthCount(*refraction) > 0;
+    if (bendsApart) {
+        text.out.addFile("passes/refraction_wavelengths.glsl");
+    }
     // The way inside is looked along only where there is one.
     text.out.add(isSheet(block) ? "#define STEPS_INSIDE 0\n" : "#define STEPS_INSIDE 8\n");
     text.out.addFile(text.set.isShownRefracted ? "passes/refraction_behind.glsl"
                                                : "passes/refraction_alone.glsl");
     writePassage(text, block);
-    text.out.addFile("passes/refraction_color.glsl");
+    text.out.addFile(bendsApart ? "passes/refraction_colors.glsl" : "passes/refraction_color.glsl");
     if (followsFacets(block)) {
         writeFacets(text, *refraction);
     }
