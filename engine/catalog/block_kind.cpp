@@ -68,12 +68,14 @@ constexpr std::array<std::string_view, 2> falloffs{"polynomial", "inverse-square
 constexpr std::array<std::string_view, 3> backdrops{"sharp", "blurred", "hidden"};
 
 constexpr auto inModels = std::to_array<ParameterRole>(
-    {{roles::index}, {.word = roles::diffuse, .type = ParameterType::Color, .mayRepeat = true}});
+    {{roles::index},
+     {roles::wavelengths, ParameterType::Vec3},
+     {.word = roles::diffuse, .type = ParameterType::Color, .mayRepeat = true}});
 constexpr auto inFresnel = std::to_array<ParameterRole>({{roles::indexOutside},
                                                          {roles::indexInside},
                                                          {roles::index, ParameterType::Vec3},
                                                          {roles::extinction, ParameterType::Vec3},
-                                                         {roles::wavelength, ParameterType::Vec3},
+                                                         {roles::wavelengths, ParameterType::Vec3},
                                                          {roles::f0, ParameterType::Color}});
 constexpr auto inRefraction = std::to_array<ParameterRole>(
     {{.word = roles::index, .isNeeded = true},

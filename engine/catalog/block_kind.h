@@ -90,9 +90,10 @@ inline constexpr std::string_view indexInside = "indexInside";   ///< is the ind
 inline constexpr std::string_view indexOutside = "indexOutside"; ///< is the index above the surface
 inline constexpr std::string_view f0 = "f0"; ///< is the reflectance at normal incidence
 inline constexpr std::string_view extinction = "extinction"; ///< absorbs, beside a metal's index
-inline constexpr std::string_view wavelength = "wavelength"; ///< of red, green and blue, in nm
 inline constexpr std::string_view diffuse = "diffuse";       ///< multiplies all but the highlight
 inline constexpr std::string_view dispersion = "dispersion"; ///< 0: all wavelengths refract alike
+/// Are the wavelengths of red, green and blue.
+inline constexpr std::string_view wavelengths = "wavelengths";
 inline constexpr std::string_view thickness = "thickness";   ///< is the thickness of a pane
 inline constexpr std::string_view filter = "filter";         ///< multiplies the transmitted light
 inline constexpr std::string_view width = "width";           ///< is the width of lines

@@ -6,6 +6,7 @@
 #include "catalog/fills.h"
 #include "catalog/unit_direction.h"
 #include "catalog/wavelength_choice.h"
+#include "catalog/wavelengths.h"
 
 namespace patina {
 namespace {
@@ -54,6 +55,7 @@ void pack(const Parameter& parameter, const Values& values, double* out) {
         const glm::dvec3 unit = unitDirection({out[0], out[1], out[2]});
         std::copy_n(&unit.x, 3, out);
     }
+    takeWavelengths(parameter, srgbWavelengths, out);
 }
 
 double levelOf(const AccuracyChoice& choice, const AccuracyLevels& levels) {

@@ -36,8 +36,8 @@ ParameterLayout layoutOf(const Block& block);
 using AccuracyLevels = std::map<std::string, std::string, std::less<>>;
 
 /// Returns the values packed by the layout: angles in radians, directions unit, enums and accuracy
-/// levels as the index of the chosen value, bools as 0 or 1. Missing or ill-typed values give the
-/// default.
+/// levels as the index of the chosen value, bools as 0 or 1, wavelengths that are the scene's as
+/// srgbWavelengths. Missing or ill-typed values give the default.
 std::vector<double> packed(const Block& block, const Values& values, const AccuracyLevels& levels);
 
 } // namespace patina

@@ -11,6 +11,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include "catalog/wavelengths.h"
 #include "material/material.h"
 #include "scene/ground.h"
 #include "scene/picture_accuracy.h"
@@ -96,6 +97,7 @@ struct Scene {
     std::map<int, Camera> bookmarks; ///< are views by the digit 1 .. 9 of their key
     double exposure = 0.0;           ///< EV, powers of two
     DrawingLights drawings = DrawingLights::Key;
+    glm::dvec3 wavelengths = srgbWavelengths; ///< nm, that stand for red, green and blue
     PictureAccuracy accuracy; ///< is the picture's, whatever the materials
     nlohmann::json extras = nlohmann::json::object();
     nlohmann::json unknown = nlohmann::json::object();

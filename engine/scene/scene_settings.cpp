@@ -64,6 +64,7 @@ const MemberTable<Scene>& sceneMembers() {
         {"background", member(&Scene::background)},
         {"exposure", member(&Scene::exposure)},
         {"drawings", drawings()},
+        {"wavelengths", member(&Scene::wavelengths)},
         {"ground.mode", groundMode()},
         {"ground.automatic", member(&Scene::ground, &Ground::automatic)},
         {"ground.height", member(&Scene::ground, &Ground::height)},

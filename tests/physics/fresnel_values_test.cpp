@@ -73,7 +73,7 @@ TEST(DispersiveFresnel, ByCauchysConstants_FollowsThePowersOfTheWavelength) {
 
 TEST(DispersiveFresnel, AtAPoleOrWithANegativeSquare_ReflectsAShareOfTheLight) {
     for (const double b : {-100.0, 1.0, 100.0}) {
-        for (const double wavelength : {1.0, 550.0, 1e6}) {
+        for (const double wavelength : {100.0, 550.0, 1e6}) {
             const double square = wavelength * wavelength * 1e-6;
             const double pole = std::min(square, 10000.0);
             const Values values{{"sellmeier.b", glm::dvec3(b, b, -b)},

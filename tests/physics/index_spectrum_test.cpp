@@ -2,6 +2,7 @@
 // Optical constants over the wavelength.
 #include <gtest/gtest.h>
 
+#include "catalog/wavelengths.h"
 #include "lobe_cases.h"
 #include "measure/lobe/fresnel_curve.h"
 #include "measure/lobe/index_spectrum.h"
@@ -41,7 +42,7 @@ TEST(IndexSpectrum, OfGlass_HasTheCataloguesIndices) {
     }
     EXPECT_FALSE(spectrum.isOfChannels);
     EXPECT_TRUE(spectrum.extinction.empty());
-    EXPECT_EQ(spectrum.channels, glm::dvec3(650.0, 550.0, 450.0));
+    EXPECT_EQ(spectrum.channels, srgbWavelengths);
     EXPECT_EQ(spectrum.wavelengths.front(), 380.0);
     EXPECT_EQ(spectrum.wavelengths.back(), 780.0);
 }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <glm/common.hpp>
 
+#include "catalog/wavelengths.h"
 #include "measure/eval/compiled_block.h"
 #include "measure/lobe/fresnel_block.h"
 #include "measure/stability/sweep_cases.h"
@@ -19,7 +20,8 @@ constexpr double shortestNm = 380.0; ///< nm
 constexpr double longestNm = 780.0;  ///< nm
 constexpr double stepNm = 2.5;       ///< nm
 
-/// Stands for red, green and blue where a block does not say its own, in nm (lib/interface.glsl).
+/// Stands for red, green and blue in terms without wavelengths, in nm: where the constants of metals
+/// were read, and those of lib/interface.glsl.
 constexpr glm::dvec3 usualChannels{650.0, 550.0, 450.0};
 
 /// Is the index and the extinction at one wavelength.
@@ -50,7 +52,7 @@ double betweenChannels(const glm::dvec3& channels, const glm::dvec3& values, dou
 /// Returns the block with other wavelengths in its channels.
 ValuedBlock atWavelengths(const ValuedBlock& fresnel, const glm::dvec3& nm) {
     ValuedBlock moved = fresnel;
-    if (const Parameter* parameter = fresnel.block->withRole(roles::wavelength)) {
+    if (const Parameter* parameter = fresnel.block->withRole(roles::wavelengths)) {
         moved.values[parameter->id] = nm;
     }
     return moved;
@@ -136,14 +138,17 @@ Result<IndexSpectrum> indexSpectrum(const Catalog& catalog, const Material& mate
         return tl::unexpected(code.error());
     }
     IndexSpectrum spectrum;
-    const bool hasWavelengths = fresnel->block->withRole(roles::wavelength) != nullptr;
-    spectrum.channels = fresnel->vector(roles::wavelength).value_or(usualChannels);
+    const Parameter* own = fresnel->block->withRole(roles::wavelengths);
+    spectrum.channels = fresnel->vector(roles::wavelengths).value_or(usualChannels);
+    if (own != nullptr) {
+        takeWavelengths(*own, srgbWavelengths, &spectrum.channels.x);
+    }
     const Result<ConstantsAt> constants = constantsOf(catalog, material, *fresnel, spectrum);
     if (!constants) {
         return tl::unexpected(constants.error());
     }
     spectrum.wavelengths =
-        wavelengthsOf(spectrum.channels, spectrum.isOfChannels && !hasWavelengths);
+        wavelengthsOf(spectrum.channels, spectrum.isOfChannels && own == nullptr);
     bool isClear = true;
     for (const double nm : spectrum.wavelengths) {
         const OpticalConstants at = (*constants)(nm);

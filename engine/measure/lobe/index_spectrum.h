@@ -16,7 +16,9 @@ struct IndexSpectrum {
     std::vector<double> index;       ///< as many
     std::vector<double> extinction;  ///< as many; empty: the medium is clear
     std::vector<double> reflectance; ///< as many: the share that is mirrored facing the surface
-    glm::dvec3 channels{0.0};        ///< are the wavelengths of red, green and blue, in nanometres
+    /// Are the wavelengths of red, green and blue, in nanometres: those of a scene that names none,
+    /// where the term has none of its own.
+    glm::dvec3 channels{0.0};
     /// Says that the constants are known at the channels' wavelengths alone, and are taken to go
     /// straight from one to the next.
     bool isOfChannels = false;

@@ -104,9 +104,9 @@ void packLights(PackedScene& packed, std::span<glm::vec4> out, const Pipeline& p
 }
 
 void packPlace(std::span<glm::vec4> out, const BlockPlace& place, const Values& values,
-               const AccuracyLevels& levels, const glm::dmat4& cameraToWorld) {
+               const AccuracyLevels& levels, const PackedAround& around) {
     packInto(out.subspan(static_cast<std::size_t>(place.first)), place.layout, values, levels,
-             cameraToWorld);
+             around);
 }
 
 /// Packs the data of effects that have a function for it.
@@ -143,19 +143,19 @@ PackedScene packScene(std::span<glm::vec4> out, const Pipeline& pipeline,
 }
 
 void packMaterial(std::span<glm::vec4> out, const Pipeline& pipeline, const Material& material,
-                  const glm::dmat4& cameraToWorld) {
+                  const PackedAround& around) {
     const double opacity = opacityOf(material, *pipeline.catalog);
     out[ObjectLayout::surface] =
         glm::vec4(std::clamp(static_cast<float>(opacity), 0.0f, 1.0f),
                   1.0 / (1.0 - passedShare(material, *pipeline.catalog)), 0.0f, 0.0f);
     if (pipeline.object.model) {
         packPlace(out, *pipeline.object.model, material.model.parameters, material.accuracy,
-                  cameraToWorld);
+                  around);
     }
     for (const auto* places : {&pipeline.object.slots, &pipeline.object.parts}) {
         for (const BlockPlace& part : *places) {
             packPlace(out, part, partValues(part, material.parts), material.accuracy,
-                      cameraToWorld);
+                      around);
         }
     }
     packOwn(out, pipeline.object, material, pipeline.effects);

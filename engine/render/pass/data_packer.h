@@ -11,6 +11,7 @@
 #include "render/lights/light_lists.h"
 #include "render/lights/shadow_view.h"
 #include "scene/scene.h"
+#include "shading/program/parameter_packer.h"
 
 namespace patina {
 
@@ -40,7 +41,7 @@ PackedScene packScene(std::span<glm::vec4> out, const Pipeline& pipeline,
 
 /// Fills `objectData`; `out` has the size pipeline.object.vec4s. It allocates nothing.
 void packMaterial(std::span<glm::vec4> out, const Pipeline& pipeline, const Material& material,
-                  const glm::dmat4& cameraToWorld);
+                  const PackedAround& around);
 
 /// Holds the values of the block that composes transparent surfaces, and the range of their depths
 /// in metres.

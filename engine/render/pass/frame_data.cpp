@@ -26,6 +26,10 @@ glm::vec4 pixelInClipOf(const glm::dmat4& worldToClip, const glm::dvec3& eye, gl
     return {2.0 / size.x, 2.0 / size.y, share / (1.0 - share) * eyeDepth, 0.0};
 }
 
+PackedAround around(const FramePlan& plan) {
+    return {plan.cameraToWorld, plan.scene->wavelengths};
+}
+
 } // namespace
 
 FrameData::FrameData(FrameGpu& gpu) : gpu_(gpu) {
@@ -89,7 +93,7 @@ void FrameData::fillTables(const PreparedFrame& frame) {
         if (pipeline != nullptr && pipeline->tableProgram) {
             const Material& values = frame.plan.material(i);
             gpu_.report.filledTables +=
-                tables_.fit(i, *pipeline, values, frame.plan.cameraToWorld) ? 1 : 0;
+                tables_.fit(i, *pipeline, values, around(frame.plan)) ? 1 : 0;
         } else {
             tables_.drop(i);
         }
@@ -105,7 +109,7 @@ void FrameData::fitLobes(const PreparedFrame& frame) {
             const Material& values = frame.plan.material(i);
             bindMeasured(*pipeline, values);
             gpu_.report.filledTables +=
-                lobes_.fit(i, *pipeline, values, frame.plan.cameraToWorld) ? 1 : 0;
+                lobes_.fit(i, *pipeline, values, around(frame.plan)) ? 1 : 0;
         } else if (pipeline == nullptr || !pipeline->effects.environment) {
             lobes_.drop(i); // not where light is sampled for now: it is fitted again while the
                             // scene changes
@@ -139,7 +143,7 @@ void FrameData::feedMaterial(const PreparedFrame& frame, std::size_t number) {
     if (pipeline.lobeFit) {
         lobes_.bind(number);
     }
-    packMaterial(data, pipeline, values, frame.plan.cameraToWorld);
+    packMaterial(data, pipeline, values, around(frame.plan));
     if (material.isLayered) {
         packLayers(data, pipeline,
                    {frame.plan.transparency().parameters, frame.layerDepths.near(),
@@ -147,7 +151,7 @@ void FrameData::feedMaterial(const PreparedFrame& frame, std::size_t number) {
                    frame.plan.cameraToWorld);
     }
     if (material.refracts()) {
-        packRefraction(data, pipeline, values, frame.plan.scene->background);
+        packRefraction(data, pipeline, values, *frame.plan.scene);
     }
     gpu_.textures.bind(data, pipeline, values);
     bindMeasured(pipeline, values);

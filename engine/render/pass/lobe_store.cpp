@@ -27,13 +27,13 @@ void LobeStore::makeRoom(std::size_t materials) {
 }
 
 bool LobeStore::fit(std::size_t number, const Pipeline& pipeline, const Material& material,
-                    const glm::dmat4& cameraToWorld) {
+                    const PackedAround& around) {
     if (!fitting_) {
         fitting_ = std::make_unique<Fitting>();
     }
     const auto vec4s = static_cast<std::size_t>(pipeline.object.vec4s);
     fitting_->data.reserve(vec4s);
-    packMaterial(fitting_->data.staging(), pipeline, material, cameraToWorld);
+    packMaterial(fitting_->data.staging(), pipeline, material, around);
     Lobes& lobes = lobes_[number];
     if (!take(lobes, pipeline, fitting_->data.staging().first(vec4s))) {
         return false;

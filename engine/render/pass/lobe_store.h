@@ -15,6 +15,7 @@
 #include "material/material.h"
 #include "render/gpu/pipeline.h"
 #include "render/gpu/uniform_buffer.h"
+#include "shading/program/parameter_packer.h"
 #include "shading/program/surface_output.h"
 
 namespace patina {
@@ -30,7 +31,7 @@ class LobeStore {
     /// Its pipeline must have programs for it. Changes the bound framebuffer, the viewport and the
     /// depth test.
     bool fit(std::size_t number, const Pipeline& pipeline, const Material& material,
-             const glm::dmat4& cameraToWorld);
+             const PackedAround& around);
 
     /// Deletes the table of a material that has no lobes any more.
     void drop(std::size_t number);

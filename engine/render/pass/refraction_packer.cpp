@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "catalog/wavelengths.h"
 #include "shading/effects/refracted_wavelengths.h"
 #include "shading/effects/refraction.h"
 #include "shading/program/given_value.h"
@@ -24,16 +25,18 @@ double dispersionOf(const RefractionChoice& choice) {
 }
 
 /// Puts the body's index for each wavelength in the place of that.
-void packIndices(std::span<glm::vec4> wavelengths, double index, double dispersion) {
+void packIndices(std::span<glm::vec4> wavelengths, double index, double dispersion,
+                 const glm::dvec3& ofScene) {
     for (glm::vec4& each : wavelengths) {
-        each.w = static_cast<float>(indexAt(double(each.w), index, dispersion));
+        const double wavelength = movedWavelength(double(each.w), ofScene);
+        each.w = static_cast<float>(indexAt(wavelength, index, dispersion));
     }
 }
 
 } // namespace
 
 void packRefraction(std::span<glm::vec4> out, const Pipeline& pipeline, const Material& material,
-                    const glm::dvec3& background) {
+                    const Scene& scene) {
     static const Values none;
     const BlockPlace& place = *pipeline.object.refraction;
     const BlockValues* part = material.part(place.block->kind);
@@ -47,11 +50,13 @@ void packRefraction(std::span<glm::vec4> out, const Pipeline& pipeline, const Ma
                 static_cast<float>(bodyIndex(material, choice, *pipeline.catalog));
         }
     }
-    out[static_cast<std::size_t>(pipeline.object.refractionBackground())] = storable(background);
+    out[static_cast<std::size_t>(pipeline.object.refractionBackground())] =
+        storable(scene.background);
     if (const auto wavelengths = wavelengthPlace(pipeline.object)) {
         packIndices(out.subspan(static_cast<std::size_t>(wavelengths->first),
                                 static_cast<std::size_t>(wavelengths->count)),
-                    bodyIndex(material, choice, *pipeline.catalog), dispersionOf(choice));
+                    bodyIndex(material, choice, *pipeline.catalog), dispersionOf(choice),
+                    scene.wavelengths);
     }
 }
 

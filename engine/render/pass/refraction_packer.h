@@ -6,12 +6,14 @@
 #include <glm/vec4.hpp>
 
 #include "render/gpu/pipeline.h"
+#include "scene/scene.h"
 
 namespace patina {
 
 /// Writes the refraction data of a material to its `objectData`: the block's values, with the index
-/// of refraction from bodyIndex(), and the background colour. It allocates nothing.
+/// of refraction from bodyIndex(), the scene's background colour, and the index for each of its
+/// wavelengths. It allocates nothing once the number of wavelengths is known.
 void packRefraction(std::span<glm::vec4> out, const Pipeline& pipeline, const Material& material,
-                    const glm::dvec3& background);
+                    const Scene& scene);
 
 } // namespace patina

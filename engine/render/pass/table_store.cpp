@@ -15,13 +15,13 @@ void TableStore::makeRoom(std::size_t materials) {
 }
 
 bool TableStore::fit(std::size_t number, const Pipeline& pipeline, const Material& material,
-                     const glm::dmat4& cameraToWorld) {
+                     const PackedAround& around) {
     if (!filling_) {
         filling_ = std::make_unique<Filling>();
     }
     const auto vec4s = static_cast<std::size_t>(pipeline.object.vec4s);
     filling_->data.reserve(vec4s);
-    packMaterial(filling_->data.staging(), pipeline, material, cameraToWorld);
+    packMaterial(filling_->data.staging(), pipeline, material, around);
     Tables& tables = tables_[number];
     if (!take(tables, pipeline, filling_->data.staging())) {
         return false;

@@ -5,14 +5,13 @@
 #include <memory>
 #include <vector>
 
-#include <glm/mat4x4.hpp>
-
 #include "gl/framebuffer.h"
 #include "gl/texture.h"
 #include "gl/vertex_array.h"
 #include "material/material.h"
 #include "render/gpu/pipeline.h"
 #include "render/gpu/uniform_buffer.h"
+#include "shading/program/parameter_packer.h"
 
 namespace patina {
 
@@ -27,7 +26,7 @@ class TableStore {
     /// Its pipeline must have a program for it. Changes the bound framebuffer, the viewport and the
     /// depth test.
     bool fit(std::size_t number, const Pipeline& pipeline, const Material& material,
-             const glm::dmat4& cameraToWorld);
+             const PackedAround& around);
 
     /// Deletes the texture of a material that reads no tables any more.
     void drop(std::size_t number);

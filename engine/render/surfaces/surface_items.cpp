@@ -70,6 +70,7 @@ void SurfaceItems::end() {
 void SurfaceItems::collect(const Scene& scene, const View& view, const MeshSource& meshes) {
     const glm::dmat4 worldToCamera = viewMatrix(view.camera);
     cameraToWorld_ = glm::inverse(worldToCamera);
+    wavelengths_ = scene.wavelengths;
     depths_ = DepthRange();
     items_.clear();
     instances_.clear();
@@ -165,7 +166,7 @@ void SurfaceItems::feed(const Scene& scene, const View& view) {
 void SurfaceItems::feedMaterial(const Material& material, Item& item) {
     const auto size = static_cast<std::size_t>(item.pipeline->object.vec4s);
     item.data->reserve(size);
-    packMaterial(item.data->staging(), *item.pipeline, material, cameraToWorld_);
+    packMaterial(item.data->staging(), *item.pipeline, material, {cameraToWorld_, wavelengths_});
     bindImages(material, item);
     item.isNew = item.data->upload(size);
     report_.uploadedBuffers += item.isNew ? 1 : 0;

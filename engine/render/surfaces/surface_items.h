@@ -85,6 +85,7 @@ class SurfaceItems {
     std::vector<Item> items_;
     InstanceBuffer instances_; ///< has one for each item
     glm::dmat4 cameraToWorld_{1.0};
+    glm::dvec3 wavelengths_ = srgbWavelengths; ///< nm, of red, green and blue
     DepthRange depths_;
     FrameReport report_;
 };

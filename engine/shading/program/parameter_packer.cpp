@@ -29,7 +29,7 @@ using Numbers = std::array<double, maxComponents>;
 
 /// Writes the numbers of a field from the first; the others stay.
 void write(Numbers& numbers, const ParameterField& field, const Values& values,
-           const AccuracyLevels& levels, const glm::dmat4& cameraToWorld) {
+           const AccuracyLevels& levels, const PackedAround& around) {
     if (field.parameter == nullptr) {
         numbers[0] = static_cast<double>(chosenIndex(*field.choice, levels));
         return;
@@ -38,9 +38,10 @@ void write(Numbers& numbers, const ParameterField& field, const Values& values,
     writeNumbers(parameter, givenValue(parameter, values), numbers.data());
     if (parameter.space != Space::None) {
         const glm::dvec3 placed =
-            inWorld(parameter, {numbers[0], numbers[1], numbers[2]}, cameraToWorld);
+            inWorld(parameter, {numbers[0], numbers[1], numbers[2]}, around.cameraToWorld);
         std::copy_n(&placed.x, 3, numbers.begin());
     }
+    takeWavelengths(parameter, around.wavelengths, numbers.data());
 }
 
 /// Limits a number to what a float holds.
@@ -52,11 +53,11 @@ float narrowed(double number) {
 } // namespace
 
 void packInto(std::span<glm::vec4> out, const ParameterLayout& layout, const Values& values,
-              const AccuracyLevels& levels, const glm::dmat4& cameraToWorld) {
+              const AccuracyLevels& levels, const PackedAround& around) {
     std::fill_n(out.begin(), layout.floats / 4, glm::vec4(0.0f));
     Numbers numbers{};
     for (const ParameterField& field : layout.fields) {
-        write(numbers, field, values, levels, cameraToWorld);
+        write(numbers, field, values, levels, around);
         for (std::size_t i = 0; i < static_cast<std::size_t>(field.components); ++i) {
             const std::size_t place = field.offset + i;
             out[place / 4][static_cast<int>(place % 4)] = narrowed(numbers[i]);

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The wavelengths that a scene has for red, green and blue are those of its materials.
+#include "gpu_fixture.h"
+
+namespace patina::scene_wavelengths_test {
+namespace {
+
+const glm::dvec3 others(700.0, 530.0, 420.0);
+
+class SceneWavelengthsTest : public GpuTest {
+  protected:
+    void SetUp() override {
+        GpuTest::SetUp();
+        makeRenderer();
+    }
+
+    /// Makes a scene whose material has wavelengths in its part of a kind; returns where they are.
+    Value& wavelengths(const std::string& kind, const std::string& id) {
+        const bool isModel = kind == kinds::models;
+        scene_ = simpleScene(isModel ? id : "cook-torrance");
+        Material& material = scene_.objects[0].material;
+        if (!isModel) {
+            material.parts[kind] = block(kind, id);
+        }
+        Values& values = isModel ? material.model.parameters : material.parts[kind].parameters;
+        return values[catalog->find(kind, id)->withRole(roles::wavelengths)->id];
+    }
+
+    Scene scene_;
+};
+
+TEST_F(SceneWavelengthsTest, OfEveryMaterialThatNamesNone_AreThoseOfTheScene) {
+    for (const char* kind : {"models", "fresnel"}) {
+        int found = 0;
+        for (const Block* each : catalog->ofKind(kind)) {
+            const Parameter* parameter = each->withRole(roles::wavelengths);
+            if (parameter == nullptr) {
+                continue;
+            }
+            SCOPED_TRACE(each->id);
+            ++found;
+            Value& own = wavelengths(kind, each->id);
+            EXPECT_EQ(own, Value(glm::dvec3(0.0)));
+            const Image atFirst = capture(scene_, false, 17);
+            const double unit = parameter->unit == "nm" ? 1.0 : 1e-3;
+            own = srgbWavelengths * unit;
+            EXPECT_EQ(capture(scene_, false, 17).pixels, atFirst.pixels);
+            own = others * unit;
+            const Image right = capture(scene_, false, 17);
+            EXPECT_NE(right.pixels, atFirst.pixels);
+            own = glm::dvec3(0.0);
+            scene_.wavelengths = others;
+            EXPECT_EQ(capture(scene_, false, 17).pixels, right.pixels);
+        }
+        EXPECT_GT(found, 0) << kind;
+    }
+}
+
+TEST_F(SceneWavelengthsTest, OfABodyThatBendsColoursApart_AreThoseOfTheScene) {
+    scene_ = simpleScene("lambert");
+    scene_.setPart(kinds::environment, block("environment", "strip-lights"));
+    Material& material = scene_.objects[0].material;
+    material.opacity = 0.0;
+    material.parts["refraction"] = block("refraction", "solid-body");
+    material.parts["refraction"].parameters["dispersion"] = 2.0;
+    material.accuracy["wavelengths"] = "3";
+    const Image atFirst = capture(scene_);
+    scene_.wavelengths = glm::dvec3(587.6); // the line for which the index holds
+    const Image alike = capture(scene_);
+    EXPECT_NE(alike.pixels, atFirst.pixels);
+    material.parts["refraction"].parameters["dispersion"] = 0.0;
+    scene_.wavelengths = srgbWavelengths;
+    const Image plain = capture(scene_);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < plain.pixels.size(); ++i) {
+        sum += std::abs(double(plain.pixels[i]) - double(alike.pixels[i]));
+    }
+    std::cout << "mean " << sum / double(plain.pixels.size()) << '\n';
+}
+
+} // namespace
+} // namespace patina::scene_wavelengths_test
