@@ -97,7 +97,12 @@ constexpr auto inLights = std::to_array<ParameterRole>(
      {roles::constant},
      {roles::linear},
      {roles::quadratic},
-     {roles::nearest}});
+     {roles::nearest},
+     {roles::diffuseColor, ParameterType::Color},
+     {roles::highlightColor, ParameterType::Color},
+     {roles::ambientColor, ParameterType::Color}});
+constexpr auto inSpecular =
+    std::to_array<ParameterRole>({{roles::ambientColor, ParameterType::Color}});
 constexpr auto inShadows = std::to_array<ParameterRole>(
     {{roles::samples, ParameterType::Enum}, {roles::angle, ParameterType::Angle}});
 constexpr auto inFog = std::to_array<ParameterRole>({{roles::color, ParameterType::Color}});
@@ -137,7 +142,8 @@ constexpr auto rows = std::to_array<BlockKind>({
      .owner = BlockOwner::Material,
      .functions = ofDirections,
      .needsSlot = true,
-     .hasTables = true},
+     .hasTables = true,
+     .roles = inSpecular},
     {.folder = kinds::refraction,
      .singular = "refraction",
      .plural = "refractions",

@@ -78,6 +78,12 @@ inline constexpr std::string_view pass = "pass";
 /// Names the roles of parameters that the program itself reads.
 namespace roles {
 inline constexpr std::string_view color = "color";         ///< is the colour of a light or fog
+/// Multiply the colour of a light where it meets the diffuse term, the highlight, and any place at
+/// all, without being a field of its struct.
+inline constexpr std::string_view diffuseColor = "diffuseColor";
+inline constexpr std::string_view highlightColor = "highlightColor";
+/// Also multiplies the ambient light that a highlight reflects.
+inline constexpr std::string_view ambientColor = "ambientColor";
 inline constexpr std::string_view intensity = "intensity"; ///< multiplies the colour
 inline constexpr std::string_view falloff = "falloff";     ///< "polynomial" or "inverse-square"
 inline constexpr std::string_view constant = "constant";   ///< is c in 1/(c + l x + q x^2)

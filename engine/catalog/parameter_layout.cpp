@@ -28,6 +28,12 @@ std::size_t placed(std::size_t& floats, int components) {
     return offset;
 }
 
+/// Tells whether the program itself reads the parameter, and the block's functions do not.
+bool isOfProgram(const Parameter& parameter) {
+    return parameter.role == roles::diffuseColor || parameter.role == roles::highlightColor ||
+           parameter.role == roles::ambientColor;
+}
+
 /// Calls `ofParameter` and `ofChoice` for the fields in their order, with the offset and size of
 /// each, and returns the size of all.
 template <class OfParameter, class OfChoice>
@@ -35,7 +41,7 @@ std::size_t eachField(const Block& block, OfParameter ofParameter, OfChoice ofCh
     std::size_t floats = 0;
     for (const Parameter& parameter : block.parameters) {
         const int components = componentCount(parameter.type);
-        if (components > 0 && !isShorthand(parameter)) {
+        if (components > 0 && !isShorthand(parameter) && !isOfProgram(parameter)) {
             ofParameter(parameter, placed(floats, components), components);
         }
     }

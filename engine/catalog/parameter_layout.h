@@ -12,8 +12,8 @@ namespace patina {
 /// Says where a value of a block lies when the values are packed into vec4s. The uniform blocks,
 /// `patina eval`'s data texture and the double-precision reference share this layout. A parameter
 /// never straddles two vec4s; one that takes more begins with one. Compiled enums and bools have no
-/// place in the uniform block, but the reference packs them too, so every parameter but a shorthand
-/// or an image has a field.
+/// place in the uniform block, but the reference packs them too, so every parameter but a
+/// shorthand, an image or what the program alone reads has a field.
 struct ParameterField {
     const Parameter* parameter = nullptr; ///< is null for an accuracy choice
     const AccuracyChoice* choice = nullptr;

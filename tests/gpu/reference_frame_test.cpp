@@ -86,6 +86,27 @@ TEST_F(ReferenceFrameTest, EveryModel_DiffersByRoundingOnly) {
     }
 }
 
+/// One whose diffuse term depends on the highlight, one with a highlight in its slot, one without
+/// terms.
+TEST_F(ReferenceFrameTest, LightsInSeparateColours_DifferByRoundingOnly) {
+    for (const char* model : {"ashikhmin-shirley", "lambert", "strauss"}) {
+        SCOPED_TRACE(model);
+        Scene scene = simpleScene(model);
+        scene.lights.push_back(light("point"));
+        for (Light& each : scene.lights) {
+            each.block.parameters["color.diffuse"] = glm::dvec3(1.0, 0.5, 0.25);
+            each.block.parameters["color.highlight"] = glm::dvec3(0.25, 0.5, 2.0);
+            each.block.parameters["color.ambient"] = glm::dvec3(0.1, 0.2, 0.3);
+        }
+        if (catalog->find("models", model)->slot("specular") != nullptr) {
+            BlockValues highlight = block("specular", "phong");
+            highlight.parameters["ambient.color"] = glm::dvec3(0.3, 0.2, 0.1);
+            scene.objects[0].material.parts["specular"] = highlight;
+        }
+        EXPECT_LE(error(scene).p99, rounding);
+    }
+}
+
 TEST_F(ReferenceFrameTest, FresnelOverTheSum_IsBlended) {
     Scene scene = simpleScene();
     scene.objects[0].material.parts["fresnel"] = block("fresnel", "dielectric");

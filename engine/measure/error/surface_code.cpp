@@ -84,6 +84,10 @@ class Collector {
         }
         addImages();
         addEmission();
+        addDiffuse();
+        if (const auto highlight = highlightAmbientData(layout_)) {
+            code_.highlightAmbient = glm::dvec3(object_.data[static_cast<std::size_t>(*highlight)]);
+        }
         addLights();
         addSurroundings();
         return problem_ ? Result<SurfaceCode>(tl::unexpected(*problem_)) : std::move(code_);
@@ -143,6 +147,15 @@ class Collector {
         }
     }
 
+    void addDiffuse() {
+        for (const Parameter& parameter : layout_.model->block->parameters) {
+            const ParameterField* field = fieldOf(*layout_.model, fieldName(parameter.id));
+            if (parameter.role == roles::diffuse && field != nullptr) {
+                code_.diffuse.push_back({0, field->offset, field->components, 0});
+            }
+        }
+    }
+
     /// Reads the lights as packScene() laid them out: a header, then light after light. A drawing
     /// takes the key light alone.
     void addLights() {
@@ -160,6 +173,14 @@ class Collector {
             for (std::size_t i = 0; i < count; ++i) {
                 const std::size_t at = first + i * static_cast<std::size_t>(group.vec4s());
                 SurfaceCode::LightCode light{codeOf(group.light, buffer_.sceneData, at), {}};
+                if (group.colors > 0) {
+                    const std::size_t colors = at + static_cast<std::size_t>(group.colors);
+                    light.colors = LightColors{glm::dvec3(buffer_.sceneData[colors]),
+                                               glm::dvec3(buffer_.sceneData[colors + 1]),
+                                               takesOne
+                                                   ? glm::dvec3(0.0)
+                                                   : glm::dvec3(buffer_.sceneData[colors + 2])};
+                }
                 if (group.shadow && hasShadows(effects_)) {
                     light.share = share++;
                 }
@@ -278,6 +299,33 @@ glm::dvec3 SurfaceShader::value(const glm::dvec3& l, const glm::dvec3& v) const 
     return reference::shade(*code_.blocks.front().code, geometry, values_.front(), fillers_);
 }
 
+/// Returns the model's value without its diffuse term; 0 where the model does not tell it apart.
+glm::dvec3 SurfaceShader::highlightAlone(const glm::dvec3& l, const glm::dvec3& v) const {
+    if (code_.diffuse.empty()) {
+        return glm::dvec3(0.0);
+    }
+    std::vector<double> values = values_.front();
+    for (const SurfaceCode::FieldPlace& field : code_.diffuse) {
+        std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(field.offset), field.components,
+                    0.0);
+    }
+    reference::Geometry geometry = reference::geometry(point_.n, point_.t, l, v);
+    geometry.pixel = point_.place;
+    return reference::shade(*code_.blocks.front().code, geometry, values, fillers_);
+}
+
+/// Returns the ambient light that lights add.
+glm::dvec3 SurfaceShader::fromLights() const {
+    glm::dvec3 sum(0.0);
+    for (const SurfaceCode::LightCode& light : code_.lights) {
+        if (light.colors) {
+            sum += light.colors->ambient *
+                   light.block.code->light(point_.x, light.block.values).radiance;
+        }
+    }
+    return sum;
+}
+
 glm::dvec3 SurfaceShader::lit() const {
     glm::dvec3 sum(0.0);
     for (const SurfaceCode::LightCode& light : code_.lights) {
@@ -288,7 +336,13 @@ glm::dvec3 SurfaceShader::lit() const {
             arriving.radiance *= noted(value)[part];
         }
         if (sends(arriving.radiance)) {
-            sum += arriving.radiance * value(arriving.l, point_.toEye);
+            glm::dvec3 shaded = value(arriving.l, point_.toEye);
+            if (light.colors) {
+                const glm::dvec3 highlight = highlightAlone(arriving.l, point_.toEye);
+                shaded = light.colors->diffuse * glm::max(shaded - highlight, glm::dvec3(0.0)) +
+                         light.colors->highlight * highlight;
+            }
+            sum += arriving.radiance * shaded;
         }
     }
     return sum;
@@ -296,7 +350,8 @@ glm::dvec3 SurfaceShader::lit() const {
 
 /// Computes as passes/ambient.glsl, passes/hemisphere.glsl and passes/openness.glsl.
 glm::dvec3 SurfaceShader::ambient() const {
-    if (!code_.ambient && !code_.hemisphere) {
+    const glm::dvec3 fromLamps = fromLights();
+    if (!code_.ambient && !code_.hemisphere && !sends(fromLamps)) {
         return glm::dvec3(0.0);
     }
     const reference::Geometry g = reference::geometry(point_.n, point_.t, point_.n, point_.toEye);
@@ -304,13 +359,14 @@ glm::dvec3 SurfaceShader::ambient() const {
         code_.openness ? noted(*code_.openness) : glm::dvec4(0.0, 0.0, 0.0, 1.0);
     const glm::dvec3 facing = g.n + glm::dvec3(open);
     const double length = glm::length(facing);
-    glm::dvec3 light = code_.ambient.value_or(glm::dvec3(0.0));
+    glm::dvec3 light = code_.ambient.value_or(glm::dvec3(0.0)) + fromLamps;
     if (code_.hemisphere) {
         const glm::dvec3 n = length > 1e-30 ? facing / length : g.n;
         const double up = glm::clamp(0.5 + 0.5 * glm::dot(n, code_.hemisphere->up), 0.0, 1.0);
         light += glm::mix(code_.hemisphere->ground, code_.hemisphere->sky, up);
     }
-    return open.w * light * value(g.n, 0.5 * g.n + std::sqrt(0.75) * g.t);
+    return open.w * light *
+           (value(g.n, 0.5 * g.n + std::sqrt(0.75) * g.t) + code_.highlightAmbient);
 }
 
 glm::dvec3 SurfaceShader::emitted() const {

@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "reference/reference.h"
 #include "render/surfaces/surface_buffer.h"
+#include "shading/effects/light_colors.h"
 
 namespace patina {
 
@@ -21,6 +22,7 @@ struct SurfaceCode {
         BlockCode block;
         std::optional<std::size_t>
             share; ///< is the index of its shadow among a pixel's; empty: it has none
+        std::optional<LightColors> colors{}; ///< are empty where it has its own colour alone
     };
     /// Says where the field is that an image changes, or that is emitted.
     struct FieldPlace {
@@ -40,6 +42,8 @@ struct SurfaceCode {
     bool blends = false;
     std::vector<FieldPlace> textured;
     std::vector<FieldPlace> emission;
+    std::vector<FieldPlace> diffuse; ///< multiply the model's diffuse term
+    glm::dvec3 highlightAmbient{0.0}; ///< is what a highlight in the slot adds to ambient light
     std::vector<LightCode> lights;
     std::optional<glm::dvec3> ambient;
     std::optional<Hemisphere> hemisphere;
@@ -90,7 +94,9 @@ class SurfaceShader {
     void takeImages();
     glm::dvec4 noted(std::size_t value) const;
     glm::dvec3 value(const glm::dvec3& l, const glm::dvec3& v) const;
+    glm::dvec3 highlightAlone(const glm::dvec3& l, const glm::dvec3& v) const;
     glm::dvec3 lit() const;
+    glm::dvec3 fromLights() const;
     glm::dvec3 ambient() const;
     glm::dvec3 emitted() const;
     glm::dvec3 blended(const glm::dvec3& shaded) const;

@@ -8,6 +8,7 @@
 
 #include "shading/effects/effect_key.h"
 #include "shading/effects/key_light.h"
+#include "shading/effects/light_colors.h"
 #include "shading/effects/lights.h"
 #include "shading/effects/opacity.h"
 #include "shading/effects/shadows.h"
@@ -39,6 +40,13 @@ void packLight(std::span<glm::vec4> out, const LightPlace& place, const SceneToP
         packShadow(out, *place.shadow, light,
                    index < packing.shadows.size() ? packing.shadows[index] : nowhere,
                    cameraToWorld);
+    }
+    if (place.colors > 0) {
+        const LightColors colors = lightColors(*place.light.block, light.block.parameters);
+        const auto first = static_cast<std::size_t>(place.colors);
+        out[first] = storable(colors.diffuse);
+        out[first + 1] = storable(colors.highlight);
+        out[first + 2] = storable(colors.ambient);
     }
 }
 

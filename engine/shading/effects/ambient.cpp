@@ -58,11 +58,13 @@ void AmbientEffect::writeLight(SurfaceText& text) const {
 
 std::string ambientShare(SurfaceText& text) {
     text.out.addFile("passes/ambient.glsl");
-    if (!isIsotropic(text.set)) {
-        return "ambientShare(s, model)";
+    std::string share = "ambientShare(s, model)";
+    if (isIsotropic(text.set)) {
+        text.out.addFile("passes/levelled.glsl");
+        share = "ambientShare(levelled(s), model)";
     }
-    text.out.addFile("passes/levelled.glsl");
-    return "ambientShare(levelled(s), model)";
+    const std::optional<int> highlight = highlightAmbientData(text.object);
+    return highlight ? fmt::format("({} + objectData[{}].rgb)", share, *highlight) : share;
 }
 
 void AmbientEffect::remove(Scene& scene, const EffectName& effect, const Catalog&) {

@@ -5,6 +5,7 @@
 
 #include "scene/transparency.h"
 #include "shading/effects/effect_set.h"
+#include "shading/effects/light_colors.h"
 
 namespace patina {
 
@@ -15,7 +16,8 @@ const BlockPlace* PartPlaces::part(std::string_view kind) const {
 }
 
 int LightPlace::vec4s() const {
-    return light.vec4s() + (shadow ? shadow->vec4s() + ShadowLayout::vec4s : 0);
+    return light.vec4s() + (shadow ? shadow->vec4s() + ShadowLayout::vec4s : 0) +
+           (colors > 0 ? lightColorVec4s : 0);
 }
 
 bool ObjectLayout::isPeeled() const {

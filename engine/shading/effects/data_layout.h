@@ -60,6 +60,7 @@ struct OwnData {
 struct LightPlace {
     BlockPlace light;                 ///< `first` is the index of the group's header
     std::optional<BlockPlace> shadow; ///< `first` counts from the light's first vec4
+    int colors = 0; ///< counts from there to the light's LightColors; 0: it has none
 
     int vec4s() const;
 };

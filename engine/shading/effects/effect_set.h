@@ -14,6 +14,7 @@
 #include "shading/effects/fog.h"
 #include "shading/effects/ground_effect.h"
 #include "shading/effects/hemisphere.h"
+#include "shading/effects/highlight_ambient.h"
 #include "shading/effects/lights.h"
 #include "shading/effects/model.h"
 #include "shading/effects/occlusion.h"
@@ -33,9 +34,10 @@ namespace patina {
 /// its rows. A new one is a row here.
 using AllEffects =
     EffectChoices<GroundEffect, ModelEffect, SlotsEffect, ShellsEffect, LightsEffect, ShadowsEffect,
-                  OcclusionEffect, AmbientEffect, HemisphereEffect, EnvironmentEffect, BlendEffect,
-                  EmissionEffect, TexturesEffect, FogEffect, OpacityEffect, RefractionEffect,
-                  RefractedSceneEffect, TransparencyEffect, OutlineEffect, PictureEffect>;
+                  OcclusionEffect, AmbientEffect, HemisphereEffect, HighlightAmbientEffect,
+                  EnvironmentEffect, BlendEffect, EmissionEffect, TexturesEffect, FogEffect,
+                  OpacityEffect, RefractionEffect, RefractedSceneEffect, TransparencyEffect,
+                  OutlineEffect, PictureEffect>;
 
 /// Says exactly what one program computes: the choices of all effects. Equal sets give equal
 /// program text. It points into the catalogue that it was made with.

@@ -10,6 +10,7 @@
 #include "shading/effects/data_layout.h"
 #include "shading/effects/effect_set.h"
 #include "shading/effects/key_light.h"
+#include "shading/effects/light_colors.h"
 #include "shading/effects/light_reach.h"
 #include "shading/effects/neutral_values.h"
 #include "shading/effects/surface_text.h"
@@ -36,6 +37,9 @@ constexpr const char* inspectedLitSource = "    Illumination light = inspectedLi
 bool isBefore(const LightGroup& a, const LightGroup& b) {
     if (BlockUse::isBefore(a.block, b.block) || BlockUse::isBefore(b.block, a.block)) {
         return BlockUse::isBefore(a.block, b.block);
+    }
+    if (a.isInColors != b.isInColors || a.hasAmbient != b.hasAmbient) {
+        return a.isInColors != b.isInColors ? b.isInColors : b.hasAmbient;
     }
     return b.shadow && (!a.shadow || BlockUse::isBefore(*a.shadow, *b.shadow));
 }
@@ -70,28 +74,29 @@ std::string keyText(const EffectSubject& subject) {
                                                 : "the brightest in the middle of the objects");
 }
 
-/// The key light stands where its group's header says, if it reaches the object.
-void callKeyLight(SurfaceText& text, std::size_t index, const std::string& function) {
-    text.main += fmt::format("    if (sceneData[{0}].z > 0.0) {{\n"
-                             "        shaded += {1}(s, model, int(sceneData[{0}].z));\n"
-                             "    }}\n",
-                             text.scene.groups[index].light.first, function);
+/// The key light stands where its group's header says, if it reaches the object. `call` has {} for
+/// the place of a light's data.
+void callKeyLight(SurfaceText& text, std::size_t index, const std::string& call) {
+    const std::string header = fmt::format("sceneData[{}].z", text.scene.groups[index].light.first);
+    text.main += fmt::format("    if ({} > 0.0) {{\n        shaded += {};\n    }}\n", header,
+                             fmt::format(fmt::runtime(call), fmt::format("int({})", header)));
 }
 
 /// Writes a line for each light of a group, or the loop over them. Lines come first in `sceneData`.
-void callLights(SurfaceText& text, std::size_t index, const std::string& function, int& nextLine) {
+void callLights(SurfaceText& text, std::size_t index, const std::string& call, int nextLine) {
     const LightPlace& group = text.scene.groups[index];
     const int lines = text.set.lights[index].lines;
     for (int i = 0; i < lines; ++i) {
-        text.main += fmt::format("    shaded += {}(s, model, {});\n", function, nextLine);
+        text.main += fmt::format("    shaded += {};\n", fmt::format(fmt::runtime(call), nextLine));
         nextLine += group.vec4s();
     }
     if (lines == 0) {
-        text.main +=
-            fmt::format("    for (int i = 0; i < int(sceneData[{0}].x); ++i) {{\n"
-                        "        shaded += {1}(s, model, int(sceneData[{0}].y) + i * {2});\n"
-                        "    }}\n",
-                        group.light.first, function, group.vec4s());
+        const std::string place = fmt::format("int(sceneData[{}].y) + i * {}", group.light.first,
+                                              group.vec4s());
+        text.main += fmt::format("    for (int i = 0; i < int(sceneData[{}].x); ++i) {{\n"
+                                 "        shaded += {};\n"
+                                 "    }}\n",
+                                 group.light.first, fmt::format(fmt::runtime(call), place));
     }
 }
 
@@ -133,12 +138,26 @@ void writeGroup(SurfaceText& text, std::size_t index, int& nextLine) {
                              "    return sum;\n"
                              "}}\n",
                              type, index, body));
-    const std::string function = fmt::format("from{}{}", type, index);
-    if (takesKeyAlone(text.set)) {
-        callKeyLight(text, index, function);
-    } else {
-        callLights(text, index, function, nextLine);
+    const LightGroup& group = text.set.lights[index];
+    std::string function = fmt::format("from{}{}", type, index);
+    if (group.isInColors && text.set.ground != GroundMode::Shadows) {
+        function = writeSeparateColors(text, function, text.scene.groups[index].colors);
     }
+    const std::string call = function + "(s, model, {})";
+    if (takesKeyAlone(text.set)) {
+        callKeyLight(text, index, call);
+        return;
+    }
+    callLights(text, index, call, nextLine);
+    if (group.hasAmbient && text.set.ground != GroundMode::Shadows) {
+        const std::string ambient =
+            writeLightAmbient(text, group, index, text.scene.groups[index].colors);
+        callLights(text, index,
+                   fmt::format("{}(s, {{}}){} * {}", ambient, text.around.factor,
+                               ambientShare(text)),
+                   nextLine);
+    }
+    nextLine += group.lines * text.scene.groups[index].vec4s();
 }
 
 } // namespace
@@ -147,6 +166,8 @@ std::uint64_t LightGroup::key() const {
     ChoiceHash hash;
     hash.add(block);
     hash.add(shadow);
+    hash.add(isInColors);
+    hash.add(hasAmbient);
     return hash.value();
 }
 
@@ -156,6 +177,9 @@ std::optional<LightGroup> lightGroup(const Light& light, const Catalog& catalog,
         return std::nullopt;
     }
     LightGroup group{BlockUse(*block, light.block.parameters), std::nullopt};
+    const LightColors colors = lightColors(*block, light.block.parameters);
+    group.isInColors = colors.areSeparate();
+    group.hasAmbient = colors.hasAmbient();
     const Block* shadow = hasShadows ? shadowBlock(light, *block, catalog) : nullptr;
     if (shadow != nullptr) {
         group.shadow.emplace(*shadow, light.part(kinds::shadows)->parameters);
@@ -298,8 +322,12 @@ void LightsEffect::list(EffectListing& listing, const EffectSet& set) const {
             groups.push_back(&lights[i]);
             uses.push_back(&lights[i].block);
         }
+        const bool isInColors = std::ranges::any_of(groups, &LightGroup::isInColors);
+        const bool hasAmbient = std::ranges::any_of(groups, &LightGroup::hasAmbient);
         listing.add(
-            effectName(*uses.front()), compiledText(uses),
+            effectName(*uses.front()),
+            detailed(detailed(compiledText(uses), isInColors, "separate colours"), hasAmbient,
+                     "ambient light of their own"),
             [&groups](const EffectSubject& subject) { return shiningText(groups, subject); });
     }
 }
@@ -326,6 +354,9 @@ void LightsEffect::place(SceneLayout& layout, const EffectSet&) const {
         if (group.shadow) {
             int behind = place.light.vec4s();
             place.shadow = placed(*group.shadow, behind);
+        }
+        if (group.hasColors()) {
+            place.colors = place.vec4s();
         }
         layout.groups.push_back(std::move(place));
     }

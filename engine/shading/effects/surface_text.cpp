@@ -31,6 +31,13 @@ void SurfaceText::addBlock(const Block& block, std::span<const CompiledValue> co
     written_.push_back(&block);
 }
 
+void SurfaceText::addOnce(const std::string& code) {
+    if (std::ranges::find(code_, code) == code_.end()) {
+        code_.push_back(code);
+        out.add(code);
+    }
+}
+
 void SurfaceText::addUnpack(const BlockUse& use, const std::string& function) {
     out.add(unpackSource(use.block(), {function, use.compiled()}));
 }

@@ -69,6 +69,9 @@ class SurfaceText {
     void addBlock(const Block& block, std::span<const CompiledValue> compiled = {});
     void addUnpack(const BlockUse& use, const std::string& function);
 
+    /// Adds code that several parts of the text need: once, however often it is asked for.
+    void addOnce(const std::string& code);
+
     /// Defines what the code of an environment asks for: OPEN_TOWARDS(direction, width), OPEN_SHARE
     /// and OPEN_MEAN(normal), which are 1 and the normal where nothing is hidden.
     void addOpenDirections();
@@ -78,6 +81,7 @@ class SurfaceText {
 
   private:
     std::vector<const Block*> written_;
+    std::vector<std::string> code_; ///< that addOnce() has added
 };
 
 } // namespace patina

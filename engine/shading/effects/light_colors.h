@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include <glm/vec3.hpp>
+
+#include "catalog/block.h"
+
+namespace patina {
+
+class SurfaceText;
+struct LightGroup;
+
+/// Holds what a light's colour is multiplied by, linear, from 0.
+struct LightColors {
+    glm::dvec3 diffuse{1.0};   ///< where it meets the model's diffuse term
+    glm::dvec3 highlight{1.0}; ///< where it meets the rest
+    glm::dvec3 ambient{0.0};   ///< of the ambient light that it adds
+
+    /// Tells whether the diffuse term and the highlight see different light than one without these
+    /// colours.
+    bool areSeparate() const { return diffuse != glm::dvec3(1.0) || highlight != glm::dvec3(1.0); }
+    bool hasAmbient() const { return ambient != glm::dvec3(0.0); }
+
+    friend bool operator==(const LightColors&, const LightColors&) = default;
+};
+
+/// Returns those of a light, by the roles of its parameters.
+LightColors lightColors(const Block& light, const Values& values);
+
+/// Is the number of vec4s of LightColors in a light's data: diffuse, highlight, ambient.
+inline constexpr int lightColorVec4s = 3;
+
+/// Writes what multiplies the light that the function `from` returns for a group's lights. `colors`
+/// is where they lie behind a light's first vec4. Returns the name of the function to call in place
+/// of `from`.
+std::string writeSeparateColors(SurfaceText& text, const std::string& from, int colors);
+
+/// Writes the function that returns the ambient light of one of a group's lights, and returns its
+/// name.
+std::string writeLightAmbient(SurfaceText& text, const LightGroup& group, std::size_t index,
+                              int colors);
+
+} // namespace patina
