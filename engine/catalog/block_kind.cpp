@@ -64,6 +64,7 @@ constexpr auto ofEnvironment = functions(BlockFunction{"", "vec3", "SkyRay", "o"
 
 constexpr std::array<std::string_view, 2> indexSources{"surface", "own"};
 constexpr std::array<std::string_view, 2> strandLights{"surface", "strand"};
+constexpr std::array<std::string_view, 3> polarisations{"unpolarised", "s", "p"};
 constexpr std::array<std::string_view, 2> falloffs{"polynomial", "inverse-square"};
 constexpr std::array<std::string_view, 3> backdrops{"sharp", "blurred", "hidden"};
 
@@ -76,6 +77,9 @@ constexpr auto inFresnel = std::to_array<ParameterRole>({{roles::indexOutside},
                                                          {roles::index, ParameterType::Vec3},
                                                          {roles::extinction, ParameterType::Vec3},
                                                          {roles::wavelengths, ParameterType::Vec3},
+                                                         {.word = roles::polarisation,
+                                                          .type = ParameterType::Enum,
+                                                          .choices = polarisations},
                                                          {roles::f0, ParameterType::Color}});
 constexpr auto inRefraction = std::to_array<ParameterRole>(
     {{.word = roles::index, .isNeeded = true},
@@ -100,7 +104,9 @@ constexpr auto inLights = std::to_array<ParameterRole>(
      {roles::nearest},
      {roles::diffuseColor, ParameterType::Color},
      {roles::highlightColor, ParameterType::Color},
-     {roles::ambientColor, ParameterType::Color}});
+     {roles::ambientColor, ParameterType::Color},
+     {roles::polarised},
+     {roles::fieldDirection, ParameterType::Vec3}});
 constexpr auto inSpecular =
     std::to_array<ParameterRole>({{roles::ambientColor, ParameterType::Color}});
 constexpr auto inShadows = std::to_array<ParameterRole>(

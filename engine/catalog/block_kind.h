@@ -82,6 +82,11 @@ inline constexpr std::string_view color = "color";         ///< is the colour of
 /// all, without being a field of its struct.
 inline constexpr std::string_view diffuseColor = "diffuseColor";
 inline constexpr std::string_view highlightColor = "highlightColor";
+/// Are a light's share that is polarised, and the direction in which its field swings.
+inline constexpr std::string_view polarised = "polarised";
+inline constexpr std::string_view fieldDirection = "fieldDirection";
+/// Says which light a Fresnel term is of: "unpolarised", "s" or "p".
+inline constexpr std::string_view polarisation = "polarisation";
 /// Also multiplies the ambient light that a highlight reflects.
 inline constexpr std::string_view ambientColor = "ambientColor";
 inline constexpr std::string_view intensity = "intensity"; ///< multiplies the colour

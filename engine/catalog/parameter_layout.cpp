@@ -31,7 +31,8 @@ std::size_t placed(std::size_t& floats, int components) {
 /// Tells whether the program itself reads the parameter, and the block's functions do not.
 bool isOfProgram(const Parameter& parameter) {
     return parameter.role == roles::diffuseColor || parameter.role == roles::highlightColor ||
-           parameter.role == roles::ambientColor;
+           parameter.role == roles::ambientColor || parameter.role == roles::polarised ||
+           parameter.role == roles::fieldDirection;
 }
 
 /// Calls `ofParameter` and `ofChoice` for the fields in their order, with the offset and size of

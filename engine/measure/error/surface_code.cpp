@@ -104,6 +104,9 @@ class Collector {
         if (isVisiblyTransparent(effects_)) {
             return failure("the object is transparent");
         }
+        if (answersPolarisedLight(effects_)) {
+            return failure("the object is lit by polarised light");
+        }
         if (const std::string effect = unknownToReference(effects_); !effect.empty()) {
             return failure(
                 fmt::format("the object has {}, which has no code in double precision", effect));

@@ -47,6 +47,9 @@ void packLight(std::span<glm::vec4> out, const LightPlace& place, const SceneToP
         out[first] = storable(colors.diffuse);
         out[first + 1] = storable(colors.highlight);
         out[first + 2] = storable(colors.ambient);
+        const LightPolarisation field =
+            lightPolarisation(*place.light.block, light.block.parameters);
+        out[first + 3] = glm::vec4(glm::vec3(field.direction), field.degree);
     }
 }
 

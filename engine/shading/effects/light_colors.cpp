@@ -6,7 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "catalog/unit_direction.h"
+#include "core/text.h"
 #include "shading/effects/surface_text.h"
+#include "shading/program/block_source.h"
 #include "shading/program/given_value.h"
 
 namespace patina {
@@ -26,6 +29,33 @@ glm::dvec3 colorOf(const Block& light, const Values& values, std::string_view ro
         color[channel] = std::clamp(number, parameter->min, parameter->max);
     }
     return color;
+}
+
+/// Returns the expression of a field of the struct `p` by its role; empty where there is none.
+std::string fieldOf(const Block& block, std::string_view role) {
+    const Parameter* parameter = block.withRole(role);
+    return parameter == nullptr ? std::string() : "p." + fieldName(parameter->id);
+}
+
+/// Returns an expression for how differently one channel is reflected, by the roles of the block;
+/// empty where these name no interface. A film, whose wavelengths matter, is none.
+std::string polarisedChannel(const Block& block, std::string_view channel) {
+    const std::string outside = fieldOf(block, roles::indexOutside);
+    const std::string inside = fieldOf(block, roles::indexInside);
+    const std::string index = fieldOf(block, roles::index);
+    const std::string extinction = fieldOf(block, roles::extinction);
+    const std::string f0 = fieldOf(block, roles::f0);
+    if (block.withRole(roles::wavelengths) != nullptr) {
+        return {};
+    }
+    if (!outside.empty() && !inside.empty()) {
+        return fmt::format("polarisedDielectric(i, {}, {})", outside, inside);
+    }
+    if (!index.empty() && !extinction.empty()) {
+        return fmt::format("polarisedConductor(i, {}, {}.{}, {}.{})",
+                           outside.empty() ? "1.0" : outside, index, channel, extinction, channel);
+    }
+    return f0.empty() ? std::string() : fmt::format("polarisedF0(i, {}.{})", f0, channel);
 }
 
 bool isDiffuse(const Parameter& parameter) {
@@ -56,6 +86,53 @@ LightColors lightColors(const Block& light, const Values& values) {
     return {colorOf(light, values, roles::diffuseColor, none.diffuse),
             colorOf(light, values, roles::highlightColor, none.highlight),
             colorOf(light, values, roles::ambientColor, none.ambient)};
+}
+
+LightPolarisation lightPolarisation(const Block& light, const Values& values) {
+    LightPolarisation found;
+    if (const Parameter* degree = light.withRole(roles::polarised)) {
+        const auto* number = std::get_if<double>(&givenValue(*degree, values));
+        found.degree = number != nullptr && std::isfinite(*number) ? std::clamp(*number, 0.0, 1.0)
+                                                                   : 0.0;
+    }
+    if (const Parameter* direction = light.withRole(roles::fieldDirection)) {
+        const auto* given = std::get_if<glm::dvec3>(&givenValue(*direction, values));
+        found.direction = given == nullptr ? found.direction : unitDirection(*given);
+    }
+    return found;
+}
+
+bool answersPolarisedLight(const EffectSet& set) {
+    return std::ranges::any_of(set.lights, &LightGroup::isPolarised) &&
+           std::ranges::any_of(set.slots, [](const BlockUse& slot) {
+               return slot.block().kind == kinds::fresnel &&
+                      !polarisedChannel(slot.block(), "x").empty();
+           });
+}
+
+void writePolarisedFresnel(SurfaceText& text, const Block& fresnel) {
+    text.out.addFile("passes/polarised.glsl");
+    std::string code = fmt::format("vec3 polarisedFresnel(Incidence i, {} p) {{\n"
+                                   "    vec3 ordinary = {}(i, p);\n",
+                                   structName(fresnel), functionName(fresnel));
+    if (const std::string filter = fieldOf(fresnel, roles::polarisation); !filter.empty()) {
+        const std::string constant =
+            constantCase(structName(fresnel)) + '_' +
+            constantCase(fieldName(fresnel.withRole(roles::polarisation)->id)) + '_';
+        code += fmt::format("    if ({0} == {1}S) {{\n"
+                            "        return 2.0 * fieldAcross * ordinary;\n"
+                            "    }}\n"
+                            "    if ({0} == {1}P) {{\n"
+                            "        return (2.0 - 2.0 * fieldAcross) * ordinary;\n"
+                            "    }}\n",
+                            filter, constant);
+    }
+    code += fmt::format("    return ordinary * vec3({}, {}, {});\n}}\n"
+                        "#undef {}\n#define {} polarisedFresnel\n",
+                        polarisedChannel(fresnel, "x"), polarisedChannel(fresnel, "y"),
+                        polarisedChannel(fresnel, "z"), slotFunctionName(fresnel.kind),
+                        slotFunctionName(fresnel.kind));
+    text.out.add(code);
 }
 
 std::string writeSeparateColors(SurfaceText& text, const std::string& from, int colors) {

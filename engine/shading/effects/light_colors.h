@@ -10,6 +10,7 @@
 namespace patina {
 
 class SurfaceText;
+struct EffectSet;
 struct LightGroup;
 
 /// Holds what a light's colour is multiplied by, linear, from 0.
@@ -29,13 +30,33 @@ struct LightColors {
 /// Returns those of a light, by the roles of its parameters.
 LightColors lightColors(const Block& light, const Values& values);
 
-/// Is the number of vec4s of LightColors in a light's data: diffuse, highlight, ambient.
-inline constexpr int lightColorVec4s = 3;
+/// Holds how a light is polarised.
+struct LightPolarisation {
+    double degree = 0.0;                ///< 0 .. 1, the share that swings along one line
+    glm::dvec3 direction{0.0, 1.0, 0.0}; ///< unit, in world space
+
+    friend bool operator==(const LightPolarisation&, const LightPolarisation&) = default;
+};
+
+/// Returns that of a light, by the roles of its parameters.
+LightPolarisation lightPolarisation(const Block& light, const Values& values);
+
+/// Is the number of vec4s of a light's data that are no field of its block: diffuse, highlight,
+/// ambient, and the direction and degree of its polarisation.
+inline constexpr int lightColorVec4s = 4;
 
 /// Writes what multiplies the light that the function `from` returns for a group's lights. `colors`
 /// is where they lie behind a light's first vec4. Returns the name of the function to call in place
 /// of `from`.
 std::string writeSeparateColors(SurfaceText& text, const std::string& from, int colors);
+
+/// Tells whether the program has a Fresnel term in the model that answers to polarised light, and
+/// such light.
+bool answersPolarisedLight(const EffectSet& set);
+
+/// Writes the Fresnel term of the model's slot once more, for polarised light: its reflectance
+/// times that of the light over that of ordinary light, by the indices that its roles name.
+void writePolarisedFresnel(SurfaceText& text, const Block& fresnel);
 
 /// Writes the function that returns the ambient light of one of a group's lights, and returns its
 /// name.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -38,8 +39,11 @@ bool isBefore(const LightGroup& a, const LightGroup& b) {
     if (BlockUse::isBefore(a.block, b.block) || BlockUse::isBefore(b.block, a.block)) {
         return BlockUse::isBefore(a.block, b.block);
     }
-    if (a.isInColors != b.isInColors || a.hasAmbient != b.hasAmbient) {
-        return a.isInColors != b.isInColors ? b.isInColors : b.hasAmbient;
+    const auto extras = [](const LightGroup& group) {
+        return std::tuple(group.isInColors, group.hasAmbient, group.isPolarised);
+    };
+    if (extras(a) != extras(b)) {
+        return extras(a) < extras(b);
     }
     return b.shadow && (!a.shadow || BlockUse::isBefore(*a.shadow, *b.shadow));
 }
@@ -130,7 +134,14 @@ void writeGroup(SurfaceText& text, std::size_t index, int& nextLine) {
     const std::string type = structName(use.block());
     text.addBlock(use.block());
     text.addUnpack(use, fmt::format("unpack{}{}", type, index));
-    const std::string body = litBody(text, index);
+    const LightGroup& group = text.set.lights[index];
+    std::string body = litBody(text, index);
+    if (group.isPolarised && answersPolarisedLight(text.set)) {
+        body = fmt::format("    fieldAcross =\n"
+                           "        acrossOf({}(s.x, source).l, s.v, sceneData[base + {}]);\n"
+                           "{}    fieldAcross = 0.5;\n",
+                           functionName(use.block()), text.scene.groups[index].colors + 3, body);
+    }
     text.out.add(fmt::format("vec3 from{0}{1}(Surface s, Model p, int base) {{\n"
                              "    vec3 sum = vec3(0.0);\n"
                              "    {0} source = unpack{0}{1}(base);\n"
@@ -138,7 +149,6 @@ void writeGroup(SurfaceText& text, std::size_t index, int& nextLine) {
                              "    return sum;\n"
                              "}}\n",
                              type, index, body));
-    const LightGroup& group = text.set.lights[index];
     std::string function = fmt::format("from{}{}", type, index);
     if (group.isInColors && text.set.ground != GroundMode::Shadows) {
         function = writeSeparateColors(text, function, text.scene.groups[index].colors);
@@ -168,6 +178,7 @@ std::uint64_t LightGroup::key() const {
     hash.add(shadow);
     hash.add(isInColors);
     hash.add(hasAmbient);
+    hash.add(isPolarised);
     return hash.value();
 }
 
@@ -180,6 +191,7 @@ std::optional<LightGroup> lightGroup(const Light& light, const Catalog& catalog,
     const LightColors colors = lightColors(*block, light.block.parameters);
     group.isInColors = colors.areSeparate();
     group.hasAmbient = colors.hasAmbient();
+    group.isPolarised = lightPolarisation(*block, light.block.parameters).degree > 0.0;
     const Block* shadow = hasShadows ? shadowBlock(light, *block, catalog) : nullptr;
     if (shadow != nullptr) {
         group.shadow.emplace(*shadow, light.part(kinds::shadows)->parameters);
@@ -324,10 +336,13 @@ void LightsEffect::list(EffectListing& listing, const EffectSet& set) const {
         }
         const bool isInColors = std::ranges::any_of(groups, &LightGroup::isInColors);
         const bool hasAmbient = std::ranges::any_of(groups, &LightGroup::hasAmbient);
+        const bool isPolarised = answersPolarisedLight(set) &&
+                                 std::ranges::any_of(groups, &LightGroup::isPolarised);
         listing.add(
             effectName(*uses.front()),
-            detailed(detailed(compiledText(uses), isInColors, "separate colours"), hasAmbient,
-                     "ambient light of their own"),
+            detailed(detailed(detailed(compiledText(uses), isInColors, "separate colours"),
+                              hasAmbient, "ambient light of their own"),
+                     isPolarised, "polarised"),
             [&groups](const EffectSubject& subject) { return shiningText(groups, subject); });
     }
 }

@@ -18,13 +18,14 @@ struct LightGroup {
     std::optional<BlockUse> shadow; ///< how their shadows are drawn; nothing: there are none
     bool isInColors = false; ///< they have separate colours for the diffuse term and the highlight
     bool hasAmbient = false; ///< they add to the ambient light
+    bool isPolarised = false; ///< they are polarised
     int lines = 0; ///< lights that stand in the program's text; 0: a loop, whose length is data
 
     /// Says how the rays run that the shadows are cast along.
     ShadowProjection projection() const { return block.block().shadowProjection; }
 
-    /// Tells whether the lights have colours beside their own in their data.
-    bool hasColors() const { return isInColors || hasAmbient; }
+    /// Tells whether the lights' data has lightColorVec4s beside their block's.
+    bool hasColors() const { return isInColors || hasAmbient || isPolarised; }
 
     /// Tells groups apart by a number, whatever they have of lines: lightKey() of their lights.
     std::uint64_t key() const;

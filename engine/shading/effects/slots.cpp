@@ -8,6 +8,7 @@
 #include "material/model_swap.h"
 #include "shading/effects/data_layout.h"
 #include "shading/effects/effect_set.h"
+#include "shading/effects/light_colors.h"
 #include "shading/effects/neutral_values.h"
 #include "shading/effects/surface_text.h"
 #include "shading/program/block_source.h"
@@ -127,6 +128,9 @@ void writeSlots(SurfaceText& text) {
         const std::string& kind = use.block().kind;
         text.addBlock(use.block());
         text.out.add(slotNamesSource(use.block()));
+        if (kind == kinds::fresnel && answersPolarisedLight(text.set)) {
+            writePolarisedFresnel(text, use.block());
+        }
         text.addUnpack(use, "unpack" + slotStructName(kind));
         text.filled.push_back({kind, text.object.slots[i].vec4s()});
     }

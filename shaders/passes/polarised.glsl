@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT-0
+// Light whose field swings along a line more than across it.
+#include "lib/fresnel.glsl"
+
+// How much of the light that is looked at swings across the plane of incidence: half of ordinary
+// light.
+float fieldAcross = 0.5;
+
+// The reflectance of that light over that of ordinary light.
+float polarisedShare(float Rs, float Rp) {
+    float sum = Rs + Rp;
+    return sum > 1e-30 ? 2.0 * mix(Rp, Rs, fieldAcross) / sum : 1.0;
+}
+
+// The same of a clear surface and of a metal, and of a clear one that reflects F0 facing the light.
+float polarisedDielectric(Incidence i, float etaI, float etaT) {
+    float Rs;
+    float Rp;
+    dielectricReflectances(i, etaI, etaT, Rs, Rp);
+    return polarisedShare(Rs, Rp);
+}
+
+float polarisedConductor(Incidence i, float etaI, float eta, float k) {
+    float Rs;
+    float Rp;
+    conductorReflectances(i, etaI, eta, k, Rs, Rp);
+    return polarisedShare(Rs, Rp);
+}
+
+float polarisedF0(Incidence i, float F0) {
+    return polarisedDielectric(i, 1.0, min(indexFromF0(clamp(F0, 0.0, 1.0)), 1e4));
+}
+
+// How much of light from l swings across the plane of l and v, the plane of incidence of what is
+// mirrored from the one to the other. Its field swings along `field.xyz`, of which the part along l
+// is none, by the share `field.w`; the rest is ordinary light. Where both are the same line there
+// is no plane, and no difference.
+float acrossOf(vec3 l, vec3 v, vec4 field) {
+    vec3 across = cross(l, v);
+    vec3 swings = field.xyz - dot(field.xyz, l) * l;
+    float size = dot(across, across) * dot(swings, swings);
+    float along = dot(across, swings);
+    return size > 1e-14 ? mix(0.5, min(along * along / size, 1.0), field.w) : 0.5;
+}

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Polarised light and the Fresnel terms that it meets.
+#include <cmath>
+#include <set>
+
+#include "gpu_fixture.h"
+#include "measure/lobe/fresnel_curve.h"
+#include "shading/effects/surface_program.h"
+
+namespace patina::polarised_light_test {
+namespace {
+
+/// The plane of incidence of the plate is that of x and z.
+const glm::dvec3 across(0.0, 1.0, 0.0);
+
+class PolarisedLight : public GpuTest {
+  protected:
+    void SetUp() override {
+        GpuTest::SetUp();
+        makeRenderer();
+    }
+
+    /// Makes a plate that mirrors a light at an angle, in degrees, towards the camera.
+    Scene mirror(const std::string& fresnel, double degrees) const {
+        Scene scene = plate();
+        scene.background = glm::dvec3(0.0);
+        scene.objects[0].material.model = block("models", "cook-torrance");
+        Values& model = scene.objects[0].material.model.parameters;
+        model["diffuse.color"] = glm::dvec3(0.0);
+        model["roughness"] = 0.3;
+        scene.objects[0].material.parts["fresnel"] = block("fresnel", fresnel);
+        scene.objects[0].rotation = {90.0, degrees, 0.0};
+        const double twice = glm::radians(2.0 * degrees);
+        scene.lights[0].block.parameters["direction"] =
+            -glm::dvec3(std::sin(twice), 0.0, std::cos(twice));
+        return scene;
+    }
+
+    static Scene polarised(Scene scene, const glm::dvec3& direction) {
+        scene.lights[0].block.parameters["polarised"] = 1.0;
+        scene.lights[0].block.parameters["polarised.direction"] = direction;
+        return scene;
+    }
+
+    glm::dvec3 seen(const Scene& scene) { return glm::dvec3(middle(capture(scene, false, 9))); }
+
+    std::string text(const Scene& scene) const {
+        const EffectSet set = effectSet(scene.objects[0].material, scene, *catalog);
+        const auto program = surfaceProgram(set, *catalog);
+        EXPECT_TRUE(program);
+        return program ? program->fragment.text : std::string();
+    }
+};
+
+/// Swinging in the plane of incidence.
+const glm::dvec3 along(1.0, 0.0, 0.0);
+
+TEST_F(PolarisedLight, OfDegreeZero_IsNotInTheText) {
+    Scene scene = mirror("dielectric", 40.0);
+    const std::string plain = text(scene);
+    EXPECT_EQ(plain.find("olarised"), std::string::npos);
+    scene.lights[0].block.parameters["polarised.direction"] = along;
+    EXPECT_EQ(text(scene), plain);
+    scene.lights[0].block.parameters["polarised"] = 0.5;
+    EXPECT_NE(text(scene).find("fieldAcross"), std::string::npos);
+}
+
+/// Brewster 1815: tan theta = n.
+TEST_F(PolarisedLight, InThePlaneOfIncidenceAtBrewstersAngle_IsDark) {
+    const Scene scene = mirror("dielectric", glm::degrees(std::atan(1.5)));
+    const double ordinary = seen(scene).y;
+    EXPECT_GT(ordinary, 0.01);
+    EXPECT_LT(seen(polarised(scene, along)).y, 1e-3 * ordinary);
+    EXPECT_NEAR(seen(polarised(scene, across)).y, 2.0 * ordinary, 2e-3 * ordinary);
+}
+
+/// Ordinary light is half of each, whatever the term.
+TEST_F(PolarisedLight, AcrossAndAlong_AddUpToOrdinaryLight) {
+    const std::set<std::string> withoutInterface{"dispersive", "empirical", "thin-film"};
+    for (const Block* fresnel : catalog->ofKind("fresnel")) {
+        SCOPED_TRACE(fresnel->id);
+        const Scene scene = mirror(fresnel->id, 50.0);
+        const glm::dvec3 both = seen(scene);
+        const glm::dvec3 one = seen(polarised(scene, across));
+        const glm::dvec3 other = seen(polarised(scene, along));
+        for (int channel = 0; channel < 3; ++channel) {
+            EXPECT_NEAR(one[channel] + other[channel], 2.0 * both[channel],
+                        4e-3 * both[channel] + 1e-6);
+        }
+        const bool answers = one.y > 1.02 * other.y;
+        EXPECT_EQ(answers, !withoutInterface.contains(fresnel->id));
+    }
+}
+
+TEST_F(PolarisedLight, OnMetals_IsReflectedByFresnelsEquations) {
+    for (const double degrees : {30.0, 60.0, 75.0}) {
+        const Scene scene = mirror("conductor", degrees);
+        const auto media =
+            interfaceOf(*catalog->find("fresnel", "conductor"), defaults("fresnel", "conductor"));
+        ASSERT_TRUE(media);
+        const PolarisedPoint right = reflectedAt(*media, glm::radians(degrees), false);
+        const glm::dvec3 s = seen(polarised(scene, across));
+        const glm::dvec3 p = seen(polarised(scene, along));
+        for (int channel = 0; channel < 3; ++channel) {
+            EXPECT_NEAR(p[channel] / s[channel], right.p[channel] / right.s[channel], 3e-3)
+                << degrees << ' ' << channel;
+        }
+    }
+}
+
+/// A degree between is so much of the one, the rest ordinary; a slanted line is both.
+TEST_F(PolarisedLight, InPart_IsAMixture) {
+    const Scene scene = mirror("dielectric", 50.0);
+    const double ordinary = seen(scene).y;
+    const double whole = seen(polarised(scene, across)).y;
+    Scene half = polarised(scene, across);
+    half.lights[0].block.parameters["polarised"] = 0.5;
+    EXPECT_NEAR(seen(half).y, 0.5 * (ordinary + whole), 2e-3 * whole);
+    const glm::dvec3 towards =
+        -std::get<glm::dvec3>(scene.lights[0].block.parameters.at("direction"));
+    const glm::dvec3 beside = glm::normalize(glm::cross(across, towards));
+    EXPECT_NEAR(seen(polarised(scene, across + beside)).y, ordinary, 2e-3 * ordinary);
+}
+
+TEST_F(PolarisedLight, InAnyDirection_IsFiniteAndNotNegative) {
+    Scene scene = mirror("dielectric", 50.0);
+    for (const glm::dvec3& direction :
+         {glm::dvec3(0.0), glm::dvec3(1e6, 1e-6, 0.0), glm::dvec3(0.0, 0.0, -1.0)}) {
+        for (const double degrees : {0.0, 50.0, 89.9}) {
+            Scene each = polarised(mirror("conductor", degrees), direction);
+            for (const float value : capture(each, false, 9).pixels) {
+                ASSERT_TRUE(value >= 0.0f && value <= 65504.0f) << degrees;
+            }
+        }
+    }
+}
+
+} // namespace
+} // namespace patina::polarised_light_test
