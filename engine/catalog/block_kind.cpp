@@ -31,7 +31,7 @@ constexpr auto strand = std::to_array<ArgumentField>({{.key = "height", .usual =
                                                       {.key = "n", .type = Field::Direction},
                                                       {.key = "nl", .usual = 1},
                                                       {.key = "size", .usual = 1},
-                                                      {.key = "tone", .usual = 0.5},
+                                                      {.key = "shade", .usual = 0.5},
                                                       {.key = "phase", .usual = 0.5}});
 constexpr auto layer = std::to_array<ArgumentField>({{.key = "depth"}, {.key = "opacity"}});
 constexpr auto skyRay =

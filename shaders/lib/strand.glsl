@@ -7,6 +7,6 @@ struct Strand {
     vec3 n;       // the surface's unit normal at the root, along the object's axes
     float nl;     // the cosine of the light's angle with the surface's normal, 0 .. 1
     float size;   // random numbers of the strand, 0 .. 1, the same all along it: for its length,
-    float tone;   // its colour,
+    float shade;  // its colour,
     float phase;  // and where it begins to curl
 };

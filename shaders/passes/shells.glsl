@@ -73,7 +73,7 @@ Strand meanStrand(float height) {
     s.n = vec3(0.0, 0.0, 1.0);
     s.nl = 1.0;
     s.size = 0.5;
-    s.tone = 0.5;
+    s.shade = 0.5;
     s.phase = 0.5;
     return s;
 }
@@ -100,7 +100,7 @@ void tryCell(Lattice lattice, ivec2 cell, float height, float layer, float share
     passed = clamp(passed, 0.0, 1.0);
     Strand s = meanStrand(max(height - passed * layer, 0.0));
     s.size = low.x;
-    s.tone = low.y;
+    s.shade = low.y;
     s.phase = low.z;
     float radius = clamp(shellsRadius(s, shells), 0.0, 0.5);
     vec2 curl = shellsCurl(s, shells);
@@ -132,7 +132,7 @@ float coverAt(float height, float layer, float density, float share) {
     for (int i = 0; i < 4; ++i) {
         tryCell(lattice, corner + ivec2(i & 1, i >> 1), height, layer, share, cover);
     }
-    strand.tone = mix(strand.tone, 0.5, far);
+    strand.shade = mix(strand.shade, 0.5, far);
     return mix(cover, mean, far);
 }
 

@@ -16,7 +16,7 @@ Strand strandAt(vec3 n, float height) {
     s.n = n;
     s.nl = 1.0;
     s.size = 0.0;
-    s.tone = 0.0;
+    s.shade = 0.0;
     s.phase = 0.0;
     return s;
 }

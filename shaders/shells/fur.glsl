@@ -51,6 +51,6 @@ vec2 furShellsCurl(Strand s, FurShells p) {
 // the surface comes no farther than from twenty lengths away.
 vec3 furShellsTint(Strand s, FurShells p) {
     float depth = p.shadow * (1.0 - s.height) / max(s.nl, 0.05);
-    float left = exp(-depth) * (1.0 - p.toneVariation * s.tone);
+    float left = exp(-depth) * (1.0 - p.toneVariation * s.shade);
     return lerp(p.rootColor, p.tipColor, s.height) * left;
 }
