@@ -216,7 +216,7 @@ surface and need not be unit; parameters that are not named have their defaults.
   {"shells": BLOCK, "l": ..., "v": ..., "t": along the strand}
                               the light of a strand, on the scale of a model
   {"shells": BLOCK, "call": "Offset", "height": 0 .. 1, "n": normal, "nl": 0 .. 1,
-   "size": 0 .. 1, "tone": 0 .. 1, "phase": 0 .. 1}
+   "size": 0 .. 1, "shade": 0 .. 1, "phase": 0 .. 1}
                               where a strand is beside its root; "Radius", "Curl", "Tint" likewise
   {"transparency": BLOCK, "depth": 0 .. 1, "opacity": 0 .. 1}
                               how much a surface counts
