@@ -18,7 +18,7 @@ namespace {
 
 using H = PictureHistogram;
 
-constexpr int restMs = 150; ///< is how long the picture rests before it is read
+constexpr int pictureRestMs = 150; ///< is how long the picture rests before it is read
 
 QString stopsText(double stops) {
     const QString number = numberLocale().toString(stops, 'f', 1);
@@ -76,7 +76,7 @@ void HistogramDock::showEvent(QShowEvent* event) {
 
 void HistogramDock::readSoon() {
     if (isVisible()) {
-        rest_.start(restMs);
+        rest_.start(pictureRestMs);
     }
 }
 

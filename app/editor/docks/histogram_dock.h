@@ -4,6 +4,7 @@
 #include <QTimer>
 #include <QWidget>
 
+#include "core/image.h"
 #include "docks/dock_context.h"
 
 class QComboBox;

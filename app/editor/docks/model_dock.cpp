@@ -13,7 +13,7 @@ namespace patina {
 namespace {
 
 constexpr int pictureSize = 72;
-constexpr int restMs = 80;
+constexpr int summaryRestMs = 80;
 const QString modelPictureGroup = QStringLiteral("model/");
 
 } // namespace
@@ -29,7 +29,7 @@ ModelDock::ModelDock(const DockContext& context)
             [this](QListWidgetItem* item) { choose(grid_->keyOf(item)); });
     grid_->setMouseTracking(true);
     rest_.setSingleShot(true);
-    rest_.setInterval(restMs);
+    rest_.setInterval(summaryRestMs);
     connect(&rest_, &QTimer::timeout, this, [this] {
         Q_EMIT document_.modelApproached(document_.selection().side(), approached_.toStdString());
     });
