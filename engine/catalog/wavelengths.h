@@ -9,8 +9,8 @@ namespace patina {
 
 /// Are the wavelengths in nm that stand for red, green and blue where a scene names no others: the
 /// dominant ones of the primaries of sRGB (IEC 61966-2-1), where lines from its white, D65, through
-/// them meet the pure colours of the CIE's observer of 1931.
-inline constexpr glm::dvec3 srgbWavelengths{611.4, 549.1, 464.3};
+/// them meet the pure colours of the CIE's observer of 1931. They are floats, as files hold them.
+inline constexpr glm::dvec3 srgbWavelengths{611.4f, 549.1f, 464.3f};
 
 /// Is the shortest wavelength in nm that a block is given; shorter ones mean those of the scene.
 inline constexpr double minWavelength = 100.0;
