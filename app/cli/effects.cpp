@@ -252,7 +252,7 @@ std::string marginLegend(const PredictedFunctions& predicted, const GpuFamily& f
         "// predicted for {} by the compiler of {}: what a function takes, with what is computed "
         "for it alone, so that a function and one that it calls both have the share of that\n",
         family.label, predicted.driver);
-    const PredictedFunction* most = predicted.mostRegisters(family.id);
+    const PredictedFunction* most = predicted.widest(family.id);
     if (most != nullptr) {
         text += fmt::format("// most registers: {} of {} because of {}()\n",
                             predicted.savingOf(*most, family.id)->registers,

@@ -296,8 +296,8 @@ void ParameterForm::alignLabels(bool mayWiden) {
     }
     const QMargins margins = column_->contentsMargins();
     const int room = width() - margins.left() - margins.right() - beside - 6 * letter;
-    const int most = mayWiden ? 26 * letter : labelWidth_;
-    labelWidth_ = std::max(std::min({wished, most, room}), narrowestLabel());
+    const int limit = mayWiden ? 26 * letter : labelWidth_;
+    labelWidth_ = std::max(std::min({wished, limit, room}), narrowestLabel());
     for (const auto& [id, row] : rows_) {
         row->setLabelWidth(labelWidth_);
     }

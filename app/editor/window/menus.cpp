@@ -102,7 +102,8 @@ void Menus::makeFileMenu() {
     });
     parked->setChecked(parts_.session.keepsParked());
     menu->addSeparator();
-    add(menu, tr("&Import Mesh…"), QKeySequence("Ctrl+I"), [this] { parts_.files.meshes().askAndImport(); });
+    add(menu, tr("&Import Mesh…"), QKeySequence("Ctrl+I"),
+        [this] { parts_.files.meshes().askAndImport(); });
     QAction* allow =
         add(menu, tr("Allow Files Ou&tside…"), {}, [this] { parts_.files.allowOutside(); });
     allow->setObjectName("allowOutside");

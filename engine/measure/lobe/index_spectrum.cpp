@@ -20,8 +20,8 @@ constexpr double shortestNm = 380.0; ///< nm
 constexpr double longestNm = 780.0;  ///< nm
 constexpr double stepNm = 2.5;       ///< nm
 
-/// Stands for red, green and blue in terms without wavelengths, in nm: where the constants of metals
-/// were read, and those of lib/interface.glsl.
+/// Stands for red, green and blue in terms without wavelengths, in nm: where the constants of
+/// metals were read, and those of lib/interface.glsl.
 constexpr glm::dvec3 usualChannels{650.0, 550.0, 450.0};
 
 /// Is the index and the extinction at one wavelength.

@@ -62,7 +62,7 @@ PredictedFunctions::savingOf(const PredictedFunction& function, const std::strin
                   all->vectorRegisters - rest->vectorRegisters, all->cycles - rest->cycles};
 }
 
-const PredictedFunction* PredictedFunctions::mostRegisters(const std::string& family) const {
+const PredictedFunction* PredictedFunctions::widest(const std::string& family) const {
     const PredictedFunction* most = nullptr;
     int registers = 0;
     for (const PredictedFunction& function : functions) {

@@ -36,7 +36,7 @@ struct PredictedFunctions {
 
     /// Returns the function without which the stage has the fewest registers, the first of several;
     /// null where none saves any.
-    const PredictedFunction* mostRegisters(const std::string& family) const;
+    const PredictedFunction* widest(const std::string& family) const;
 };
 
 /// Predicts what each function of a program's fragment stage takes, together with what is called or
