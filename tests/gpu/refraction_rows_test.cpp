@@ -132,7 +132,7 @@ TEST_F(RefractionRows, ThatBendsAllAlike_KnowsNoWavelengths) {
         glass().accuracy["wavelengths"] = level;
         EXPECT_EQ(text(), plain) << level;
     }
-    EXPECT_FALSE(textHas("avelength"));
+    EXPECT_FALSE(textHas("forWavelength"));
     EXPECT_FALSE(textHas("WAVELENGTH"));
 }
 
