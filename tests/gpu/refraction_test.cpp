@@ -172,7 +172,7 @@ class WavelengthsOfABall : public RefractionTest {
     }
 
   private:
-    static constexpr int size = 33;
+    static constexpr int size = 17;
 
     const std::vector<double>& sumOf(int count) {
         std::vector<double>& sum = sums_[count];
@@ -202,7 +202,7 @@ TEST_F(WavelengthsOfABall, OfEachLevel_AreTheSumOfTheirPicturesAndNearerToAll) {
     for (const int count : {3, 5, 9, 15}) {
         const Image picture = of(std::to_string(count));
         EXPECT_LT(error(picture, count), 2e-4) << count;
-        const double fromAll = error(picture, 60);
+        const double fromAll = error(picture, 30);
         EXPECT_LT(fromAll, last) << count;
         last = fromAll;
     }
