@@ -91,10 +91,13 @@ TEST_F(CheaperPanel, Found_AreListedShownCopiedAndSavedAsABlockOfTheirOwn) {
     const CheaperWay& cheapest = page().found().ways.ways.back();
     EXPECT_LT(cheapest.cost, page().found().ways.exact.cost);
     EXPECT_LE(cheapest.error, 0.25);
-    auto* glsl = page().findChildren<QPlainTextEdit*>().first();
-    EXPECT_TRUE(glsl->toPlainText().contains("Found1("));
+    const auto texts = page().findChildren<QPlainTextEdit*>();
+    const auto glsl = std::ranges::find(texts, QStringLiteral("GLSL of the found ways"),
+                                        &QPlainTextEdit::accessibleName);
+    ASSERT_NE(glsl, texts.end());
+    EXPECT_TRUE((*glsl)->toPlainText().contains("Found1("));
     button("Copy")->click();
-    EXPECT_EQ(QApplication::clipboard()->text(), glsl->toPlainText());
+    EXPECT_EQ(QApplication::clipboard()->text(), (*glsl)->toPlainText());
 
     button("Save as my block")->click();
     EXPECT_EQ(readFile(folder() / "plush.glsl"), plushShader);
