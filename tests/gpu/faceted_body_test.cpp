@@ -354,25 +354,15 @@ TEST_F(FacetedBody, OfFewerReflections_IsThoseRaysAndFartherFromAll) {
     EXPECT_GT(last, 0.1);
 }
 
-/// Each level is the rays that its number says, and more of them are nearer to all.
-TEST_F(FacetedBody, OfMoreWavelengths_IsThoseRaysAndNearerToAll) {
+TEST_F(FacetedBody, OfFiveWavelengths_IsThoseRays) {
     gem() = clear("cube", "faceted-body", 1.6);
     gem().rotation = {35.0, 25.0, 0.0};
     set(gem(), "dispersion", 2.0);
     follow(1);
-    double last = 1.0;
-    std::vector<glm::dvec3> ofAllLight;
-    for (const int count : {3, 5, 9, 15}) {
-        gem().material.accuracy["wavelengths"] = std::to_string(count);
-        const Image image = stone();
-        if (ofAllLight.empty()) {
-            ofAllLight = exactPicture(image, 1, 100);
-        }
-        EXPECT_LT(flip(image, exactPicture(image, 1, count)), 0.005) << count;
-        const double error = flip(image, ofAllLight);
-        EXPECT_LT(error, last) << count;
-        last = error;
-    }
+    gem().material.accuracy["wavelengths"] = "5";
+    const Image image = stone();
+    EXPECT_LT(flip(image, exactPicture(image, 1, 5)), 0.005);
+    EXPECT_GT(flip(image, exactPicture(image, 1, 3)), 0.005);
 }
 
 /// 64 rays of 15 wavelengths among 128 facets: the driver ends none of their loops.
@@ -382,10 +372,10 @@ TEST_F(FacetedBody, OfAsManyFacetsAsThereMayBe_IsWhiteInWhiteSurroundings) {
     gem().mesh = "builtin:coin";
     meshes["coin"] = coin(126);
     ASSERT_EQ(convexFacetsOf(mesh(gem())).planes.size(), 128u);
-    for (const char* wavelengths : {"3", "5", "9", "15"}) {
+    for (const char* wavelengths : {"5", "15"}) {
         set(gem(), "dispersion", 0.36);
         gem().material.accuracy["wavelengths"] = wavelengths;
-        View view = viewOf(scene_, 9);
+        View view = viewOf(scene_, 5);
         view.samples = 1;
         view.environmentImage = environment_;
         view.environmentSamples = 256;
