@@ -59,8 +59,8 @@ TEST(HalfPrecision, LinesThatOverflowOrCancel_BreakByLineAndTheOthersHold) {
     EXPECT_EQ(lines[2].at("code"), "float half_ = d.nl * 0.5;");
     EXPECT_NE(lines[0].at("why").get<std::string>().find("more than 65504"), std::string::npos);
     EXPECT_EQ(lines[3].at("why"), "its digits are too few");
-    // Half of a step of 0.5 at most, of the colour 0.5.
-    EXPECT_NEAR(lines[3].at("atMost").get<double>(), 0.125, 0.01);
+    // Half of a step of 0.5 at most, of colours that sliders bring up to 1.
+    EXPECT_NEAR(lines[3].at("atMost").get<double>(), 0.25, 0.01);
     EXPECT_EQ(report.at("whole").at("holds"), false);
     EXPECT_EQ(report.at("together"), (nlohmann::json{2, 4}));
     EXPECT_EQ(report.at("mixed").at("holds"), true);
@@ -68,7 +68,7 @@ TEST(HalfPrecision, LinesThatOverflowOrCancel_BreakByLineAndTheOthersHold) {
 
 TEST(HalfPrecision, WiderLimit_LetsMoreLinesHold) {
     const TemporaryFolder folder;
-    const nlohmann::json report = reportOf(folder, {"--error", "0.2"});
+    const nlohmann::json report = reportOf(folder, {"--error", "0.26"});
     EXPECT_EQ(report.at("lines").at(3).at("holds"), true);
     EXPECT_EQ(report.at("lines").at(0).at("holds"), false) << "infinite whatever the limit";
 }
