@@ -127,7 +127,8 @@ TEST(LobeCommand, Drawing_HasAFormByItsName) {
     const TemporaryFolder folder;
     for (const char* plot : {"polar", "albedo", "fresnel", "spectrum", "half", "float32"}) {
         const std::string svg = (folder / (std::string(plot) + ".svg")).string();
-        const Outcome outcome = patina({"lobe", gold, "--plot", plot, "-o", svg});
+        const Outcome outcome = patina({"lobe", "--model", "cook-torrance", "--fresnel",
+                                        "conductor", "--plot", plot, "-o", svg});
         ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
         EXPECT_EQ(outcome.out, "");
         const std::string text = readFile(svg);
