@@ -39,6 +39,16 @@ void chooseTables(Material& material, const Block& block) {
     }
 }
 
+/// Returns values with which all functions of the block are in its program: the defaults, and
+/// strands that light themselves.
+BlockValues trialValues(const Block& block) {
+    BlockValues values = defaultBlockValues(block);
+    if (const Parameter* lighting = block.withRole(roles::lighting)) {
+        values.parameters[lighting->id] = std::string("strand");
+    }
+    return values;
+}
+
 /// Returns a material that has the block where its kind is a material's, and is plain otherwise.
 /// What puts surfaces together and what refracts needs it to be transparent; it still casts a
 /// shadow. Strands grow on a solid one.
@@ -52,7 +62,7 @@ Material trialMaterial(const Block& block, const Catalog& catalog) {
     Material material = model == nullptr ? Material() : defaultMaterial(*model);
     material.opacity = block.kind == kinds::shells ? 1.0 : 0.5;
     if (isPart) {
-        material.parts[block.kind] = defaultBlockValues(block);
+        material.parts[block.kind] = trialValues(block);
     }
     chooseTables(material, block);
     return material;
@@ -106,7 +116,7 @@ Checked<ProgramSource> trialProgram(const Block& block, const Catalog& catalog) 
         return pictureTrialProgram(BlockUse(block, defaultValues(block)), catalog);
     }
     EffectSet set = effectSet(scene.objects.front().material, scene, catalog);
-    set.each([use = BlockUse(block, defaultValues(block))](auto& effect) {
+    set.each([use = BlockUse(block, trialValues(block).parameters)](auto& effect) {
         if constexpr (requires { effect.admit(use); }) {
             effect.admit(use);
         }

@@ -63,14 +63,13 @@ bool isDiffuse(const Parameter& parameter) {
 }
 
 /// Writes the function that leaves the highlight of a model's values; false where the model does
-/// not tell it apart.
+/// not tell it apart, and on the ground, which has none.
 bool writeHighlightAlone(SurfaceText& text) {
-    const Block& model = text.set.model->block();
-    if (std::ranges::none_of(model.parameters, isDiffuse)) {
+    if (!text.set.model || std::ranges::none_of(text.set.model->block().parameters, isDiffuse)) {
         return false;
     }
     std::string code = "Model highlightAlone(Model p) {\n";
-    for (const Parameter& parameter : model.parameters) {
+    for (const Parameter& parameter : text.set.model->block().parameters) {
         if (isDiffuse(parameter)) {
             code += fmt::format("    p.{} = vec3(0.0);\n", fieldName(parameter.id));
         }
