@@ -50,8 +50,8 @@ TEST(Wavelengths, OfTheScene_MoveAllLightWithThem) {
     for (int channel = 0; channel < 3; ++channel) {
         EXPECT_NEAR(movedWavelength(srgbWavelengths[channel], other), other[channel], 1e-12);
     }
-    EXPECT_NEAR(movedWavelength(464.3 - 50.0, other), 350.0, 1e-12);
-    EXPECT_NEAR(movedWavelength(611.4 + 50.0, other), 750.0, 1e-12);
+    EXPECT_NEAR(movedWavelength(srgbWavelengths.z - 50.0, other), 350.0, 1e-12);
+    EXPECT_NEAR(movedWavelength(srgbWavelengths.x + 50.0, other), 750.0, 1e-12);
     for (const glm::dvec3& odd : {glm::dvec3(100.0), glm::dvec3(400.0, 500.0, 600.0),
                                   glm::dvec3(2000.0, 100.0, 2000.0)}) {
         for (double wavelength = 380.0; wavelength <= 730.0; wavelength += 10.0) {
