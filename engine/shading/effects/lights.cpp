@@ -162,10 +162,9 @@ void writeGroup(SurfaceText& text, std::size_t index, int& nextLine) {
     if (group.hasAmbient && text.set.ground != GroundMode::Shadows) {
         const std::string ambient =
             writeLightAmbient(text, group, index, text.scene.groups[index].colors);
+        const std::string share = text.set.model ? ambientShare(text) : "1.0"; // white ground
         callLights(text, index,
-                   fmt::format("{}(s, {{}}){} * {}", ambient, text.around.factor,
-                               ambientShare(text)),
-                   nextLine);
+                   fmt::format("{}(s, {{}}){} * {}", ambient, text.around.factor, share), nextLine);
     }
     nextLine += group.lines * text.scene.groups[index].vec4s();
 }
