@@ -55,6 +55,7 @@ TEST(ElidedLabel, WithoutRoom_EndsInDotsAndTellsAllInItsTooltip) {
 ChoiceCost costOf(double ratio, bool belowNoise) {
     ChoiceCost cost;
     cost.ratio = {ratio, 0.9 * ratio, 1.1 * ratio};
+    cost.runs = 9;
     cost.nanosecondsPerPixel = 100.0 * ratio;
     cost.belowNoise = belowNoise;
     return cost;

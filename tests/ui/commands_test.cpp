@@ -48,7 +48,7 @@ TEST_F(Commands, F1_ListsEveryKeyAndSearchesThem) {
     QDialog* sheet = dialog("shortcutSheet");
     ASSERT_NE(sheet, nullptr);
     ASSERT_NE(rowOf(sheet, "Export Picture"), nullptr);
-    EXPECT_EQ(rowOf(sheet, "Export Picture")->text(1), "Ctrl+Shift+E");
+    EXPECT_EQ(rowOf(sheet, "Export Picture")->text(1), "Ctrl+Shift+E; F12");
     QTest::keyClicks(sheet->findChild<QLineEdit*>(), "picture export");
     EXPECT_FALSE(rowOf(sheet, "Export Picture")->isHidden());
     EXPECT_TRUE(rowOf(sheet, "Take Snapshot")->isHidden());

@@ -97,10 +97,6 @@ const std::vector<Edit> edits{
      }},
     {"Ambient", [](Document& d) { set(d, settings::scene, "ambient", glm::dvec3(0.3)); }},
     {"Background", [](Document& d) { set(d, settings::scene, "background", glm::dvec3(0.9)); }},
-    {"Wavelengths",
-     [](Document& d) {
-         set(d, settings::scene, "wavelengths", glm::dvec3(650.0, 550.0, 450.0));
-     }},
     {"Exposure", [](Document& d) { set(d, settings::scene, "exposure", 1.0); }},
     {"ToneCurve", [](Document& d) { d.setBlock(pathOf(kinds::tone), "agx"); }},
     {"NoToneCurve", [](Document& d) { d.setBlock(pathOf(kinds::tone), ""); }},
