@@ -279,8 +279,6 @@ TEST_F(OwnViews, EffectsPanel_SwitchesThoseOfTheActiveView) {
     actionOfB("ownEffects")->trigger();
     document().selection().setSide(Side::B);
     ASSERT_TRUE(document().state().ownViews[1].switchedOff);
-    settle();
-    const QRgb before = middleOf(Side::A);
     QDockWidget* dock = window().dock("effects");
     dock->show();
     dock->raise();
@@ -295,6 +293,7 @@ TEST_F(OwnViews, EffectsPanel_SwitchesThoseOfTheActiveView) {
         }
     }
     ASSERT_NE(switched, nullptr);
+    const QRgb before = middleOf(Side::A); // the panel has taken its place beside the views
     switched->setCheckState(0, Qt::Unchecked);
     settle();
     EXPECT_EQ(document().state().ownViews[1].switchedOff->size(), 1u);
