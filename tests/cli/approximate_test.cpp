@@ -215,7 +215,7 @@ TEST(Approximate, ShippedBlock_GetsAnIdOfItsOwn) {
 }
 
 TEST(Approximate, Preset_HasItsValuesFolded) {
-    const Outcome outcome = approximated({gold, "--seconds", "10", "--cases", "1000", "--json"});
+    const Outcome outcome = approximated({gold, "--seconds", "25", "--cases", "1000", "--json"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     const auto ways = nlohmann::json::parse(outcome.out).at("ways");
     EXPECT_TRUE(std::ranges::any_of(ways, [](const auto& way) { return way.at("forValues"); }))
