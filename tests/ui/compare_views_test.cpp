@@ -293,7 +293,9 @@ TEST_F(OwnViews, EffectsPanel_SwitchesThoseOfTheActiveView) {
         }
     }
     ASSERT_NE(switched, nullptr);
-    const QRgb before = middleOf(Side::A); // the panel has taken its place beside the views
+    settle(); // the panel takes its place beside the views
+    newFrames();
+    const QRgb before = middleOf(Side::A);
     switched->setCheckState(0, Qt::Unchecked);
     settle();
     EXPECT_EQ(document().state().ownViews[1].switchedOff->size(), 1u);
