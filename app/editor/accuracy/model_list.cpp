@@ -141,6 +141,9 @@ ModelList::ModelList(QWidget* parent) : QTreeWidget(parent), family_(&gpuFamilie
     sortByColumn(Ratio, Qt::AscendingOrder);
     setColumnWidth(Model, modelWidth);
     fitColumns(*this, Ratio);
+    for (const Column column : {Branches, Memory}) { // the tip of all instructions has them
+        hideColumn(column);
+    }
     connect(this, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* row) {
         Q_EMIT picked(row->data(Model, modelRole).toString());
     });
