@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the command line chooses and sets in a scene, by the names that files have.
+#include <algorithm>
+
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "catalog/settings.h"
@@ -143,10 +146,11 @@ TEST(SceneOptions, EverySetting_IsSet) {
             const bool isChoice = parameter.type == ParameterType::Enum;
             const bool isFlag = parameter.type == ParameterType::Bool;
             const bool isTriple = componentCount(parameter.type) == 3;
+            const std::string number = fmt::format("{}", std::max(1.0, parameter.min));
             const std::string value = isChoice   ? parameter.values.front().id
                                       : isFlag   ? "true"
-                                      : isTriple ? "1,1,1"
-                                                 : "1";
+                                      : isTriple ? fmt::format("{0},{0},{0}", number)
+                                                 : number;
             EXPECT_TRUE(setupWith({"--set", id + '=' + value})) << id;
         }
     }

@@ -181,13 +181,14 @@ TEST_F(RenamedParameters, OfAPane_SayHowThickItIs) {
     EXPECT_NE(own.find("#define thickness thicknessRenamed\n"), std::string::npos);
 }
 
-TEST_F(RenamedParameters, OfDispersion_FollowARayForEachColour) {
+TEST_F(RenamedParameters, OfDispersion_FollowARayForEachWavelength) {
     for (const double dispersion : {0.0, 0.3}) {
         Scene scene = fullScene(renamed(), "solid-body");
         scene.objects[0].material.parts["refraction"] =
             values(renamed(), kinds::refraction, "solid-body", {{roles::dispersion, dispersion}});
         const bool isApart =
-            programText(renamed(), scene).find("#define LAST_CHANNEL 2") != std::string::npos;
+            programText(renamed(), scene)
+                .find("#define WAVELENGTH_DISPERSION dispersionRenamed\n") != std::string::npos;
         EXPECT_EQ(isApart, dispersion > 0.0);
     }
 }

@@ -98,7 +98,7 @@ CostChart chartFrom(const json& from) {
                               each.at("level").get<std::string>(), each.at("as").get<std::string>(),
                               each.at("samples").get<int>()});
     }
-    chart.predictedFor = from.value("predictedFor", std::string());
+    chart.predictedFor = from.at("predictedFor").get<std::string>();
     chart.leftOut = from.at("leftOut").get<std::size_t>();
     chart.converged = convergedFrom(from.at("converged"));
     return chart;
