@@ -131,9 +131,11 @@ std::string predictedText(const EffectRow& row, const EffectTable& table) {
         const auto instructions = table.predicted->instructionsOf(row.line.effect, family->id);
         const bool isElsewhere = cycles && *cycles == 0.0 && *instructions == 0;
         text += isElsewhere ? fmt::format("{:>34}  ", "not in this shader")
-                : cycles ? fmt::format("{:>6} instr. {:>6.0f} cycles {:>5.1f} %  ", *instructions,
-                                       *cycles, 100.0 * *cycles / cyclesOf(table, *family))
-                         : fmt::format("{:36}", "");
+                : cycles    ? fmt::format("{:>13} {:>6.0f} cycles {:>5.1f} %  ",
+                                       family->isMali ? std::string()
+                                                         : fmt::format("{} instr.", *instructions),
+                                          *cycles, 100.0 * *cycles / cyclesOf(table, *family))
+                            : fmt::format("{:36}", "");
     }
     return text;
 }
@@ -152,8 +154,10 @@ std::string predictedTotal(const EffectTable& table) {
     std::string text = "\n";
     for (const GpuFamily* family : table.families) {
         const StageStatistics& stage = table.predicted->whole->at(family->id).fragment;
-        text += fmt::format("the object's shader on {}: {} instructions, {:.0f} cycles\n",
-                            family->label, stage.instructions, stage.cycles);
+        text += fmt::format("the object's shader on {}: {}{:.0f} cycles\n", family->label,
+                            family->isMali ? std::string()
+                                           : fmt::format("{} instructions, ", stage.instructions),
+                            stage.cycles);
     }
     return text + "an effect takes what the shader has more with it than without it\n" +
            predictionLegend(table.predicted->driver, table.families);
@@ -164,10 +168,12 @@ nlohmann::json predictedJson(const std::string& effect, const EffectTable& table
     nlohmann::json json = nlohmann::json::object();
     for (const GpuFamily* family : table.families) {
         if (const auto cycles = table.predicted->cyclesOf(effect, family->id)) {
-            json[family->id] = {
-                {"instructions", *table.predicted->instructionsOf(effect, family->id)},
-                {"cycles", *cycles},
-                {"percent", 100.0 * *cycles / cyclesOf(table, *family)}};
+            json[family->id] = {{"cycles", *cycles},
+                                {"percent", 100.0 * *cycles / cyclesOf(table, *family)}};
+            if (!family->isMali) {
+                json[family->id]["instructions"] =
+                    *table.predicted->instructionsOf(effect, family->id);
+            }
         }
     }
     return json;

@@ -233,13 +233,14 @@ nlohmann::json sourceJson(const ProgramSource& program) {
 }
 
 /// Returns what each function takes on a family as the margin of its line.
-std::map<int, std::string> marginsOf(const PredictedFunctions& predicted,
-                                     const std::string& family) {
+std::map<int, std::string> marginsOf(const PredictedFunctions& predicted, const GpuFamily& family) {
     std::map<int, std::string> margins;
     for (const PredictedFunction& function : predicted.functions) {
-        if (const auto saving = predicted.savingOf(function, family)) {
+        if (const auto saving = predicted.savingOf(function, family.id)) {
             margins[function.line] =
-                fmt::format("{:5} instr. {:3} VGPRs {:6.0f} cycles", saving->instructions,
+                fmt::format("{} {:3} VGPRs {:6.0f} cycles",
+                            family.isMali ? std::string(12, ' ')
+                                          : fmt::format("{:5} instr.", saving->instructions),
                             saving->registers, saving->cycles);
         }
     }
@@ -342,7 +343,7 @@ Checked<void> printSource(const Shown& subject, const EffectsOptions& options,
     if (functions) {
         const GpuFamily& family = *options.families.front();
         std::cout << marginLegend(*functions, family);
-        margins = marginsOf(*functions, family.id);
+        margins = marginsOf(*functions, family);
     }
     for (const NamedProgram& program : *programs) {
         const bool isSurface = program.name.empty();

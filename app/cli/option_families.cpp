@@ -21,8 +21,8 @@ CLI::Option* addFamiliesOption(CLI::App& command, std::vector<const GpuFamily*>&
             }
             families = std::move(*chosen);
         },
-        "Predict costs on families of graphics cards that need not be here, by Mesa's compiler: "
-        "one or more of " +
+        "Predict costs on families of graphics cards that need not be here, by Mesa's compiler "
+        "or ARM's: one or more of " +
             names);
 }
 

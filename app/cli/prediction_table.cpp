@@ -52,17 +52,27 @@ std::size_t widestName(std::span<const PredictedRow> rows) {
     return columns;
 }
 
+/// Returns a number that malioc does not tell, and "-" for Mali.
+std::string toldText(double number, const GpuFamily& family) {
+    return family.isMali ? "-" : fmt::format("{:.0f}", number);
+}
+
 std::string lineText(const StageStatistics& stage, const GpuFamily& family) {
-    return fmt::format("{:<7} {:>6} {:>5} {:>5} {:>6} {:>5} {:>5} {:>7.0f} {:>7.0f}  {}\n",
-                       family.label, stage.instructions, stage.vectorRegisters,
-                       stage.scalarRegisters, stage.spilledRegisters, stage.waves, stage.loops,
-                       stage.cycles, stage.latency, cardsText(stage, family));
+    return fmt::format("{:<9} {:>6} {:>5} {:>5} {:>6} {:>5} {:>5} {:>7.0f} {:>7}  {}\n",
+                       family.label, toldText(stage.instructions, family), stage.vectorRegisters,
+                       stage.scalarRegisters, stage.spilledRegisters, toldText(stage.waves, family),
+                       stage.loops, stage.cycles, toldText(stage.latency, family),
+                       cardsText(stage, family));
+}
+
+bool hasMali(Families families) {
+    return std::ranges::any_of(families, [](const GpuFamily* family) { return family->isMali; });
 }
 
 std::string rowsText(std::span<const PredictedRow> rows, Families families) {
     const std::size_t columns = widestName(rows);
     std::string text =
-        fmt::format("{:<{}}  {:<7} {:>6} {:>5} {:>5} {:>6} {:>5} {:>5} {:>7} {:>7}  {}\n", "",
+        fmt::format("{:<{}}  {:<9} {:>6} {:>5} {:>5} {:>6} {:>5} {:>5} {:>7} {:>7}  {}\n", "",
                     columns, "", "instr.", "VGPRs", "SGPRs", "spills", "waves", "loops", "cycles",
                     "latency", "predicted at 1080p");
     for (const PredictedRow& row : rows) {
@@ -105,6 +115,11 @@ std::string predictionText(std::span<const PredictedModel> models, Families fami
 
 nlohmann::json stageJson(const StageStatistics& stage, const GpuFamily& family) {
     nlohmann::json json = toJson(stage);
+    if (family.isMali) {
+        for (const char* untold : {"instructions", "waves", "lanes", "latency"}) {
+            json.erase(untold);
+        }
+    }
     for (const GraphicsCard& card : family.cards) {
         json["milliseconds"][card.name] =
             predictedMilliseconds(stage.cycles, fullHdPixels, family, card);
@@ -139,6 +154,11 @@ std::string predictionLegend(const std::string& driver, Families families) {
         "and one within another 4 times for each of these\n"
         "left out: {}\n",
         driver, leftOutOfPrediction);
+    if (hasMali(families)) {
+        text += "Mali: cycles of a core in the pipeline that takes longest; VGPRs are its work "
+                "registers, SGPRs its uniform registers; where it has a loop, each of its "
+                "instructions counts once\n";
+    }
     for (const GpuFamily* family : families) {
         for (const GraphicsCard& card : family->cards) {
             text += fmt::format("{}: {} compute units at {:.0f} MHz ({})\n", card.name,

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <optional>
 #include <utility>
+#include <variant>
 #include <vector>
 
+#include "cost/mali_core.h"
 #include "predict/compile_request.h"
 #include "vulkan/null_device.h"
 #include "vulkan/spirv_loops.h"
@@ -13,11 +15,6 @@
 
 namespace patina {
 namespace {
-
-struct FamilyDevice {
-    std::string family;
-    NullDevice device;
-};
 
 int number(const NullDevice::Statistics& statistics, const std::string& name) {
     const auto found = statistics.find(name);
@@ -84,29 +81,82 @@ class KnownRounds {
     std::vector<CountedLoop> loops_;
 };
 
+/// Compiles for one family, with a null device or with malioc.
+class FamilyTarget {
+  public:
+    static Result<FamilyTarget> create(const CompileRequest::Family& family) {
+        const auto target = [&family](auto made) {
+            return FamilyTarget(family.id, std::move(made));
+        };
+        return family.isMali
+                   ? MaliCore::create(family.chips.empty() ? "" : family.chips.front()).map(target)
+                   : NullDevice::create(family.chips).map(target);
+    }
+
+    const std::string& family() const { return family_; }
+
+    std::string compiler() const {
+        const auto* core = std::get_if<MaliCore>(&compiler_);
+        return core != nullptr ? core->compiler() : std::get<NullDevice>(compiler_).driver();
+    }
+
+    /// `rounds` is made when it is needed the first time, and used by all families.
+    Result<PipelineStatistics> compile(const SpirvProgram& program,
+                                       std::optional<KnownRounds>& rounds) const {
+        if (const auto* core = std::get_if<MaliCore>(&compiler_)) {
+            return core->compile(program);
+        }
+        const auto& device = std::get<NullDevice>(compiler_);
+        auto stages = device.compile(program);
+        if (!stages) {
+            return tl::unexpected(stages.error());
+        }
+        PipelineStatistics statistics{stageStatistics((*stages)["vertex"]),
+                                      stageStatistics((*stages)["fragment"])};
+        if (statistics.fragment.loops > 0) {
+            if (!rounds) {
+                rounds.emplace(program);
+            }
+            rounds->correct(statistics.fragment, device);
+        }
+        return statistics;
+    }
+
+  private:
+    FamilyTarget(std::string family, std::variant<NullDevice, MaliCore> compiler)
+        : family_(std::move(family)), compiler_(std::move(compiler)) {}
+
+    std::string family_;
+    std::variant<NullDevice, MaliCore> compiler_;
+};
+
 Result<FamilyStatistics> compiled(const ProgramText& text,
-                                  const std::vector<FamilyDevice>& devices) {
+                                  const std::vector<FamilyTarget>& targets) {
     const auto program = spirvProgram(text.vertex, text.fragment);
     if (!program) {
         return tl::unexpected(program.error());
     }
     std::optional<KnownRounds> rounds;
     FamilyStatistics answer;
-    for (const FamilyDevice& each : devices) {
-        auto stages = each.device.compile(*program);
-        if (!stages) {
-            return tl::unexpected(stages.error());
+    for (const FamilyTarget& target : targets) {
+        auto statistics = target.compile(*program, rounds);
+        if (!statistics) {
+            return tl::unexpected(statistics.error());
         }
-        PipelineStatistics& statistics = answer[each.family];
-        statistics = {stageStatistics((*stages)["vertex"]), stageStatistics((*stages)["fragment"])};
-        if (statistics.fragment.loops > 0) {
-            if (!rounds) {
-                rounds.emplace(*program);
-            }
-            rounds->correct(statistics.fragment, each.device);
-        }
+        answer[target.family()] = *statistics;
     }
     return answer;
+}
+
+/// Returns the names of the compilers, each once.
+std::string compilersOf(const std::vector<FamilyTarget>& targets) {
+    std::string names;
+    for (const FamilyTarget& target : targets) {
+        if (const std::string name = target.compiler(); names.find(name) == std::string::npos) {
+            names += (names.empty() ? "" : " and ") + name;
+        }
+    }
+    return names;
 }
 
 } // namespace
@@ -121,18 +171,17 @@ int serveCompilation(const std::string& text,
     if (!request) {
         return tellError(request.error());
     }
-    std::vector<FamilyDevice> devices;
+    std::vector<FamilyTarget> targets;
     for (const CompileRequest::Family& family : request->families) {
-        auto device = NullDevice::create(family.chips);
-        if (!device) {
-            return tellError(device.error());
+        auto target = FamilyTarget::create(family);
+        if (!target) {
+            return tellError(target.error());
         }
-        devices.push_back({family.id, std::move(*device)});
+        targets.push_back(std::move(*target));
     }
-    const std::string driver = devices.empty() ? std::string() : devices.front().device.driver();
-    report(nlohmann::json{{"driver", driver}}.dump());
+    report(nlohmann::json{{"driver", compilersOf(targets)}}.dump());
     for (const ProgramText& program : request->programs) {
-        report(toJson(compiled(program, devices)).dump());
+        report(toJson(compiled(program, targets)).dump());
     }
     return 0;
 }

@@ -25,7 +25,7 @@ StageStatistics stageIn(const json& value) {
 json toJson(const CompileRequest& request) {
     json families = json::array();
     for (const CompileRequest::Family& family : request.families) {
-        families.push_back({{"id", family.id}, {"chips", family.chips}});
+        families.push_back({{"id", family.id}, {"chips", family.chips}, {"isMali", family.isMali}});
     }
     json programs = json::array();
     for (const ProgramText& program : request.programs) {
@@ -39,7 +39,7 @@ Result<CompileRequest> compileRequestIn(std::string_view text) {
         const json value = json::parse(text);
         CompileRequest request;
         for (const json& family : value.at("families")) {
-            request.families.push_back({family.at("id"), family.at("chips")});
+            request.families.push_back({family.at("id"), family.at("chips"), family.at("isMali")});
         }
         for (const json& program : value.at("programs")) {
             request.programs.push_back({program.at("vertex"), program.at("fragment")});

@@ -26,12 +26,14 @@ struct CompileRequest {
     struct Family {
         std::string id;
         std::vector<std::string> chips; ///< are names of RADV, of which the first known one is used
+        bool isMali = false;            ///< `malioc` compiles for it; its core is the one chip
     };
     std::vector<Family> families;
     std::vector<ProgramText> programs;
 };
 
-/// Holds what a driver says of one compiled stage.
+/// Holds what a driver says of one compiled stage. malioc says nothing of instructions, waves,
+/// lanes and latency; those are 0.
 struct StageStatistics {
     int instructions = 0;
     int vectorRegisters = 0;

@@ -71,7 +71,7 @@ Result<std::string> driverIn(const std::string& line) {
 CompileRequest requestFor(std::span<const GpuFamily* const> families) {
     CompileRequest request;
     for (const GpuFamily* family : families) {
-        request.families.push_back({family->id, family->chips});
+        request.families.push_back({family->id, family->chips, family->isMali});
     }
     return request;
 }

@@ -2,15 +2,18 @@
 #include "predict/gpu_family.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
+#include <iterator>
+#include <set>
+
+#include "predict/malioc.h"
 
 namespace patina {
 namespace {
 
 constexpr double lanesOfWave = 64.0;
 
-std::array<GpuFamily, 5> makeFamilies() {
+std::vector<GpuFamily> familiesOfAmd() {
     const std::string amd = "amd.com, product specifications";
     return {
         GpuFamily{"gcn", "GCN 4", {"polaris10"}, 4, {{"Radeon RX 580", 36, 1340.0, amd}}},
@@ -30,6 +33,28 @@ std::array<GpuFamily, 5> makeFamilies() {
                   {{"Radeon RX 7600", 32, 2250.0, amd}, {"Radeon RX 7900 XTX", 96, 2300.0, amd}}}};
 }
 
+std::vector<GpuFamily> familiesOfArm() {
+    const std::string source = "nanoreview.net, comparison of SoCs";
+    return {
+        GpuFamily{
+            "mali-g78", "Mali-G78", {"Mali-G78"}, 1, {{"Google Pixel 6", 20, 848.0, source}}, true},
+        GpuFamily{"mali-g710",
+                  "Mali-G710",
+                  {"Mali-G710"},
+                  1,
+                  {{"MediaTek Dimensity 9000", 10, 850.0, source}},
+                  true}};
+}
+
+std::vector<GpuFamily> makeFamilies() {
+    std::vector<GpuFamily> families = familiesOfAmd();
+    const std::set<std::string> cores = maliocCores();
+    std::ranges::copy_if(
+        familiesOfArm(), std::back_inserter(families),
+        [&cores](const GpuFamily& family) { return cores.contains(family.chips.front()); });
+    return families;
+}
+
 std::string knownNames() {
     std::string names;
     for (const GpuFamily& family : gpuFamilies()) {
@@ -41,7 +66,7 @@ std::string knownNames() {
 } // namespace
 
 std::span<const GpuFamily> gpuFamilies() {
-    static const std::array families = makeFamilies();
+    static const std::vector<GpuFamily> families = makeFamilies();
     return families;
 }
 
@@ -51,8 +76,10 @@ Result<std::vector<const GpuFamily*>> gpuFamiliesIn(std::string_view list) {
         const std::string_view name = list.substr(0, list.find(','));
         const auto found = std::ranges::find(gpuFamilies(), name, &GpuFamily::id);
         if (found == gpuFamilies().end()) {
-            return failure("there is no family of graphics cards \"" + std::string(name) + "\"",
-                           "one or more of " + knownNames());
+            return failure(
+                "there is no family of graphics cards \"" + std::string(name) + "\"",
+                "one or more of " + knownNames() +
+                    (name.starts_with("mali") ? "; those of Mali need malioc in the path" : ""));
         }
         if (std::ranges::find(chosen, &*found) == chosen.end()) {
             chosen.push_back(&*found);

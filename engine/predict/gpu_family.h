@@ -13,19 +13,20 @@ namespace patina {
 /// Is a graphics card that one can buy, with what a prediction needs of it.
 struct GraphicsCard {
     std::string name;
-    int computeUnits = 0;
+    int computeUnits = 0;   ///< counts the cores of a Mali
     double megahertz = 0.0; ///< is the game clock where the maker gives one, else the boost clock
     std::string source;     ///< says where both numbers are published
 };
 
-/// Is a generation of AMD's graphics hardware.
+/// Is a generation of AMD's graphics hardware, or one of ARM's Mali cores.
 struct GpuFamily {
     std::string id; ///< is what a command line calls it, such as "rdna2"
     std::string label;
     /// Are names that RADV has for a chip of it; older drivers know another one than newer ones.
     std::vector<std::string> chips;
-    int simdsPerUnit = 0; ///< counts the SIMD units of a compute unit
+    int simdsPerUnit = 0; ///< counts the SIMD units of a compute unit; 1 of a Mali
     std::vector<GraphicsCard> cards;
+    bool isMali = false; ///< is compiled for by ARM's `malioc`, the others by Mesa's RADV
 };
 
 /// Is one graphics card with the family that it belongs to.
@@ -44,7 +45,8 @@ inline constexpr double fullHdPixels = 1920.0 * 1080.0;
 inline constexpr const char* leftOutOfPrediction =
     "memory, caches and texture units, the rasteriser, the vertex stage and all other passes";
 
-/// Returns all families that costs are predicted for, the oldest first.
+/// Returns all families that costs are predicted for, the oldest first: AMD's, and behind them the
+/// Mali cores that the `malioc` in PATH knows, which is asked the first time.
 std::span<const GpuFamily> gpuFamilies();
 
 /// Returns the families of a list such as "rdna2,gcn", in its order and each once. It is an error

@@ -28,6 +28,25 @@ QString cardText(const StageStatistics& stage, const GpuFamily& family, const Gr
              digitsText(predictedMilliseconds(stage.cycles, fullHdPixels, family, card)));
 }
 
+QString stageText(const StageStatistics& stage, const GpuFamily& family) {
+    if (family.isMali) {
+        return Prediction::tr("Predicted for %1: %2 work registers")
+            .arg(asText(family.label))
+            .arg(stage.vectorRegisters);
+    }
+    return Prediction::tr("Predicted for %1: %2 instructions, %3 vector registers, %4 waves on a "
+                          "SIMD unit")
+        .arg(asText(family.label))
+        .arg(stage.instructions)
+        .arg(stage.vectorRegisters)
+        .arg(stage.waves);
+}
+
+QString loopsText(const StageStatistics& stage, const GpuFamily& family) {
+    return family.isMali ? Prediction::tr("It has loops, of which each instruction counts once")
+                         : Prediction::tr("Loops: %1, each taken to run 8 times").arg(stage.loops);
+}
+
 } // namespace
 
 QString predictedCyclesText(const Result<FamilyStatistics>& statistics, const GpuFamily& family) {
@@ -48,17 +67,12 @@ QString predictionNote(const Result<FamilyStatistics>& statistics, const GpuFami
     if (stage == nullptr) {
         return {};
     }
-    QStringList lines{Prediction::tr("Predicted for %1: %2 instructions, %3 vector registers, %4 "
-                                     "waves on a SIMD unit")
-                          .arg(asText(family.label))
-                          .arg(stage->instructions)
-                          .arg(stage->vectorRegisters)
-                          .arg(stage->waves)};
+    QStringList lines{stageText(*stage, family)};
     if (stage->spilledRegisters > 0) {
         lines += Prediction::tr("%1 registers did not fit").arg(stage->spilledRegisters);
     }
     if (stage->loops > 0) {
-        lines += Prediction::tr("Loops: %1, each taken to run 8 times").arg(stage->loops);
+        lines += loopsText(*stage, family);
     }
     for (const GraphicsCard& card : family.cards) {
         lines += cardText(*stage, family, card);
@@ -67,9 +81,13 @@ QString predictionNote(const Result<FamilyStatistics>& statistics, const GpuFami
 }
 
 QString predictionHint(const GpuFamily& family) {
-    return Prediction::tr("Cycles of a SIMD unit for 64 pixels on %1, predicted by Mesa's compiler "
-                          "without such a card. Left out: %2")
-        .arg(asText(family.label), QString::fromUtf8(leftOutOfPrediction));
+    const QString cycles =
+        family.isMali ? Prediction::tr("Cycles of a core for 64 pixels on %1, predicted by "
+                                       "malioc without such a device. Left out: %2")
+                      : Prediction::tr("Cycles of a SIMD unit for 64 pixels on %1, "
+                                       "predicted by Mesa's compiler without such a card. "
+                                       "Left out: %2");
+    return cycles.arg(asText(family.label), QString::fromUtf8(leftOutOfPrediction));
 }
 
 } // namespace patina

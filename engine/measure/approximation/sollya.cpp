@@ -4,31 +4,15 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
-#include <sstream>
 
 #include <fmt/format.h>
 
 #include "assets/line_process.h"
+#include "assets/program_in_path.h"
 
 namespace patina {
 namespace {
-
-/// Returns the program as PATH has it; empty where it is not installed.
-std::filesystem::path sollyaProgram() {
-    const char* const paths = std::getenv("PATH");
-    std::istringstream folders(paths == nullptr ? "" : paths);
-    std::string folder;
-    while (std::getline(folders, folder, ':')) {
-        std::error_code missing;
-        const std::filesystem::path program = std::filesystem::path(folder) / "sollya";
-        if (!folder.empty() && std::filesystem::is_regular_file(program, missing)) {
-            return program;
-        }
-    }
-    return {};
-}
 
 /// Writes "begin N", the coefficients and the bound of each wish, each on a line of its own.
 std::string scriptFor(std::span<const PolynomialWish> wishes) {
@@ -98,7 +82,7 @@ class AnswerReader {
 Result<std::vector<std::optional<FittedPolynomial>>>
 fittedPolynomials(std::span<const PolynomialWish> wishes, double seconds,
                   const std::function<bool()>& isStopped) {
-    const std::filesystem::path program = sollyaProgram();
+    const std::filesystem::path program = programInPath("sollya");
     if (program.empty()) {
         return failure("Sollya is not installed, which fits polynomials", installSollya);
     }
