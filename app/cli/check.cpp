@@ -13,6 +13,7 @@
 #include "cli/half_check.h"
 #include "cli/job.h"
 #include "cli/long_work.h"
+#include "cli/option_families.h"
 #include "gl/headless_context.h"
 #include "material/preset_file.h"
 #include "measure/approximation/approximation_subject.h"
@@ -30,6 +31,7 @@ struct CheckOptions {
     bool json = false;
     bool inHalf = false; ///< says which lines survive floats of 16 bits instead
     double halfLimit = 1.0 / 255.0;
+    HalfCheckWish half; ///< says what else is told of floats of 16 bits
     JobOptions job;
 };
 
@@ -121,6 +123,14 @@ Checked<std::vector<EvalCase>> halfSubjects(const Catalog& catalog, const std::s
 /// Prints which lines of the subjects survive floats of 16 bits; returns the exit status.
 Checked<int> checkInHalf(const Catalog& catalog, const CheckOptions& options) {
     nlohmann::json all = nlohmann::json::array();
+    std::unique_ptr<gl::HeadlessContext> context;
+    if (options.half.isTimed) {
+        auto made = gl::HeadlessContext::create();
+        if (!made) {
+            return tl::unexpected(oneError(made.error()));
+        }
+        context = std::move(*made);
+    }
     for (const std::string& subject : options.subjects) {
         const auto cases = halfSubjects(catalog, subject);
         if (!cases) {
@@ -133,10 +143,11 @@ Checked<int> checkInHalf(const Catalog& catalog, const CheckOptions& options) {
                 return tl::unexpected(made.error());
             }
             const std::string name = each.block.block->kind + '/' + each.block.block->id;
+            const MixedForm mixed = mixedForm(each, *made, options.half);
             if (options.json) {
-                all.push_back(halfJson(*made, name));
+                all.push_back(halfJson(*made, name, mixed));
             } else {
-                std::cout << halfText(*made, name);
+                std::cout << halfText(*made, name, mixed);
             }
         }
     }
@@ -328,6 +339,16 @@ void addCheck(CLI::App& program, int& status) {
         ->add_option("--error", options->halfLimit,
                      "With --precision half: what a line may be off and hold; 0.0039 without this")
         ->check(CLI::Range(0.0, 1.0))
+        ->needs(precision);
+    addFamiliesOption(*command, options->half.families)->needs(precision);
+    command
+        ->add_flag("--time", options->half.isTimed,
+                   "With --precision half: time the lines that hold, in 16 bits, on the graphics\n"
+                   "device that is here")
+        ->needs(precision);
+    command
+        ->add_flag("--source", options->half.hasText,
+                   "With --precision half: print the program with those lines in 16 bits")
         ->needs(precision);
     command->callback([command, options, &status] {
         const Checked<int> ended = check(*command, *options);

@@ -1,17 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "measure/approximation/half_price.h"
 #include "measure/approximation/half_terms.h"
+#include "measure/approximation/half_timing.h"
+#include "predict/gpu_family.h"
 
 namespace patina {
 
-/// Returns which lines of a block survive floats of 16 bits and which break, as a table.
-std::string halfText(const HalfReport& report, const std::string& name);
+/// Says what is told of a block with the lines that hold in floats of 16 bits, its mixed form.
+struct HalfCheckWish {
+    std::vector<const GpuFamily*> families; ///< are those that its cost is predicted for
+    bool isTimed = false;                   ///< times it on the current graphics device
+    bool hasText = false;                   ///< has the text of its program
+};
 
-nlohmann::json halfJson(const HalfReport& report, const std::string& name);
+/// Is what a mixed form costs.
+struct MixedForm {
+    std::vector<HalfPrice> prices;
+    std::optional<Result<HalfTiming>> timing; ///< is of all lines that hold at once
+    std::string text;                         ///< of its fragment stage
+};
+
+/// Predicts, times and writes what is wished for.
+MixedForm mixedForm(const EvalCase& subject, const HalfReport& report, const HalfCheckWish& wish);
+
+/// Returns which lines of a block survive floats of 16 bits and which break, as a table.
+std::string halfText(const HalfReport& report, const std::string& name, const MixedForm& mixed);
+
+nlohmann::json halfJson(const HalfReport& report, const std::string& name, const MixedForm& mixed);
 
 } // namespace patina

@@ -104,5 +104,22 @@ TEST(RoundedToHalf, TableOfBinary16_IsKept) {
     EXPECT_TRUE(std::isnan(roundedToHalf(std::nan(""))));
 }
 
+/// The compiler of the family takes the text with 16-bit types, or there would be no price.
+TEST(HalfPrecision, MixedForm_CompilesForACardAndStaysFinite) {
+    const TemporaryFolder folder;
+    const nlohmann::json report = reportOf(folder, {"--gpu", "rdna2", "--source"});
+    EXPECT_EQ(report.at("mixed").at("holds"), true);
+    EXPECT_EQ(report.at("mixed").at("finite"), true);
+    const auto& cycles = report.at("cycles").at("rdna2");
+    EXPECT_GT(cycles.at("float"), 0.0);
+    EXPECT_GT(cycles.at("mixed"), 0.0);
+    EXPECT_LE(cycles.at("cheapest"), cycles.at("float")) << "floats are among what is tried";
+    const std::string text = report.at("mixedText");
+    EXPECT_NE(text.find("float16_t half_ = (float16_t(d.nl) * float16_t(0.5));"), std::string::npos)
+        << text;
+    EXPECT_NE(text.find("float large = d.nl * 200000.0;"), std::string::npos) << "it breaks";
+    EXPECT_NE(text.find("+ half_"), std::string::npos) << "a variable is not converted again";
+}
+
 } // namespace
 } // namespace patina::tests::half_test

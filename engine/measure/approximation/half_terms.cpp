@@ -81,53 +81,40 @@ using Mask = std::vector<bool>;
 
 class HalfSearch {
   public:
-    HalfSearch(const EvalCase& subject, bool hasOwnValues, double limit, const MeasuredText& text)
-        : limit_(limit), text_(text),
-          common_(text.judged(texelsOfCases(
-              commonCases(subject, {.count = commonCount, .hasOwnValues = hasOwnValues})))),
-          edge_(text.judged(texelsOfCases(edgeCases(subject, edgeCount, hasOwnValues)))) {}
+    HalfSearch(const EvalCase& subject, bool hasOwnValues, double limit,
+               std::shared_ptr<const MeasuredText> text)
+        : text_(*text), masks_(report_.marks) {
+        report_.limit = limit;
+        report_.common = std::make_shared<const JudgedCases>(text_.judged(texelsOfCases(
+            commonCases(subject, {.count = commonCount, .hasOwnValues = hasOwnValues}))));
+        report_.edge = std::make_shared<const JudgedCases>(
+            text_.judged(texelsOfCases(edgeCases(subject, edgeCount, hasOwnValues))));
+        report_.text = std::move(text);
+    }
 
     HalfReport run() {
         findLines();
-        report_.limit = limit_;
-        report_.cases = common_.texels.size() + edge_.texels.size();
+        report_.cases = report_.common->texels.size() + report_.edge->texels.size();
         inParallel(masks_.size(), [this](std::size_t, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
-                report_.lines[i].error = errorOf(masks_[i]);
+                report_.lines[i].error = report_.errorOf(masks_[i]);
             }
         });
         std::vector<std::size_t> all(masks_.size());
         for (std::size_t i = 0; i < all.size(); ++i) {
             all[i] = i;
         }
-        report_.whole = errorOf(together(all));
+        report_.whole = report_.errorOf(report_.halvedBy(all));
         join();
         return std::move(report_);
     }
 
   private:
-    /// Judges common cases, and looks whether the edge cases stay finite.
-    TextError errorOf(const Mask& mask) const {
-        TextError error = text_.errorInHalf(mask, common_, endless);
-        error.isSafe = error.isSafe && text_.errorInHalf(mask, edge_, endless).isSafe;
-        return error;
-    }
-
-    Mask together(const std::vector<std::size_t>& lines) const {
-        Mask mask(text_.syntax().expressions.size());
-        for (const std::size_t line : lines) {
-            for (std::size_t i = 0; i < mask.size(); ++i) {
-                mask[i] = mask[i] || masks_[line][i];
-            }
-        }
-        return mask;
-    }
-
     void findLines() {
         const ShaderSyntax& syntax = text_.syntax();
         const TextPlaces places(syntax.text);
-        const std::vector<ObservedValues> seen = text_.observed(common_.texels);
-        const std::vector<ObservedValues> seenAtEdges = text_.observed(edge_.texels);
+        const std::vector<ObservedValues> seen = text_.observed(report_.common->texels);
+        const std::vector<ObservedValues> seenAtEdges = text_.observed(report_.edge->texels);
         std::map<TextPlace, std::size_t> known;
         for (std::size_t i = 0; i < syntax.expressions.size(); ++i) {
             const ShaderExpression& each = syntax.expressions[i];
@@ -186,38 +173,53 @@ class HalfSearch {
     void join() {
         std::vector<std::size_t> held;
         for (std::size_t i = 0; i < report_.lines.size(); ++i) {
-            if (report_.lines[i].holds(limit_)) {
+            if (report_.lines[i].holds(report_.limit)) {
                 held.push_back(i);
             }
         }
         std::ranges::stable_sort(
             held, {}, [this](std::size_t line) { return report_.lines[line].error.worst; });
-        report_.mixed = errorOf(together(held));
-        while (!held.empty() && !report_.mixed.isWithin(limit_)) {
+        report_.mixed = report_.errorOf(report_.halvedBy(held));
+        while (!held.empty() && !report_.mixed.isWithin(report_.limit)) {
             held.pop_back();
-            report_.mixed = errorOf(together(held));
+            report_.mixed = report_.errorOf(report_.halvedBy(held));
         }
         std::ranges::sort(held);
         report_.together = std::move(held);
     }
 
-    double limit_;
-    const MeasuredText& text_;
-    JudgedCases common_;
-    JudgedCases edge_;
-    std::vector<Mask> masks_; ///< tell which expressions stand on each line of the report
     HalfReport report_;
+    const MeasuredText& text_;
+    std::vector<Mask>& masks_; ///< are the report's
 };
 
 } // namespace
 
+std::vector<bool> HalfReport::halvedBy(const std::vector<std::size_t>& some) const {
+    Mask halved(text->syntax().expressions.size());
+    for (const std::size_t line : some) {
+        for (std::size_t i = 0; i < halved.size(); ++i) {
+            halved[i] = halved[i] || marks[line][i];
+        }
+    }
+    return halved;
+}
+
+TextError HalfReport::errorOf(const std::vector<bool>& halved) const {
+    TextError error = text->errorInHalf(halved, *common, endless);
+    error.isSafe = error.isSafe && text->errorInHalf(halved, *edge, endless).isSafe;
+    return error;
+}
+
 Checked<HalfReport> halfReport(const EvalCase& subject, const std::filesystem::path& shaders,
                                bool hasOwnValues, double limit) {
-    const auto text = MeasuredText::of(subject, shaders);
+    auto text = MeasuredText::of(subject, shaders);
     if (!text) {
         return tl::unexpected(text.error());
     }
-    return HalfSearch(subject, hasOwnValues, limit, *text).run();
+    return HalfSearch(subject, hasOwnValues, limit,
+                      std::make_shared<const MeasuredText>(std::move(*text)))
+        .run();
 }
 
 } // namespace patina

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,17 @@ struct HalfReport {
     std::vector<std::size_t> together; ///< are indices of lines that hold also all at once
     double limit = 0.0;                ///< is the error up to which a line holds
     std::size_t cases = 0;
+    std::shared_ptr<const MeasuredText> text{};
+    std::shared_ptr<const JudgedCases> common{}; ///< are those that errors are of
+    std::shared_ptr<const JudgedCases> edge{};   ///< are those where values must stay finite
+    /// Tell for each line which of the text's expressions stand on it.
+    std::vector<std::vector<bool>> marks{};
+
+    /// Returns the expressions that stand on some of the lines, as halfEdits() takes them.
+    std::vector<bool> halvedBy(const std::vector<std::size_t>& some) const;
+
+    /// Returns the error with those expressions in 16 bits.
+    TextError errorOf(const std::vector<bool>& halved) const;
 };
 
 /// Evaluates a block's function on the CPU, each operation of some lines rounded to 16 bits and the

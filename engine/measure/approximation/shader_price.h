@@ -27,6 +27,10 @@ class ShaderPrice {
     std::vector<std::optional<double>> of(const std::vector<std::vector<ShaderEdit>>& ways,
                                           const std::function<bool()>& isStopped);
 
+    /// Returns the program that is priced: arguments of a case differ from pixel to pixel, by its
+    /// uniforms casePlaces, and its values are the uniforms caseValues.
+    ProgramText programOf(const std::vector<ShaderEdit>& edits) const;
+
     /// Says what is counted: "cycles of RDNA 2 for 64 pixels" or "instructions".
     std::string unit() const;
 
@@ -34,8 +38,6 @@ class ShaderPrice {
     const std::string& note() const { return note_; }
 
   private:
-    ProgramText programOf(const std::vector<ShaderEdit>& edits) const;
-
     const ShaderSource& source_;
     const ShaderSyntax& syntax_;
     const GpuFamily& family_;

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "measure/approximation/half_terms.h"
+#include "predict/gpu_family.h"
+
+namespace patina {
+
+/// Is what a block's function is predicted to take with some of its lines in floats of 16 bits, in
+/// cycles for 64 pixels, with the geometry of light and viewer.
+struct HalfPrice {
+    const GpuFamily* family = nullptr;
+    std::optional<double> inFloat;
+    std::optional<double> together; ///< is that of all lines that hold at once
+    /// Are those of them that are cheapest, as indices of lines; none where floats are.
+    std::vector<std::size_t> lines;
+    std::optional<double> cheapest;
+    TextError error; ///< is that of the cheapest
+};
+
+/// Predicts that for a family: beginning with all lines that hold at once, the one without which
+/// the rest is cheapest is left out again and again. Prices are empty where the family's compiler
+/// has no floats of 16 bits or is missing.
+HalfPrice halfPrice(const EvalCase& subject, const HalfReport& report, const GpuFamily& family,
+                    const std::function<bool()>& isStopped);
+
+} // namespace patina
