@@ -131,6 +131,7 @@ Result<CompiledForFamilies> compiledNow(std::span<const GpuFamily* const> famili
             isAlive = line.has_value();
             compiled.programs.push_back(isAlive ? familyStatisticsIn(*line)
                                                 : tl::unexpected(line.error()));
+            options.onProgress(double(compiled.programs.size()) / double(count));
         }
         if (options.isStopped()) {
             return tl::unexpected(stoppedError());

@@ -27,6 +27,7 @@ struct FamilyCompilerOptions {
     std::size_t memoryBytes = std::size_t(2) << 30; ///< limits its data
     double secondsEach = 30.0;                      ///< limits its work on one program, CPU time
     std::function<bool()> isStopped = [] { return false; }; ///< ends it when that is true
+    std::function<void(double)> onProgress = [](double) {}; ///< is told the share that is done
     CompiledBefore* before = nullptr; ///< is not compiled again, and gets what is compiled now
 };
 

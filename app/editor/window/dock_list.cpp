@@ -16,6 +16,7 @@
 #include "docks/parameters_dock.h"
 #include "docks/presets_dock.h"
 #include "docks/scene_dock.h"
+#include "docks/shader_dock.h"
 #include "docks/snapshots_dock.h"
 #include "docks/stability_dock.h"
 #include "lobe/lobe_dock.h"
@@ -56,6 +57,8 @@ std::vector<DockEntry> dockList() {
         {"messages", tr("Messages"), DockPlace::Bottom, make<MessagesDock>},
         {"stability", tr("Stability"), DockPlace::Bottom, make<StabilityDock>},
         {"effects", tr("Effects"), DockPlace::Bottom, make<EffectsDock>, tr("cost")},
+        {"shader", tr("Shader"), DockPlace::Bottom, make<ShaderDock>,
+         tr("GLSL, program, source, registers")},
         {"accuracy", tr("Accuracy"), DockPlace::Bottom, make<AccuracyDock>,
          tr("cost, error, match")},
         {"lobe", tr("Lobe"), DockPlace::Bottom, make<LobeDock>,
