@@ -42,6 +42,14 @@ Checked<PresetReading> readMeasuredPreset(const std::filesystem::path& file,
     reading.material.model.parameters[tableParameter(**model)->id] =
         std::filesystem::absolute(file).lexically_normal().string();
     reading.readOnly = true;
+    if ((*table)->isWithoutGrain) {
+        reading.notes.push_back({file.string(),
+                                 0,
+                                 0,
+                                 "the surface has a grain, and is shown as the mean over all ways "
+                                 "it may be turned; a match knows the grain",
+                                 {}});
+    }
     return reading;
 }
 

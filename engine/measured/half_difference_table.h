@@ -21,6 +21,8 @@ struct HalfDifferenceTable {
     /// Are f in 1/sr for linear Rec. 709, the azimuth quickest and the half angle slowest. Where
     /// red is below 0 nothing was measured.
     std::vector<glm::vec3> texels{glm::vec3(0.0f)};
+    /// Says that the surface has a grain, of which this is the mean over all ways it may be turned.
+    bool isWithoutGrain = false;
 };
 
 } // namespace patina

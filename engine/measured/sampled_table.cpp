@@ -43,6 +43,7 @@ HalfDifferenceTable sampledTable(const MeasuredReflectance& measured, int turns)
     const glm::ivec3 bins = sampledBins;
     HalfDifferenceTable table;
     table.bins = bins;
+    table.isWithoutGrain = turns > 1;
     table.texels.resize(std::size_t(bins.x) * std::size_t(bins.y) * std::size_t(bins.z));
     const auto fillFrom = [&](int first, int step) {
         for (int k = first; k < bins.z; k += step) {

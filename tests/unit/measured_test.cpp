@@ -78,6 +78,7 @@ TEST_F(Measured, Table_HasTheFilesBinsAndWhatWasNotMeasured) {
     }));
     ASSERT_TRUE(reading);
     const HalfDifferenceTable table = (*reading)->table();
+    EXPECT_FALSE(table.isWithoutGrain);
     EXPECT_EQ(table.bins, glm::ivec3(8, 5, 6));
     ASSERT_EQ(table.texels.size(), 240u);
     for (const DirectionPair& pair : (*reading)->samples(500)) {
@@ -98,6 +99,7 @@ TEST_F(Measured, AnisotropicTable_IsTheMeanOverTurns) {
     ASSERT_TRUE(reading);
     ASSERT_FALSE((*reading)->isIsotropic());
     const HalfDifferenceTable table = (*reading)->table();
+    EXPECT_TRUE(table.isWithoutGrain);
     EXPECT_EQ(table.bins, glm::ivec3(180, 90, 90));
     // h is near the normal and v is 45 degrees from it: the mean of cos^2 is 1/2.
     const glm::vec3 texel = table.texels[std::size_t((2 * 90 + 45) * 180 + 90)];

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <variant>
 
+#include "catalog/expression.h"
+
 namespace patina {
 namespace {
 
@@ -60,18 +62,39 @@ Value& valueOf(EvalCase& model, bool isOfSlot, const Parameter& parameter) {
     return block.values.try_emplace(parameter.id, parameter.defaultValue).first->second;
 }
 
+/// Tells whether a condition is about a number of the block that may change.
+bool isOnFreeNumber(const Expression& condition, const Block& block) {
+    return std::ranges::any_of(condition.comparisons(), [&block](const auto& comparison) {
+        return std::ranges::any_of(block.parameters, [&comparison](const Parameter& parameter) {
+            return mayChange(parameter) &&
+                   (parameter.id == comparison.left || parameter.id == comparison.right);
+        });
+    });
+}
+
 } // namespace
 
+bool counts(const Parameter& parameter, const EvalBlock& block) {
+    const Result<Expression> condition = Expression::parse(parameter.enabledWhen);
+    if (!condition || isOnFreeNumber(*condition, *block.block)) {
+        return true;
+    }
+    Values values = block.values;
+    values.merge(defaultValues(*block.block));
+    return condition->evaluate(values);
+}
+
 FreeNumbers::FreeNumbers(const EvalCase& model) {
-    add(*model.block.block, false);
+    add(model.block, false);
     if (model.slot.block != nullptr) {
-        add(*model.slot.block, true);
+        add(model.slot, true);
     }
 }
 
-void FreeNumbers::add(const Block& block, bool isOfSlot) {
-    for (const Parameter& parameter : block.parameters) {
-        const int count = mayChange(parameter) ? numbersIn(parameter.defaultValue) : 0;
+void FreeNumbers::add(const EvalBlock& block, bool isOfSlot) {
+    for (const Parameter& parameter : block.block->parameters) {
+        const bool isFree = mayChange(parameter) && counts(parameter, block);
+        const int count = isFree ? numbersIn(parameter.defaultValue) : 0;
         for (int component = 0; component < count; ++component) {
             numbers_.push_back({isOfSlot, &parameter, component,
                                 std::max(onSlider(parameter, parameter.min), -maxBeyond),

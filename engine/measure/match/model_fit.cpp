@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -10,7 +11,7 @@
 #include <random>
 #include <utility>
 
-#include <ceres/dynamic_numeric_diff_cost_function.h>
+#include <ceres/cost_function.h>
 #include <ceres/problem.h>
 #include <ceres/solver.h>
 #include <glm/geometric.hpp>
@@ -21,25 +22,33 @@
 namespace patina {
 namespace {
 
-constexpr std::size_t triedSets = 128;
+constexpr std::size_t triedSets = 512;
 constexpr std::size_t triedDirections = 96;
 constexpr std::size_t roughDirections = 256;
 constexpr std::size_t fineDirections = 512;
 constexpr std::size_t lastDirections = 1024;
 constexpr int roughSteps = 12;
-constexpr int fineSteps = 20;
-constexpr int lastSteps = 15;
+constexpr int fineSteps = 30;
+constexpr int lastSteps = 40;
+constexpr int lastRounds = 4;
 /// Counts fits that are improved as far as they go: the best, and others with at most so many times
 /// its error.
 constexpr std::size_t finished = 2;
 constexpr double isNear = 1.5;
 
-/// Keeps a number away from its upper end while it is fitted: a derivative is found by a step up,
-/// which changes nothing beyond the end.
-constexpr double derivativeRoom = 1e-5;
+/// Is the step by which derivatives are found, in lengths of a slider.
+constexpr double derivativeStep = 1e-6;
+
+constexpr std::size_t channels = 3;
 
 /// Is an error that no eye sees.
 constexpr double isTheSame = 1e-5;
+/// Is an error that only rounding leaves.
+constexpr double isExact = 1e-9;
+/// Is how near to an end of its range a number counts as at it, and how far it is moved from there,
+/// in lengths of its slider.
+constexpr double atEnd = 1e-3;
+constexpr double fromEnd = 0.3;
 /// Is how much less error other choices must have to be taken.
 constexpr double isBetter = 0.95;
 /// Bounds how many choices are changed, one after the other.
@@ -117,10 +126,30 @@ class Fit {
         }
     }
 
+    /// Moves numbers that lie at an end of their range inwards; returns whether there are any.
+    /// Where several do the same together, one at its end may hold the others back.
+    bool leaveEnds() {
+        bool hasLeft = false;
+        for (std::size_t k = 0; k < numbers_.size(); ++k) {
+            for (const auto& [end, inwards] :
+                 {std::pair(free_.min(k), fromEnd), std::pair(free_.max(k), -fromEnd)}) {
+                if (std::abs(numbers_[k] - end) < atEnd) {
+                    numbers_[k] = end + inwards;
+                    hasLeft = true;
+                }
+            }
+        }
+        return hasLeft;
+    }
+
     /// Improves the numbers.
     void improve(int steps, const Progress& progress);
 
     EvalCase model() const { return modelWith(numbers_.data()); }
+
+    std::size_t size() const { return numbers_.size(); }
+    std::size_t differenceCount() const { return channels * target_.pairs.size(); }
+    const FreeNumbers& free() const { return free_; }
 
   private:
     EvalCase modelWith(const double* numbers) const {
@@ -137,12 +166,122 @@ class Fit {
     MatchError error_;
 };
 
-/// Is how Ceres asks for the differences.
-struct Residuals {
-    const Fit* fit;
-    bool operator()(const double* const* numbers, double* out) const {
-        return fit->differences(numbers[0], out);
+/// Gives Ceres the differences of a fit and their derivatives, which are found by a step in each
+/// number. The numbers of one colour take their steps together where each was seen to change other
+/// channels, and so do all numbers that changed nothing.
+class Differences : public ceres::CostFunction {
+  public:
+    explicit Differences(const Fit& fit) : fit_(fit) {
+        mutable_parameter_block_sizes()->push_back(static_cast<int>(fit.size()));
+        set_num_residuals(static_cast<int>(fit.differenceCount()));
     }
+
+    bool Evaluate(const double* const* numbers, double* out, double** jacobians) const override {
+        if (!fit_.differences(numbers[0], out)) {
+            return false;
+        }
+        return jacobians == nullptr || jacobians[0] == nullptr ||
+               findDerivatives(numbers[0], out, jacobians[0]);
+    }
+
+  private:
+    using Channels = std::bitset<channels>;
+
+    /// Are numbers that take their steps together, and what each of them changes.
+    struct Group {
+        std::vector<std::size_t> numbers;
+        std::vector<Channels> changed;
+
+        Channels all() const {
+            Channels sum;
+            for (const Channels each : changed) {
+                sum |= each;
+            }
+            return sum;
+        }
+    };
+
+    /// Writes a row for each difference and a column for each number.
+    bool findDerivatives(const double* numbers, const double* here, double* jacobian) const {
+        std::fill_n(jacobian, fit_.size() * fit_.differenceCount(), 0.0);
+        std::vector<Channels> changed(fit_.size());
+        for (const Group& group : groups_.empty() ? eachAlone(fit_.size()) : groups_) {
+            if (!stepped(numbers, here, group, jacobian, changed)) {
+                return false;
+            }
+        }
+        if (groups_.empty()) {
+            groups_ = grouped(changed);
+        }
+        return true;
+    }
+
+    /// Takes the steps of a group; returns false where the model cannot be evaluated.
+    bool stepped(const double* numbers, const double* here, const Group& group, double* jacobian,
+                 std::vector<Channels>& changed) const {
+        std::vector<double> beside(numbers, numbers + fit_.size());
+        std::vector<double> steps;
+        for (const std::size_t k : group.numbers) {
+            const double step =
+                numbers[k] + derivativeStep > fit_.free().max(k) ? -derivativeStep : derivativeStep;
+            beside[k] += step;
+            steps.push_back(beside[k] - numbers[k]);
+        }
+        std::vector<double> there(fit_.differenceCount());
+        if (!fit_.differences(beside.data(), there.data())) {
+            return false;
+        }
+        for (std::size_t row = 0; row < there.size(); ++row) {
+            const double change = there[row] - here[row];
+            for (std::size_t i = 0; i < group.numbers.size() && change != 0.0; ++i) {
+                const std::size_t k = group.numbers[i];
+                if (group.changed[i].none()) { // it changed nothing so far
+                    return eachStepped(numbers, here, group, jacobian, changed);
+                }
+                if (group.changed[i][row % channels]) {
+                    jacobian[row * fit_.size() + k] = change / steps[i];
+                    changed[k].set(row % channels);
+                }
+            }
+        }
+        return true;
+    }
+
+    bool eachStepped(const double* numbers, const double* here, const Group& group,
+                     double* jacobian, std::vector<Channels>& changed) const {
+        return std::ranges::all_of(group.numbers, [&](std::size_t k) {
+            return stepped(numbers, here, {{k}, {Channels().set()}}, jacobian, changed);
+        });
+    }
+
+    static std::vector<Group> eachAlone(std::size_t count) {
+        std::vector<Group> groups;
+        for (std::size_t k = 0; k < count; ++k) {
+            groups.push_back({{k}, {Channels().set()}});
+        }
+        return groups;
+    }
+
+    std::vector<Group> grouped(const std::vector<Channels>& changed) const {
+        std::vector<Group> groups;
+        for (std::size_t k = 0; k < changed.size(); ++k) {
+            const auto joins = [&](const Group& group) {
+                return group.all().none() ? changed[k].none()
+                                          : changed[k].any() && (group.all() & changed[k]).none() &&
+                                                fit_.free().areOfOne(group.numbers.front(), k);
+            };
+            auto group = std::ranges::find_if(groups, joins);
+            if (group == groups.end()) {
+                group = groups.insert(groups.end(), Group());
+            }
+            group->numbers.push_back(k);
+            group->changed.push_back(changed[k]);
+        }
+        return groups;
+    }
+
+    const Fit& fit_;
+    mutable std::vector<Group> groups_; ///< is empty before the first derivatives
 };
 
 /// Ends a solver when the work is cancelled.
@@ -161,17 +300,12 @@ void Fit::improve(int steps, const Progress& progress) {
     if (numbers_.empty() || progress.cancelled) {
         return;
     }
-    using Cost = ceres::DynamicNumericDiffCostFunction<Residuals, ceres::FORWARD>;
-    auto cost = std::make_unique<Cost>(new Residuals{this});
-    cost->AddParameterBlock(int(numbers_.size()));
-    cost->SetNumResiduals(int(3 * target_.pairs.size()));
     ceres::Problem problem;
-    problem.AddResidualBlock(cost.release(), nullptr, numbers_.data());
+    problem.AddResidualBlock(new Differences(*this), nullptr, numbers_.data());
     for (std::size_t i = 0; i < numbers_.size(); ++i) {
-        const double upper = free_.max(i) - derivativeRoom;
-        numbers_[i] = std::clamp(numbers_[i], free_.min(i), upper);
+        numbers_[i] = std::clamp(numbers_[i], free_.min(i), free_.max(i));
         problem.SetParameterLowerBound(numbers_.data(), int(i), free_.min(i));
-        problem.SetParameterUpperBound(numbers_.data(), int(i), upper);
+        problem.SetParameterUpperBound(numbers_.data(), int(i), free_.max(i));
     }
     Canceller canceller(progress);
     ceres::Solver::Options options;
@@ -184,10 +318,6 @@ void Fit::improve(int steps, const Progress& progress) {
     options.callbacks.push_back(&canceller);
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem, &summary);
-    for (std::size_t i = 0; i < numbers_.size(); ++i) {
-        const bool isAtEnd = numbers_[i] > free_.max(i) - 1.5 * derivativeRoom;
-        numbers_[i] = isAtEnd ? free_.max(i) : numbers_[i];
-    }
 }
 
 /// Adds the model with each other state of each choice that a block's descriptor offers.
@@ -196,7 +326,7 @@ void addChoices(std::vector<EvalCase>& others, const EvalCase& model, EvalBlock 
     for (const Parameter& parameter : block.block->parameters) {
         const ParameterTypeInfo& type = infoOf(parameter.type);
         if (parameter.compiled != Compiled::Yes || type.states == nullptr ||
-            type.function != nullptr) {
+            type.function != nullptr || !counts(parameter, block)) {
             continue;
         }
         const auto held = block.values.find(parameter.id);
@@ -334,13 +464,21 @@ Result<ModelFit> fittedModel(const EvalCase& model, const MatchTarget& target,
         found = std::move(other);
         smallest = error;
     }
-    if (smallest > isTheSame) {
-        const MatchTarget nearlyAll = target.thinned(lastDirections);
+    const MatchTarget nearlyAll = target.thinned(lastDirections);
+    for (int round = 0; round < lastRounds && smallest > isExact; ++round) {
         Fit last(found, nearlyAll, options.error);
+        if (round > 0 && !last.leaveEnds()) {
+            break;
+        }
         last.improve(lastSteps, progress);
-        if (const double error = errorOf(last.model()); error < smallest) {
+        const double error = errorOf(last.model());
+        const bool isWorth = error < isBetter * smallest;
+        if (error < smallest) {
             found = last.model();
             smallest = error;
+        }
+        if (round > 0 && !isWorth) {
+            break;
         }
     }
     return ModelFit{found, smallest, relativeError(found, target)};

@@ -24,7 +24,7 @@ std::optional<MatchError> matchErrorOf(std::string_view word);
 
 struct FitOptions {
     MatchError error = MatchError::Log;
-    std::size_t starts = 3; ///< counts the random sets of values that are improved
+    std::size_t starts = 5; ///< counts the random sets of values that are improved
 };
 
 /// Holds a model with the values that match a target best.
