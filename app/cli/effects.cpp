@@ -200,7 +200,8 @@ struct NamedProgram {
     ProgramSource source;
 };
 
-/// Returns the object's program, and those of its fins and its outline where it has them.
+/// Returns the object's program, and those of its fins, its marks and its outline where it has
+/// them.
 Checked<std::vector<NamedProgram>> programsOf(const EffectSet& set, const Catalog& catalog) {
     std::vector<NamedProgram> programs;
     Errors errors;
@@ -214,6 +215,9 @@ Checked<std::vector<NamedProgram>> programsOf(const EffectSet& set, const Catalo
     add("", surfaceProgram(set, catalog));
     if (set.shells && hasFins(*set.shells)) {
         add("fins", finsProgram(set, catalog));
+    }
+    if (set.strokes) {
+        add("marks", marksProgram(set, catalog));
     }
     if (set.outline) {
         add("outline", outlineProgram(set, catalog));

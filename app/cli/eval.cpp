@@ -218,6 +218,11 @@ surface and need not be unit; parameters that are not named have their defaults.
   {"shells": BLOCK, "call": "Offset", "height": 0 .. 1, "n": normal, "nl": 0 .. 1,
    "size": 0 .. 1, "shade": 0 .. 1, "phase": 0 .. 1}
                               where a strand is beside its root; "Radius", "Curl", "Tint" likewise
+  {"strokes": BLOCK, "along": 0 .. 1, "across": 0 .. 1, "n": normal, "t": tangent,
+   "v": to the viewer, "radiance": [R, G, B], "order": 0 .. 1, "pixel": width of one (0.1),
+   "aspect": 0 .. 64, "size": 0 .. 1, "shade": 0 .. 1, "phase": 0 .. 1}
+                              the colour of a mark; "Share", "Size", "Along", "Shape", "Opacity"
+                              and "Under" likewise
   {"transparency": BLOCK, "depth": 0 .. 1, "opacity": 0 .. 1}
                               how much a surface counts
   {"tone": BLOCK, "radiance": [R, G, B]}

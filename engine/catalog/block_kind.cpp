@@ -33,6 +33,19 @@ constexpr auto strand = std::to_array<ArgumentField>({{.key = "height", .usual =
                                                       {.key = "size", .usual = 1},
                                                       {.key = "shade", .usual = 0.5},
                                                       {.key = "phase", .usual = 0.5}});
+constexpr auto mark =
+    std::to_array<ArgumentField>({{.key = "along", .usual = 0.5},
+                                  {.key = "across", .usual = 0.5},
+                                  {.key = "pixel", .usual = 0.1},
+                                  {.key = "aspect", .max = 64, .usual = 1},
+                                  {.key = "n", .type = Field::Direction},
+                                  {.key = "t", .type = Field::Direction},
+                                  {.key = "v", .type = Field::Direction},
+                                  {.key = "radiance", .type = Field::Color, .usual = 1},
+                                  {.key = "order", .usual = 0.5},
+                                  {.key = "size", .usual = 0.5},
+                                  {.key = "shade", .usual = 0.5},
+                                  {.key = "phase", .usual = 0.5}});
 constexpr auto layer = std::to_array<ArgumentField>({{.key = "depth"}, {.key = "opacity"}});
 constexpr auto skyRay =
     std::to_array<ArgumentField>({{.key = "direction", .type = Field::Direction, .member = "d"},
@@ -52,6 +65,14 @@ constexpr auto ofShells = functions(BlockFunction{"", "vec3", "Directions", "d"}
                                     BlockFunction{"Radius", "float", "Strand", "s", false, strand},
                                     BlockFunction{"Curl", "vec2", "Strand", "s", true, strand},
                                     BlockFunction{"Tint", "vec3", "Strand", "s", false, strand});
+constexpr auto ofStrokes =
+    functions(BlockFunction{"", "vec3", "MarkPoint", "m", false, mark},
+              BlockFunction{"Share", "float", "MarkPoint", "m", false, mark},
+              BlockFunction{"Size", "vec2", "MarkPoint", "m", false, mark},
+              BlockFunction{"Along", "vec3", "MarkPoint", "m", true, mark},
+              BlockFunction{"Shape", "float", "MarkPoint", "m", false, mark},
+              BlockFunction{"Opacity", "float", "MarkPoint", "m", false, mark},
+              BlockFunction{"Under", "vec3", "MarkPoint", "m", false, mark});
 constexpr auto ofLights = functions(BlockFunction{"", "Illumination", "vec3", "x"});
 constexpr auto ofShadows = functions(BlockFunction{"", "float", "ShadowPoint", "s"});
 constexpr auto ofFog =
@@ -64,6 +85,7 @@ constexpr auto ofEnvironment = functions(BlockFunction{"", "vec3", "SkyRay", "o"
 
 constexpr std::array<std::string_view, 2> indexSources{"surface", "own"};
 constexpr std::array<std::string_view, 2> strandLights{"surface", "strand"};
+constexpr std::array<std::string_view, 2> layerings{"painted", "standing"};
 constexpr std::array<std::string_view, 3> polarisations{"unpolarised", "s", "p"};
 constexpr std::array<std::string_view, 2> falloffs{"polynomial", "inverse-square"};
 constexpr std::array<std::string_view, 3> backdrops{"sharp", "blurred", "hidden"};
@@ -71,16 +93,19 @@ constexpr std::array<std::string_view, 3> backdrops{"sharp", "blurred", "hidden"
 constexpr auto inModels = std::to_array<ParameterRole>(
     {{roles::index},
      {roles::wavelengths, ParameterType::Vec3},
+     {roles::place, ParameterType::Vec3},
+     {roles::placeNormal, ParameterType::Vec3},
+     {roles::placeView, ParameterType::Vec3},
+     {roles::placePixel},
      {.word = roles::diffuse, .type = ParameterType::Color, .mayRepeat = true}});
-constexpr auto inFresnel = std::to_array<ParameterRole>({{roles::indexOutside},
-                                                         {roles::indexInside},
-                                                         {roles::index, ParameterType::Vec3},
-                                                         {roles::extinction, ParameterType::Vec3},
-                                                         {roles::wavelengths, ParameterType::Vec3},
-                                                         {.word = roles::polarisation,
-                                                          .type = ParameterType::Enum,
-                                                          .choices = polarisations},
-                                                         {roles::f0, ParameterType::Color}});
+constexpr auto inFresnel = std::to_array<ParameterRole>(
+    {{roles::indexOutside},
+     {roles::indexInside},
+     {roles::index, ParameterType::Vec3},
+     {roles::extinction, ParameterType::Vec3},
+     {roles::wavelengths, ParameterType::Vec3},
+     {.word = roles::polarisation, .type = ParameterType::Enum, .choices = polarisations},
+     {roles::f0, ParameterType::Color}});
 constexpr auto inRefraction = std::to_array<ParameterRole>(
     {{.word = roles::index, .isNeeded = true},
      {.word = roles::indexFrom, .type = ParameterType::Enum, .choices = indexSources},
@@ -94,6 +119,11 @@ constexpr auto inShells = std::to_array<ParameterRole>(
      {.word = roles::density, .isNeeded = true},
      {.word = roles::lighting, .type = ParameterType::Enum, .choices = strandLights},
      {roles::fins, ParameterType::Bool}});
+constexpr auto inStrokes = std::to_array<ParameterRole>(
+    {{.word = roles::density, .isNeeded = true},
+     {.word = roles::length, .isNeeded = true},
+     {.word = roles::width, .isNeeded = true},
+     {.word = roles::layering, .type = ParameterType::Enum, .choices = layerings}});
 constexpr auto inLights = std::to_array<ParameterRole>(
     {{roles::color, ParameterType::Color},
      {roles::intensity},
@@ -175,6 +205,15 @@ constexpr auto rows = std::to_array<BlockKind>({
      .functions = ofShells,
      .absent = "No fur or grass",
      .roles = inShells},
+    {.folder = kinds::strokes,
+     .singular = "strokes",
+     .plural = "strokes",
+     .label = "Strokes",
+     .word = "Strokes",
+     .owner = BlockOwner::Material,
+     .functions = ofStrokes,
+     .absent = "No strokes",
+     .roles = inStrokes},
     {.folder = kinds::lights,
      .singular = "light",
      .plural = "lights",

@@ -66,6 +66,7 @@ inline constexpr std::string_view specular = "specular";
 inline constexpr std::string_view refraction = "refraction";
 inline constexpr std::string_view outline = "outline";
 inline constexpr std::string_view shells = "shells";
+inline constexpr std::string_view strokes = "strokes";
 inline constexpr std::string_view lights = "lights";
 inline constexpr std::string_view shadows = "shadows";
 inline constexpr std::string_view fog = "fog";
@@ -77,7 +78,7 @@ inline constexpr std::string_view pass = "pass";
 
 /// Names the roles of parameters that the program itself reads.
 namespace roles {
-inline constexpr std::string_view color = "color";         ///< is the colour of a light or fog
+inline constexpr std::string_view color = "color"; ///< is the colour of a light or fog
 /// Multiply the colour of a light where it meets the diffuse term, the highlight, and any place at
 /// all, without being a field of its struct.
 inline constexpr std::string_view diffuseColor = "diffuseColor";
@@ -105,13 +106,21 @@ inline constexpr std::string_view diffuse = "diffuse";       ///< multiplies all
 inline constexpr std::string_view dispersion = "dispersion"; ///< 0: all wavelengths refract alike
 /// Are the wavelengths of red, green and blue.
 inline constexpr std::string_view wavelengths = "wavelengths";
-inline constexpr std::string_view thickness = "thickness";   ///< is the thickness of a pane
-inline constexpr std::string_view filter = "filter";         ///< multiplies the transmitted light
-inline constexpr std::string_view width = "width";           ///< is the width of lines
-inline constexpr std::string_view length = "length";     ///< is how far strands reach, in metres
-inline constexpr std::string_view density = "density";   ///< counts strands along a metre
-inline constexpr std::string_view lighting = "lighting"; ///< "surface" or "strand"
+inline constexpr std::string_view thickness = "thickness"; ///< is the thickness of a pane
+inline constexpr std::string_view filter = "filter";       ///< multiplies the transmitted light
+inline constexpr std::string_view width = "width";         ///< is the width of lines
+inline constexpr std::string_view length = "length";       ///< is how far strands reach, in metres
+inline constexpr std::string_view density = "density";     ///< counts strands along a metre
+inline constexpr std::string_view lighting = "lighting";   ///< "surface" or "strand"
 inline constexpr std::string_view fins = "fins"; ///< is whether strands stand at silhouettes, too
+/// Are set at each pixel of a picture, for models that draw on the surface: the place on it in
+/// metres, its unit normal and the way to the viewer, all along the object's axes, and how wide a
+/// pixel is there, in metres.
+inline constexpr std::string_view place = "place";
+inline constexpr std::string_view placeNormal = "placeNormal";
+inline constexpr std::string_view placeView = "placeView";
+inline constexpr std::string_view placePixel = "placePixel";
+inline constexpr std::string_view layering = "layering";     ///< "painted" or "standing"
 inline constexpr std::string_view background = "background"; ///< "sharp", "blurred" or "hidden"
 inline constexpr std::string_view blur = "blur";             ///< is the blur of the background
 inline constexpr std::string_view rotate = "rotate";         ///< turns about the vertical axis

@@ -19,6 +19,7 @@ bool predictedCost();
 bool sweepTime();
 bool frontTwice();
 bool fittedLight();
+bool coherence();
 bool contactSheet();
 bool manyObjects();
 bool views();

@@ -35,6 +35,7 @@ int main(int count, char** arguments) {
                                         {"sweep-time", patina::benchmarks::sweepTime},
                                         {"front-twice", patina::benchmarks::frontTwice},
                                         {"fitted-light", patina::benchmarks::fittedLight},
+                                        {"coherence", patina::benchmarks::coherence},
                                         {"contact-sheet", patina::benchmarks::contactSheet},
                                         {"many-objects", patina::benchmarks::manyObjects},
                                         {"views", patina::benchmarks::views},

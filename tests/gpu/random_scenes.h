@@ -163,6 +163,10 @@ class RandomScenes {
             made.parts["shells"] = block("shells");
             chooseAccuracy(made, *catalog_.find("shells", made.parts["shells"].id));
         }
+        if (chance(0.1)) {
+            made.parts["strokes"] = block("strokes");
+            chooseAccuracy(made, *catalog_.find("strokes", made.parts["strokes"].id));
+        }
         chooseAccuracy(made, *catalog_.find("models", made.model.id));
         addTextures(made);
         return made;

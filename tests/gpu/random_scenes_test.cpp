@@ -232,6 +232,7 @@ class RandomScene : public GpuTest, public testing::WithParamInterface<std::uint
             makeSolid(each.material);
             each.material.parts.erase("outline");
             each.material.parts.erase("shells");
+            each.material.parts.erase("strokes");
         }
         renderer->setCatalog(examining_);
         const Image image = captured(scene, number, false);

@@ -141,7 +141,8 @@ TEST(LobeScale, OfALength_IsUndoneByItsInverse) {
 TEST(NoReflectance, IsSaidOfDrawingsAlone) {
     for (const Block* block : catalog().ofKind(kinds::models)) {
         const bool draws = block->id == "gooch" || block->id == "toon" || block->id == "halftone" ||
-                           block->id == "hatching";
+                           block->id == "hatching" || block->id == "tonal-hatching" ||
+                           block->id == "engraving" || block->id == "surface-halftone";
         EXPECT_EQ(!whyNoReflectance(*block).empty(), draws) << block->id;
     }
 }

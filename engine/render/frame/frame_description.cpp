@@ -58,6 +58,9 @@ void FrameDescription::countPrograms(const PreparedFrame& frame, FrameReport& re
         if (material.pipeline->finsProgram) {
             addOnce<const void*>(programs_, material.pipeline->finsProgram.get());
         }
+        if (material.pipeline->marksProgram) {
+            addOnce<const void*>(programs_, material.pipeline->marksProgram.get());
+        }
         if (frame.hasLines(batch.material)) {
             addOnce<const void*>(programs_, material.pipeline->outlineProgram.get());
         }

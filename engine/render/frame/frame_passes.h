@@ -16,6 +16,7 @@
 #include "render/pass/resolve_pass.h"
 #include "render/pass/shadow_pass.h"
 #include "render/pass/solid_pass.h"
+#include "render/pass/stroke_pass.h"
 
 namespace patina {
 
@@ -23,16 +24,16 @@ namespace patina {
 struct FramePasses {
     /// Returns the passes in the order of preparing: each needs only what those before it have
     /// added to the plan.
-    std::array<Pass*, 14> prepared(FrameData& data) {
-        return {&meshes, &shadows, &display, &background, &programs, &data,         &layers,
-                &solid,  &fins,    &ground,  &outlines,   &blended,  &depthNormals, &resolve};
+    std::array<Pass*, 15> prepared(FrameData& data) {
+        return {&meshes, &shadows, &display, &background, &programs, &data,         &layers, &solid,
+                &fins,   &ground,  &strokes, &outlines,   &blended,  &depthNormals, &resolve};
     }
 
     /// Returns the passes that are drawn first, in their order; then objects() are drawn, then
     /// `depthNormals` and `resolve`.
     std::array<Pass*, 3> beforeObjects() { return {&meshes, &shadows, &background}; }
-    std::array<Pass*, 6> objects() {
-        return {&solid, &fins, &ground, &outlines, &blended, &layers};
+    std::array<Pass*, 7> objects() {
+        return {&solid, &fins, &ground, &strokes, &outlines, &blended, &layers};
     }
 
     MeshPass meshes;
@@ -44,6 +45,7 @@ struct FramePasses {
     SolidPass solid;
     FinPass fins;
     GroundPass ground;
+    StrokePass strokes;
     OutlinePass outlines;
     BlendedPass blended;
     DepthNormalPass depthNormals;

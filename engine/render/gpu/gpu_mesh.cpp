@@ -92,13 +92,21 @@ GpuEdges& GpuMesh::edges(const MeshView& mesh, std::uint64_t frame) {
     return edges_ ? *edges_ : edges_.emplace(mesh);
 }
 
+GpuMarks& GpuMesh::marks(const MeshView& mesh, std::uint64_t frame) {
+    marksFrame_ = frame;
+    return marks_ ? *marks_ : marks_.emplace(mesh);
+}
+
 const ConvexFacets& GpuMesh::facets(const MeshView& mesh) {
     return facets_ ? *facets_ : facets_.emplace(convexFacetsOf(mesh));
 }
 
-void GpuMesh::forgetEdges(std::uint64_t frame) {
+void GpuMesh::forgetUnused(std::uint64_t frame) {
     if (edgesFrame_ < frame) {
         edges_.reset();
+    }
+    if (marksFrame_ < frame) {
+        marks_.reset();
     }
 }
 

@@ -9,6 +9,7 @@
 #include "gl/buffer.h"
 #include "gl/vertex_array.h"
 #include "render/gpu/gpu_edges.h"
+#include "render/gpu/gpu_marks.h"
 #include "render/gpu/instanced_arrays.h"
 
 namespace patina {
@@ -45,12 +46,17 @@ class GpuMesh {
     bool hasEdges() const { return edges_ && edges_->isComplete(); }
     int edgeCount() const { return edges_->count(); }
 
+    /// Returns the marks, which may be too few, and notes that frame number `frame` uses them.
+    GpuMarks& marks(const MeshView& mesh, std::uint64_t frame);
+    const GpuMarks* knownMarks() const { return marks_ ? &*marks_ : nullptr; }
+
     /// Returns the planes of the mesh that it was made for, which it finds when they are first
     /// asked for.
     const ConvexFacets& facets(const MeshView& mesh);
 
-    /// Deletes the edges unless frame number `frame` or a later one has asked for them.
-    void forgetEdges(std::uint64_t frame);
+    /// Deletes the edges and the marks unless frame number `frame` or a later one has asked for
+    /// them.
+    void forgetUnused(std::uint64_t frame);
 
   private:
     gl::VertexArray makeArray() const;
@@ -64,7 +70,9 @@ class GpuMesh {
     std::uint64_t serial_ = 0;
     std::optional<GpuEdges> edges_;
     std::optional<ConvexFacets> facets_;
+    std::optional<GpuMarks> marks_;
     std::uint64_t edgesFrame_ = 0; ///< is the last frame that asked for the edges
+    std::uint64_t marksFrame_ = 0; ///< is the last frame that asked for the marks
 };
 
 } // namespace patina

@@ -73,7 +73,7 @@ void GpuMeshStore::endFrame() {
     });
     if (frame_ >= meshesKept) {
         for (auto& [key, entry] : meshes_) {
-            entry.mesh->forgetEdges(frame_ - meshesKept);
+            entry.mesh->forgetUnused(frame_ - meshesKept);
         }
     }
     ++frame_;

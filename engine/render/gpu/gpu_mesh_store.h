@@ -25,6 +25,9 @@ class GpuMeshStore {
     /// Returns the edges of a mesh that prepare() gave; they may be incomplete.
     GpuEdges& prepareEdges(GpuMesh& mesh, const MeshView& view) { return mesh.edges(view, frame_); }
 
+    /// Returns the marks of a mesh that prepare() gave; they may be too few.
+    GpuMarks& prepareMarks(GpuMesh& mesh, const MeshView& view) { return mesh.marks(view, frame_); }
+
     /// Begins a frame. Each mesh's content is sampled once between beginFrame() and endFrame().
     void beginFrame();
 

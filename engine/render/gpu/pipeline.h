@@ -31,6 +31,8 @@ struct Pipeline {
     std::shared_ptr<const gl::Program> outlineProgram;
     std::shared_ptr<const gl::Program> finsProgram; ///< draws strands on edges, with the data of
                                                     ///< `program`; null without fins
+    std::shared_ptr<const gl::Program> marksProgram; ///< draws the marks of strokes, with the data
+                                                     ///< of `program`; null without strokes
 };
 
 } // namespace patina

@@ -30,7 +30,7 @@ bool MeshPass::draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budge
         }
         mesh.takeOpenness(view);
     }
-    return findEdges(frame, gpu, budget);
+    return findEdges(frame, gpu, budget) && setMarks(frame, gpu, budget);
 }
 
 /// Finds and uploads the edges of meshes with outlines or fins; returns false when the budget is
@@ -44,6 +44,25 @@ bool MeshPass::findEdges(const PreparedFrame& frame, FrameGpu& gpu, const StepBu
         GpuEdges& edges = gpu.shared.meshes.prepareEdges(*frame.meshes[i], item.view);
         while (!edges.isComplete()) {
             edges.proceed(item.view);
+            if (budget.isOver()) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/// Sets and uploads the marks of meshes with strokes, as many as the nearest of their objects
+/// needs; returns false when the budget is used up.
+bool MeshPass::setMarks(const PreparedFrame& frame, FrameGpu& gpu, const StepBudget& budget) {
+    for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
+        const PlannedItem& item = frame.plan.items[i];
+        if (!(item.marks > 0.0)) {
+            continue;
+        }
+        GpuMarks& marks = gpu.shared.meshes.prepareMarks(*frame.meshes[i], item.view);
+        while (!marks.hasEnough(item.marks)) {
+            marks.proceed(item.view, item.marks);
             if (budget.isOver()) {
                 return false;
             }

@@ -5,8 +5,8 @@
 
 namespace patina {
 
-/// Uploads the meshes of a frame, and the edges of those with outlines or fins, to the
-/// GPU.
+/// Uploads the meshes of a frame to the GPU, with the edges of those with outlines or fins and the
+/// marks of those with strokes.
 class MeshPass : public Pass {
   public:
     /// Allocates meshes that are new.
@@ -17,6 +17,7 @@ class MeshPass : public Pass {
 
   private:
     static bool findEdges(const PreparedFrame& frame, FrameGpu& gpu, const StepBudget& budget);
+    static bool setMarks(const PreparedFrame& frame, FrameGpu& gpu, const StepBudget& budget);
 };
 
 } // namespace patina

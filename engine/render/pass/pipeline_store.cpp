@@ -113,6 +113,21 @@ tl::expected<void, PipelineStore::Entry> PipelineStore::addFins(Pipeline& pipeli
     return {};
 }
 
+tl::expected<void, PipelineStore::Entry> PipelineStore::addMarks(Pipeline& pipeline,
+                                                                 const EffectSet& effects) {
+    const auto source = marksProgram(effects, *catalog_, sceneCapacity_);
+    if (!source) {
+        return tl::unexpected(Entry{nullptr, source.error()});
+    }
+    const ProgramCache::Found found = programs_.get(*source);
+    if (!found.program) {
+        return tl::unexpected(Entry{nullptr, found.errors, found.isFinal});
+    }
+    bindSurface(*found.program, effects);
+    pipeline.marksProgram = found.program;
+    return {};
+}
+
 /// Adds the program that fills tables together with the one that reads them, so that filling them
 /// later compiles nothing.
 tl::expected<void, PipelineStore::Entry> PipelineStore::addTables(Pipeline& pipeline,
@@ -186,6 +201,11 @@ PipelineStore::Entry PipelineStore::make(EffectSet effects, std::uint64_t sceneK
     }
     if (effects.shells && hasFins(*effects.shells) && output_ == SurfaceOutput::Picture) {
         if (auto added = addFins(*pipeline, effects); !added) {
+            return added.error();
+        }
+    }
+    if (effects.strokes && output_ == SurfaceOutput::Picture) {
+        if (auto added = addMarks(*pipeline, effects); !added) {
             return added.error();
         }
     }

@@ -73,6 +73,7 @@ class PipelineStore {
     tl::expected<void, Entry> addLobes(Pipeline& pipeline, const EffectSet& effects);
     tl::expected<void, Entry> addOutline(Pipeline& pipeline, const EffectSet& effects);
     tl::expected<void, Entry> addFins(Pipeline& pipeline, const EffectSet& effects);
+    tl::expected<void, Entry> addMarks(Pipeline& pipeline, const EffectSet& effects);
 
     std::shared_ptr<const Catalog> catalog_;
     ProgramCache programs_;

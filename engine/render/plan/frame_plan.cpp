@@ -14,6 +14,10 @@ glm::dmat4 FramePlan::worldToClip() const {
     return projection(view->camera, aspect, depths) * worldToCamera;
 }
 
+double FramePlan::pixelWidth() const {
+    return 2.0 / (view->size.y * projection(view->camera, 1.0, depths)[1][1]);
+}
+
 const Material& FramePlan::material(std::size_t number) const {
     return scene->objects[materials[number].object].material;
 }

@@ -28,6 +28,8 @@ struct PlannedMaterial {
     int layers = 0;          ///< is how many layers of strands are drawn over the surface
     bool hasFins = false;    ///< says that strands stand on the edges of its objects' meshes
 
+    double marks = 0.0;      ///< is how many marks of strokes stand on a pixel
+
     bool needsEdges() const { return isOutlined || hasFins; }
 };
 
@@ -39,6 +41,7 @@ struct PlannedItem {
     double distance = 0.0;    ///< metres from the eye to the middle of its box
     std::size_t lights = 0;   ///< is the number of its list in LightLists
     std::size_t material = 0; ///< is an index into FramePlan::materials
+    double marks = 0.0; ///< is how many marks are drawn at most on a square metre of its mesh
     bool isInPicture = true;
 };
 
@@ -76,6 +79,9 @@ struct FramePlan {
     std::int64_t edges = 0; ///< is about the number of edges that may be drawn as outlines or fins
 
     glm::dmat4 worldToClip() const;
+
+    /// Returns how wide a pixel of the picture is one metre before the eye, in metres.
+    double pixelWidth() const;
 
     /// Returns the values of one of the materials.
     const Material& material(std::size_t number) const;

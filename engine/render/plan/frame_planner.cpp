@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/plan/frame_planner.h"
 
+#include <algorithm>
+#include <array>
+#include <functional>
+
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -10,6 +14,7 @@
 #include "shading/effects/outline.h"
 #include "shading/effects/shadows.h"
 #include "shading/effects/shells.h"
+#include "shading/effects/strokes.h"
 
 namespace patina {
 namespace {
@@ -49,6 +54,29 @@ FogReach fogReach(const FramePlan& plan, const Catalog& catalog) {
 /// dragged it returns 0, so that lists change data alone.
 std::size_t missingKinds(FramePlan& plan, std::size_t lights) {
     return plan.isFrozen ? 0 : plan.lightKinds.missingKinds(plan.lightLists, lights);
+}
+
+/// Returns the largest share by which a transform enlarges areas.
+double areaScale(const glm::dmat4& world) {
+    std::array<double, 3> scale{glm::length(glm::dvec3(world[0])),
+                                glm::length(glm::dvec3(world[1])),
+                                glm::length(glm::dvec3(world[2]))};
+    std::ranges::sort(scale, std::greater());
+    return scale[0] * scale[1];
+}
+
+/// Returns how many marks are drawn at most on a square metre of an item's mesh, by its nearest
+/// point; a huge number where the eye is inside.
+double marksOn(const FramePlan& plan, const PlannedItem& item) {
+    const double perPixel = plan.materials[item.material].marks;
+    if (!(perPixel > 0.0) || !item.isInPicture) {
+        return 0.0;
+    }
+    const Ball& ball = item.placement->ball;
+    const double middle = -(plan.worldToCamera * glm::dvec4(ball.center, 1.0)).z;
+    const double nearest = std::max(middle - ball.radius, 1e-3 * ball.radius);
+    const double pixel = nearest * plan.pixelWidth();
+    return perPixel * areaScale(item.placement->world) / std::max(pixel * pixel, 1e-30);
 }
 
 void count(FramePlan& plan) {
@@ -112,6 +140,7 @@ void FramePlanner::collect(FramePlan& plan, const MeshSource& meshes, const Cata
             PlannedItem& item = plan.items.emplace_back(itemOf(plan, i, mesh, catalog));
             const double shells = plan.materials[item.material].shells;
             item.isInPicture = plan.isUnseen || !isOutside(*item.placement, worldToClip, shells);
+            item.marks = marksOn(plan, item);
         }
     }
 }
@@ -155,6 +184,7 @@ std::size_t FramePlanner::materialOf(FramePlan& plan, std::size_t object, std::s
         material.shells = shellsLength(values, catalog);
         material.layers = layersOver(effects, catalog);
         material.hasFins = hasFins(effects, catalog);
+        material.marks = marksPerPixel(values, catalog);
     }
     return number;
 }

@@ -51,7 +51,7 @@ BlockValues trialValues(const Block& block) {
 
 /// Returns a material that has the block where its kind is a material's, and is plain otherwise.
 /// What puts surfaces together and what refracts needs it to be transparent; it still casts a
-/// shadow. Strands grow on a solid one.
+/// shadow. Strands grow on a solid one, and marks are set on one.
 Material trialMaterial(const Block& block, const Catalog& catalog) {
     const bool isPart = std::ranges::count(partKinds(BlockOwner::Material), block.kind) > 0;
     const Block* model = block.kind == kinds::models
@@ -60,7 +60,8 @@ Material trialMaterial(const Block& block, const Catalog& catalog) {
                                    return !isPart || suitsPart(candidate, block.kind);
                                });
     Material material = model == nullptr ? Material() : defaultMaterial(*model);
-    material.opacity = block.kind == kinds::shells ? 1.0 : 0.5;
+    const bool needsSolid = block.kind == kinds::shells || block.kind == kinds::strokes;
+    material.opacity = needsSolid ? 1.0 : 0.5;
     if (isPart) {
         material.parts[block.kind] = trialValues(block);
     }
@@ -123,6 +124,9 @@ Checked<ProgramSource> trialProgram(const Block& block, const Catalog& catalog) 
     });
     if (set.outline) {
         return outlineProgram(set, catalog);
+    }
+    if (set.strokes) {
+        return marksProgram(set, catalog);
     }
     // A picture looks entries up; the inspection computes them, so that their text is tried too.
     return surfaceProgram(

@@ -7,6 +7,7 @@
 
 #include "shading/effects/ambient.h"
 #include "shading/effects/blend.h"
+#include "shading/effects/drawn_place.h"
 #include "shading/effects/effect_choices.h"
 #include "shading/effects/effect_parts.h"
 #include "shading/effects/emission.h"
@@ -25,6 +26,7 @@
 #include "shading/effects/shadows.h"
 #include "shading/effects/shells.h"
 #include "shading/effects/slots.h"
+#include "shading/effects/strokes.h"
 #include "shading/effects/textures.h"
 #include "shading/effects/transparency_effect.h"
 
@@ -33,11 +35,11 @@ namespace patina {
 /// Lists every effect, in the order in which a program's text is assembled, which is that of
 /// its rows. A new one is a row here.
 using AllEffects =
-    EffectChoices<GroundEffect, ModelEffect, SlotsEffect, ShellsEffect, LightsEffect, ShadowsEffect,
-                  OcclusionEffect, AmbientEffect, HemisphereEffect, HighlightAmbientEffect,
-                  EnvironmentEffect, BlendEffect, EmissionEffect, TexturesEffect, FogEffect,
-                  OpacityEffect, RefractionEffect, RefractedSceneEffect, TransparencyEffect,
-                  OutlineEffect, PictureEffect>;
+    EffectChoices<GroundEffect, ModelEffect, SlotsEffect, DrawnPlaceEffect, ShellsEffect,
+                  LightsEffect, ShadowsEffect, OcclusionEffect, AmbientEffect, HemisphereEffect,
+                  HighlightAmbientEffect, EnvironmentEffect, BlendEffect, EmissionEffect,
+                  TexturesEffect, StrokesEffect, FogEffect, OpacityEffect, RefractionEffect,
+                  RefractedSceneEffect, TransparencyEffect, OutlineEffect, PictureEffect>;
 
 /// Says exactly what one program computes: the choices of all effects. Equal sets give equal
 /// program text. It points into the catalogue that it was made with.

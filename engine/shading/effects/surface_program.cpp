@@ -48,6 +48,9 @@ void writeFrame(SurfaceText& text) {
     if (text.drawsShells()) {
         writeShells(text);
     }
+    if (text.isOfMarks) {
+        writeMarks(text);
+    }
     text.main += text.textures.relief();
     text.readFrom("objectData");
 }
@@ -170,6 +173,9 @@ std::string writeVertices(SurfaceText& text, int sceneVec4s) {
     std::string work;
     if (text.drawsShells()) {
         work += writeShellsVertex(text);
+    }
+    if (text.isOfMarks) {
+        work += writeMarksVertex(text);
     }
     if (text.leavesNormals()) {
         text.out.addFile("lib/math.glsl");
@@ -321,6 +327,25 @@ Checked<ProgramSource> finsProgram(const EffectSet& set, const Catalog& catalog,
         geometry.add(passingSource(varyings));
         geometry.addFile("passes/fins.glsl");
         geometry.add("void main() {\n    drawFin();\n}\n");
+    });
+}
+
+Checked<ProgramSource> marksProgram(const EffectSet& set, const Catalog& catalog, int sceneVec4s) {
+    const ObjectLayout object = objectLayout(set);
+    const SceneLayout scene = sceneLayout(set);
+    const auto writeVertex = [&](SourceBuilder& vertex) {
+        addSurfaceVertex(vertex, set, object, [&](SourceBuilder& stage) {
+            SurfaceText text(stage, set, object, scene);
+            text.isOfMarks = true;
+            const std::string statements = writeEffectVertices(text);
+            return statements + writeVertices(text, sceneVec4s);
+        });
+    };
+    return program(catalog, writeVertex, [&](SourceBuilder& fragment) {
+        fragment.add(fmt::format("#define SCENE_VEC4S {}\n", sceneVec4s));
+        SurfaceText text(fragment, set, object, scene);
+        text.isOfMarks = true;
+        writeFragment(text);
     });
 }
 

@@ -25,6 +25,11 @@ Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catal
 Checked<ProgramSource> finsProgram(const EffectSet& set, const Catalog& catalog,
                                    int sceneVec4s = SceneLayout::minCapacity);
 
+/// Returns the program that draws the marks of a set's strokes, a rectangle for each (GpuMarks).
+/// Its data are those of the program for the picture.
+Checked<ProgramSource> marksProgram(const EffectSet& set, const Catalog& catalog,
+                                    int sceneVec4s = SceneLayout::minCapacity);
+
 /// Holds the vertex stage of surfaceProgram(); `work`, of its main, stands behind what places a
 /// vertex.
 using VertexWork = std::function<std::string(SourceBuilder&)>;

@@ -9,8 +9,8 @@
 #include "shading/effects/data_layout.h"
 #include "shading/effects/effect_set.h"
 #include "shading/effects/texture_writer.h"
-#include "shading/program/source_builder.h"
 #include "shading/program/block_source.h"
+#include "shading/program/source_builder.h"
 #include "shading/program/surface_output.h"
 
 namespace patina {
@@ -32,6 +32,7 @@ class SurfaceText {
     const TextureWriter textures;
 
     bool isOfFins = false;     ///< it draws strips on edges, with strands in place of a surface
+    bool isOfMarks = false;    ///< it draws the marks of strokes, each lit as its point is
     std::string main;          ///< statements: `s` is the Surface, `shaded` the light so far
     std::string last;          ///< behind everything else in main
     std::string alpha = "1.0"; ///< an expression for the share that hides what is behind
@@ -59,6 +60,7 @@ class SurfaceText {
     bool leavesNormals() const { return isPicture() && set.leavesNormals; }
     /// Only a picture shows strands: other outputs are of the surface on which they grow.
     bool drawsShells() const { return isPicture() && set.shells.has_value(); }
+    bool drawsStrokes() const { return isPicture() && set.strokes.has_value(); }
     bool fogsAtVertices() const { return isPicture() && set.fogsAtVertices; }
 
     /// Tells which array unpack functions read that are declared from now on.

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Marks on shapes whose picture is known.
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "gpu_fixture.h"
+
+namespace patina::strokes_test {
+namespace {
+
+constexpr int inkSize = 96;
+
+class Strokes : public GpuTest {
+  protected:
+    void SetUp() override {
+        GpuTest::SetUp();
+        makeRenderer();
+    }
+
+    /// A plate that fills the picture, whose black dots stand on white paper whatever its light is.
+    Scene dotted() const {
+        Scene scene = plate();
+        scene.objects[0].rotation = {-90.0, 0.0, 0.0};
+        scene.objects[0].scale = glm::dvec3(4.0);
+        scene.camera.distance = 12.0;
+        scene.camera.fieldOfView = 30.0;
+        BlockValues dots = block("strokes", "stipple");
+        dots.parameters["density"] = 60.0;
+        dots.parameters["dot.length"] = 5.0;
+        dots.parameters["dot.width"] = 5.0;
+        dots.parameters["variation"] = 0.0;
+        dots.parameters["tone.dark"] = 10.0;
+        dots.parameters["tone.light"] = 10.0;
+        dots.parameters["ink.color"] = glm::dvec3(0.0);
+        dots.parameters["paper.color"] = glm::dvec3(1.0);
+        scene.objects[0].material.parts["strokes"] = dots;
+        return scene;
+    }
+
+    static Value& value(Scene& scene, const std::string& id) {
+        return scene.objects[0].material.parts.at("strokes").parameters[id];
+    }
+
+    Image picture(const Scene& scene, int size = inkSize) {
+        Image image = capture(scene, false, size);
+        EXPECT_TRUE(renderer->report().messages.empty()) << text(renderer->report().messages);
+        return image;
+    }
+
+    /// The share of white that ink takes away.
+    double inked(const Scene& scene, int size = inkSize) {
+        const Image image = picture(scene, size);
+        double bare = 0.0;
+        for (int y = 0; y < image.height; ++y) {
+            for (int x = 0; x < image.width; ++x) {
+                bare += pixel(image, x, y).g;
+            }
+        }
+        return 1.0 - bare / (double(image.width) * image.height);
+    }
+
+    static double differenceOf(const Image& a, const Image& b) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+            sum += std::abs(double(a.pixels[i]) - double(b.pixels[i]));
+        }
+        return sum / double(a.pixels.size());
+    }
+};
+
+TEST_F(Strokes, AtAnyDistance_CoverAsMuchOfThePicture) {
+    Scene scene = dotted();
+    const double near = inked(scene);
+    EXPECT_GT(near, 0.05);
+    scene.objects[0].scale = glm::dvec3(16.0);
+    scene.camera.distance = 48.0;
+    EXPECT_NEAR(inked(scene), near, 0.15 * near);
+}
+
+TEST_F(Strokes, OfAnEnlargedMesh_CoverAsMuch) {
+    Scene scene = dotted();
+    const double square = inked(scene);
+    scene.objects[0].scale = {12.0, 4.0, 4.0};
+    EXPECT_NEAR(inked(scene), square, 0.15 * square);
+}
+
+TEST_F(Strokes, WithFewerOfThem_CoverAsMuch) {
+    Scene scene = dotted();
+    const double all = inked(scene);
+    scene.objects[0].material.accuracy["marks"] = "50";
+    EXPECT_NEAR(inked(scene), all, 0.15 * all);
+}
+
+TEST_F(Strokes, OfTheSameScene_AreTheSamePicture) {
+    const Scene scene = dotted();
+    const Image first = picture(scene);
+    makeRenderer();
+    EXPECT_EQ(first.pixels, picture(scene).pixels);
+}
+
+TEST_F(Strokes, ThatComeNearer_FadeInWithoutPopping) {
+    Scene scene = dotted();
+    const Image before = picture(scene);
+    value(scene, "density") = 60.5;
+    EXPECT_LT(differenceOf(before, picture(scene)), 0.01);
+    EXPECT_GT(differenceOf(before, picture(scene)), 0.0);
+}
+
+TEST_F(Strokes, OfNoDensity_AreThePictureWithoutThem) {
+    Scene scene = dotted();
+    value(scene, "density") = 0.0;
+    const Image without = picture(scene);
+    scene.objects[0].material.parts.clear();
+    EXPECT_EQ(without.pixels, picture(scene).pixels);
+}
+
+TEST_F(Strokes, OfInkInTheSurfacesLight_HaveItsColour) {
+    Scene scene = dotted();
+    scene.objects[0].material.model.parameters["diffuse.color"] = glm::dvec3(0.2, 0.6, 0.4);
+    value(scene, "tint") = 1.0;
+    value(scene, "wash") = 1.0;
+    const Image marked = picture(scene);
+    scene.objects[0].material.parts.clear();
+    EXPECT_LT(differenceOf(marked, picture(scene)), 2e-3);
+}
+
+TEST_F(Strokes, NearSilhouettes_LeaveTheMiddleBare) {
+    Scene scene = dotted();
+    scene.objects[0].mesh = "builtin:sphere";
+    scene.objects[0].scale = glm::dvec3(1.0);
+    value(scene, "rim") = 0.2;
+    const Image image = picture(scene);
+    const auto inkIn = [&](int from, int to) {
+        double ink = 0.0;
+        for (int y = from; y < to; ++y) {
+            for (int x = from; x < to; ++x) {
+                ink += 1.0 - pixel(image, x, y).g;
+            }
+        }
+        return ink;
+    };
+    EXPECT_EQ(inkIn(36, 60), 0.0);
+}
+
+TEST_F(Strokes, OfExtremeValues_EndInAPicture) {
+    for (const char* style : {"brush", "graftal", "pen"}) {
+        Scene scene = simpleScene();
+        BlockValues strokes = block("strokes", style);
+        for (const Parameter& parameter : catalog->find("strokes", style)->parameters) {
+            if (std::holds_alternative<double>(strokes.parameters[parameter.id])) {
+                strokes.parameters[parameter.id] = parameter.max;
+            }
+        }
+        scene.objects[0].material.parts["strokes"] = strokes;
+        for (const float number : picture(scene, 24).pixels) {
+            ASSERT_TRUE(std::isfinite(number) && number >= 0.0f) << style;
+        }
+    }
+}
+
+} // namespace
+} // namespace patina::strokes_test

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Marks of strokes, and models that draw on the surface, in double precision.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "physics_cases.h"
+
+namespace patina::physics::strokes_test {
+namespace {
+
+/// A place on a mark that faces the viewer.
+struct Mark {
+    double along = 0.5;
+    double across = 0.5;
+    double pixel = 0.05;
+    glm::dvec3 n{0.0, 0.0, 1.0};
+    glm::dvec3 light{0.5};
+    double order = 0.5;
+    double phase = 0.5;
+
+    std::array<double, 20> numbers() const {
+        return {along, across, pixel, 2.0,     n.x,     n.y,     n.z,   1.0, 0.0, 0.0,
+                0.0,   0.0,    1.0,   light.x, light.y, light.z, order, 0.5, 0.5, phase};
+    }
+};
+
+double floatOf(const Subject& strokes, const char* function, const Mark& mark) {
+    return strokes.code->call<1>(function, mark.numbers(), strokes.parameters)[0];
+}
+
+TEST(Stipples, OfADarkerSurface_KeepThoseOfALighterOne) {
+    const Subject dots("strokes", "stipple");
+    for (double order = 0.05; order < 1.0; order += 0.05) {
+        double before = 0.0;
+        for (double light = 1.0; light >= 0.0; light -= 0.05) {
+            const double ink =
+                floatOf(dots, "Opacity", {.light = glm::dvec3(light), .order = order});
+            EXPECT_GE(ink, before - 1e-12) << order << ' ' << light;
+            before = ink;
+        }
+    }
+}
+
+TEST(PenStrokes, ThatCross_ComeWhereItIsDark) {
+    const Subject pen("strokes", "pen", {{"tone.light", 1.0}, {"opacity", 1.0}});
+    const auto inkAt = [&](double light, double phase) {
+        return floatOf(pen, "Opacity", {.light = glm::dvec3(light), .order = 0.01, .phase = phase});
+    };
+    EXPECT_GT(inkAt(0.75, 0.1), 0.9);
+    EXPECT_EQ(inkAt(0.75, 0.6), 0.0);
+    EXPECT_GT(inkAt(0.5, 0.6), 0.9);
+    EXPECT_EQ(inkAt(0.5, 0.9), 0.0);
+    EXPECT_GT(inkAt(0.1, 0.9), 0.9);
+}
+
+TEST(Graftals, NearTheSilhouette_AreAllThere) {
+    const Subject tufts("strokes", "graftal", {{"rim", 0.3}, {"inside", 0.1}});
+    const auto shareAt = [&](double cosine) {
+        return floatOf(tufts, "Share", {.n = {std::sqrt(1.0 - cosine * cosine), 0.0, cosine}});
+    };
+    EXPECT_NEAR(shareAt(0.1), 1.0, 1e-12);
+    EXPECT_NEAR(shareAt(0.9), 0.1, 1e-12);
+    EXPECT_EQ(shareAt(-0.5), 0.0);
+}
+
+TEST(BrushStrokes, WithLessPaint_LeaveMoreGaps) {
+    double before = 2.0;
+    for (const double loading : {1.0, 0.7, 0.4, 0.1}) {
+        const Subject brush("strokes", "brush", {{"loading", loading}});
+        double ink = 0.0;
+        for (int i = 0; i < 200; ++i) {
+            ink += floatOf(brush, "Shape", {.across = (i + 0.5) / 200.0, .pixel = 0.02}) / 200.0;
+        }
+        EXPECT_LT(ink, before);
+        before = ink;
+    }
+}
+
+/// How much ink a drawing has at a place of a plane that faces the viewer.
+double inkOn(const std::string& model, const glm::dvec3& place, double pixel, double nl,
+             const Values& more = {}) {
+    Values values{{"diffuse.color", glm::dvec3(0.0)},
+                  {"ink.color", glm::dvec3(1.0)},
+                  {"tone.light", 1.0},
+                  {"place", place},
+                  {"place.pixel", pixel}};
+    values.insert(more.begin(), more.end());
+    const double angle = std::acos(nl) * 180.0 / std::numbers::pi;
+    return Subject("models", model, values).shade(geometry(direction(angle, 20.0), {0, 0, 1})).x;
+}
+
+TEST(SurfaceHalftone, OnAnyScale_CoversTheTone) {
+    for (const double pixel : {0.004, 0.005, 0.006, 0.0071, 0.01}) {
+        double ink = 0.0;
+        constexpr int steps = 40;
+        for (int i = 0; i < steps * steps; ++i) {
+            const glm::dvec3 place(0.25 * (i % steps + 0.5) / steps,
+                                   0.25 * (i / steps + 0.5) / steps, 0.0);
+            ink += inkOn("surface-halftone", place, pixel, 0.75, {{"cell", 12.0}});
+        }
+        EXPECT_NEAR(ink / (steps * steps), 0.25, 0.05) << pixel;
+    }
+}
+
+class DrawnOnTheSurface : public testing::TestWithParam<const char*> {};
+
+/// A scale of the lattice ends at some width of a pixel; nothing may change there.
+TEST_P(DrawnOnTheSurface, AsItComesNearer_ChangesWithoutASudden) {
+    for (int i = 0; i < 12; ++i) {
+        const glm::dvec3 place(0.13 + 0.0071 * i, 0.21 - 0.0037 * i, 0.05);
+        double before = inkOn(GetParam(), place, 0.003, 0.3);
+        for (double pixel = 0.003; pixel < 0.0125; pixel *= 1.002) {
+            const double ink = inkOn(GetParam(), place, pixel, 0.3);
+            EXPECT_LT(std::abs(ink - before), 0.2) << pixel;
+            before = ink;
+        }
+    }
+}
+
+TEST_P(DrawnOnTheSurface, WhereItIsDarker_HasMoreInk) {
+    double bright = 0.0;
+    double dark = 0.0;
+    for (int i = 0; i < 300; ++i) {
+        const glm::dvec3 place(0.0017 * i, 0.0023 * i, 0.0);
+        bright += inkOn(GetParam(), place, 0.004, 0.8) / 300.0;
+        dark += inkOn(GetParam(), place, 0.004, 0.2) / 300.0;
+    }
+    EXPECT_GT(dark, bright + 0.1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, DrawnOnTheSurface,
+                         testing::Values("tonal-hatching", "engraving", "surface-halftone"));
+
+} // namespace
+} // namespace patina::physics::strokes_test
