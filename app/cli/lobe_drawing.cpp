@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <set>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 
 #include "core/color.h"
 
@@ -60,9 +63,8 @@ std::vector<DrawnLine> drawnLines(const std::vector<LobeSubject>& subjects) {
         const LobeSubject& subject = subjects[i];
         const bool isAlone = subjects.size() == 1;
         for (const LobeLine& line : subject.lines.lines) {
-            const std::string name = isAlone                           ? line.name
-                                     : line.stroke == LobeStroke::Main ? subject.name
-                                                                       : std::string();
+            const bool isFirst = &line == &subject.lines.lines.front();
+            const std::string name = isAlone ? line.name : isFirst ? subject.name : std::string();
             if (isAlone && !isGrey(line)) {
                 for (int channel = 0; channel < 3; ++channel) {
                     all.push_back(drawnLine(line, channelColors[channel],
@@ -79,11 +81,13 @@ std::vector<DrawnLine> drawnLines(const std::vector<LobeSubject>& subjects) {
     return all;
 }
 
-double largestOf(const std::vector<DrawnLine>& lines) {
+/// Returns the largest value of all lines at places up to one.
+double largestOf(const std::vector<DrawnLine>& lines,
+                 double upTo = std::numeric_limits<double>::infinity()) {
     double largest = 0.0;
     for (const DrawnLine& line : lines) {
         for (const glm::dvec2& point : line.points) {
-            largest = std::max(largest, point.y);
+            largest = point.x <= upTo ? std::max(largest, point.y) : largest;
         }
     }
     return largest;
@@ -136,12 +140,15 @@ void addLegend(std::vector<PlotShape>& shapes, const std::vector<DrawnLine>& lin
         y += textHeight;
     }
     y += textHeight;
+    std::set<std::string> named; // several materials may have the same
     for (const LobeSubject& subject : subjects) {
         for (const LobeMark& mark : subject.lines.marks) {
-            addText(shapes, {left, y},
-                    fmt::format("{} {:.{}f}{}", mark.name, mark.at, isSpectrum ? 0 : 2,
-                                isSpectrum ? " nm" : ""));
-            y += textHeight;
+            const std::string text = fmt::format("{} {:.{}f}{}", mark.name, mark.at,
+                                                 isSpectrum ? 0 : 2, isSpectrum ? " nm" : "");
+            if (named.insert(text).second) {
+                addText(shapes, {left, y}, text);
+                y += textHeight;
+            }
         }
     }
     for (const LobeSubject& subject : subjects) {
@@ -214,8 +221,16 @@ void addLines(std::vector<PlotShape>& shapes, const std::vector<DrawnLine>& line
               const AngleAxes& axes) {
     for (const DrawnLine& line : lines) {
         std::vector<glm::dvec2> places;
-        for (const glm::dvec2& point : line.points) {
-            places.push_back(axes.place(point.x, point.y));
+        for (std::size_t i = 0; i < line.points.size(); ++i) {
+            const glm::dvec2& point = line.points[i];
+            if (point.y <= axes.top) {
+                places.push_back(axes.place(point.x, point.y));
+            } else if (i > 0 && line.points[i - 1].y <= axes.top) { // it leaves the plot here
+                const glm::dvec2& last = line.points[i - 1];
+                const double share = (axes.top - last.y) / (point.y - last.y);
+                places.push_back(axes.place(glm::mix(last.x, point.x, share), axes.top));
+                break;
+            }
         }
         addPath(shapes, places, line);
     }
@@ -316,7 +331,8 @@ std::vector<PlotShape> polarDrawing(const std::vector<LobeSubject>& subjects, Lo
 
 std::vector<PlotShape> shareDrawing(const std::vector<LobeSubject>& subjects, glm::ivec2 size) {
     const std::vector<DrawnLine> lines = drawnLines(subjects);
-    const AngleAxes axes{size.x - edgeRight, size.y - edgeBottom, axisEnd(largestOf(lines)), 0.0};
+    const AngleAxes axes{size.x - edgeRight, size.y - edgeBottom,
+                         axisEnd(largestOf(lines, roomyDegrees)), 0.0};
     std::vector<PlotShape> shapes;
     addAngleGrid(shapes, axes, 15);
     if (axes.top > 1.0) {

@@ -122,6 +122,28 @@ TEST_F(LobePanel, Compared_OverlaysBAndSnapshots) {
     EXPECT_EQ(polar().subjects().back().name, document().state().snapshots.front().name);
 }
 
+TEST_F(LobePanel, Tick_ComputesOnlyTheCurveThatItChanges) {
+    for (int i = 0; i < 3; ++i) {
+        takeSnapshot(document(), {});
+    }
+    dock().findChild<QToolButton*>("snapshots overlaid")->click();
+    for (const Tab tab : {Polar, Solid, Albedo, Slice}) {
+        openTab(tab);
+        ASSERT_TRUE(wait());
+        const int before = dock().computed();
+        set("specular.color", glm::dvec3(0.1 + 0.01 * int(tab)));
+        ASSERT_TRUE(wait());
+        EXPECT_GT(dock().computed(), before) << tab;
+        EXPECT_LE(dock().computed(), before + 2) << tab; // a sketch, and the whole
+    }
+    EXPECT_EQ(slice().slices().size(), 4u);
+    const int before = dock().computed();
+    openTab(Polar);
+    QTest::keyClick(&polar(), Qt::Key_Left); // the light is another for all of them
+    ASSERT_TRUE(wait());
+    EXPECT_GE(dock().computed(), before + 4);
+}
+
 TEST_F(LobePanel, DroppedPreset_IsOverlaidUntilItIsTakenAway) {
     ASSERT_TRUE(wait());
     QMimeData files;

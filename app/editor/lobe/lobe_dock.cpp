@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lobe/lobe_dock.h"
 
-#include <iterator>
+#include <algorithm>
 #include <numbers>
 
 #include <QAction>
@@ -40,9 +40,55 @@ namespace patina {
 namespace {
 
 constexpr int restMs = 200; ///< is how long values rest before the sketch becomes the plot
-constexpr int sliceCells = 90;
-constexpr int sketchCells = 30;
-constexpr SolidFineness sketchFineness{20, 32};
+
+/// Is what the worker found for materials of which nothing was known.
+struct Found {
+    std::vector<SharedAnswer> answers;
+    bool isWanted = true; ///< is false where the answers ended early
+};
+
+/// Computes what is null among the answers. It runs in the worker's thread. The device is asked
+/// when values rest, as its context takes a while.
+Found completed(std::vector<SharedAnswer> answers, const std::vector<LobeMaterial>& materials,
+                const LobeQuestion& question, const Catalog& catalog, Worker::Control& control) {
+    const bool isSketch = question.lines.isSketch;
+    // Every sketch is shown, so that ticks that come faster still move the plot.
+    const auto isWanted = [&control, isSketch] {
+        return !control.isCancelled() && (isSketch || !control.isSuperseded());
+    };
+    std::vector<std::size_t> missing;
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+        if (answers[i] == nullptr) {
+            missing.push_back(i);
+        }
+    }
+    const auto answer = [&](std::size_t begin, std::size_t end, EvalGpu* device) {
+        for (std::size_t i = begin; i < end; ++i) {
+            answers[missing[i]] =
+                lobeAnswer(materials[missing[i]], question, catalog, isWanted, device);
+        }
+    };
+    if (isSketch && missing.size() > 1) {
+        inParallel(missing.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+            answer(begin, end, nullptr);
+        });
+    } else {
+        EvalGpu device;
+        answer(0, missing.size(), isSketch ? nullptr : &device);
+    }
+    return {std::move(answers), isWanted()};
+}
+
+template <class Plot>
+std::vector<Plot> plotsOf(const std::vector<SharedAnswer>& answers) {
+    std::vector<Plot> plots;
+    for (const SharedAnswer& each : answers) {
+        if (const Plot* plot = each->plot ? std::get_if<Plot>(&*each->plot) : nullptr) {
+            plots.push_back(*plot);
+        }
+    }
+    return plots;
+}
 
 } // namespace
 
@@ -267,9 +313,13 @@ void LobeDock::connectParts(const DockContext& context) {
         isStale_ = true;
         this->follow();
     };
+    const auto anew = [this, again] {
+        answers_.clear();
+        again();
+    };
     onChange(document_, DocumentChange::Drawn | DocumentChange::Current | DocumentChange::Snapshots,
              this, follow);
-    onChange(document_, DocumentChange::Catalog, this, again);
+    onChange(document_, DocumentChange::Catalog, this, anew);
     connect(&context.tried, &TriedMaterial::changed, this, follow);
     connect(snapshots_, &QAction::toggled, this, follow);
     connect(forget_, &QToolButton::clicked, this, [this] {
@@ -354,176 +404,120 @@ void LobeDock::follow() {
     settle_.start();
 }
 
-LobeDock::Page LobeDock::shownPage() const {
-    return static_cast<Page>(std::max(pages_->currentIndex(), 0));
+LobePage LobeDock::shownPage() const {
+    return static_cast<LobePage>(std::max(pages_->currentIndex(), 0));
 }
 
 LobePlotWidget* LobeDock::linePlot() const {
     switch (shownPage()) {
-    case Page::Polar:
+    case LobePage::Polar:
         return polar_;
-    case Page::Albedo:
+    case LobePage::Albedo:
         return albedo_;
-    case Page::Fresnel:
+    case LobePage::Fresnel:
         return fresnel_;
-    case Page::Spectrum:
+    case LobePage::Spectrum:
         return spectrum_;
-    case Page::Float32:
+    case LobePage::Float32:
         return float32_;
     default:
         return nullptr;
     }
 }
 
-/// Returns the plot of a tab's lines; the polar one where it has none.
-LobePlot LobeDock::linesOf(Page page) {
-    switch (page) {
-    case Page::Albedo:
-        return LobePlot::Albedo;
-    case Page::Fresnel:
-        return LobePlot::Fresnel;
-    case Page::Spectrum:
-        return LobePlot::Spectrum;
-    case Page::Float32:
-        return LobePlot::Float32;
-    default:
-        return LobePlot::Polar;
-    }
-}
-
 PaintedPlot* LobeDock::paintedPlot() const {
-    return shownPage() == Page::Solid   ? static_cast<PaintedPlot*>(solid_)
-           : shownPage() == Page::Slice ? static_cast<PaintedPlot*>(slice_)
-                                        : nullptr;
+    return shownPage() == LobePage::Solid   ? static_cast<PaintedPlot*>(solid_)
+           : shownPage() == LobePage::Slice ? static_cast<PaintedPlot*>(slice_)
+                                            : nullptr;
 }
 
 void LobeDock::ask(bool isSketch) {
-    const Page page = shownPage();
-    Question question{page, {}};
+    const LobePage page = shownPage();
+    LobeQuestion question{page, {}};
     question.lines.plot = linesOf(page);
     question.lines.incoming =
         picked_ ? picked_->incoming() : Incoming{polar_->light() * std::numbers::pi / 180.0, 0.0};
     question.lines.term = static_cast<LobeTerm>(term_->currentData().toInt());
     question.lines.isSketch = isSketch;
-    scale_->setEnabled(page == Page::Polar || page == Page::Solid || page == Page::Slice);
-    term_->setEnabled(page != Page::Fresnel && page != Page::Spectrum && page != Page::Float32);
+    scale_->setEnabled(page == LobePage::Polar || page == LobePage::Solid ||
+                       page == LobePage::Slice);
+    term_->setEnabled(page != LobePage::Fresnel && page != LobePage::Spectrum &&
+                      page != LobePage::Float32);
+    std::vector<SharedAnswer> known = answers_.known(materials_, question);
+    const auto missing = std::ranges::count(known, nullptr);
     worker_.ask(
-        [question, materials = materials_, catalog = document_.sharedCatalog()](
-            Worker::Control& control) { return answerTo(question, materials, *catalog, control); },
-        [this](const Result<Answer>& answer) {
-            if (answer) {
-                show(*answer);
+        [question, known = std::move(known), materials = materials_,
+         catalog = document_.sharedCatalog()](Worker::Control& control) {
+            return completed(known, materials, question, *catalog, control);
+        },
+        [this, question, missing](const Result<Found>& found) {
+            if (found && found->isWanted) {
+                computed_ += static_cast<int>(missing);
+                show(question, found->answers);
             }
         },
         QStringLiteral("lines"));
 }
 
-Result<void> LobeDock::answerFor(const LobeMaterial& material, const Catalog& catalog,
-                                 const std::function<bool()>& isWanted, EvalGpu* device,
-                                 Answer& answer) {
-    const auto& [page, request] = answer.question;
-    if (page == Page::Solid || page == Page::Slice) {
-        const auto model = reflectanceModel(catalog, material.material, request.term);
-        if (!model) {
-            return tl::unexpected(model.error());
-        }
-        if (page == Page::Solid) {
-            answer.solids.push_back(
-                {material.name, lobeSolid(*model, request.incoming,
-                                          request.isSketch ? sketchFineness : SolidFineness())});
-        } else {
-            answer.slices.push_back(
-                {material.name,
-                 halfDifferenceSlice(*model, request.isSketch ? sketchCells : sliceCells)});
-        }
-        return {};
-    }
-    auto lines = lobeLines(catalog, material.material, request, isWanted, device);
-    if (!lines) {
-        return tl::unexpected(lines.error());
-    }
-    answer.subjects.push_back({material.name, std::move(*lines)});
-    return {};
-}
-
-/// Runs in the worker's thread. The device is asked when values rest, as its context takes a while.
-LobeDock::Answer LobeDock::answerTo(const Question& question,
-                                    const std::vector<LobeMaterial>& materials,
-                                    const Catalog& catalog, Worker::Control& control) {
-    const bool isSketch = question.lines.isSketch;
-    // Every sketch is shown, so that ticks that come faster still move the plot.
-    const auto isWanted = [&control, isSketch] {
-        return !control.isCancelled() && (isSketch || !control.isSuperseded());
-    };
-    std::vector<Answer> found(materials.size(), Answer{.question = question});
-    const auto plot = [&](std::size_t begin, std::size_t end, EvalGpu* device) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const auto done = answerFor(materials[i], catalog, isWanted, device, found[i]);
-            if (!done) {
-                found[i].problems << tr("%1: %2.").arg(asText(materials[i].name),
-                                                       asText(done.error().problem));
-            }
-        }
-    };
-    if (isSketch) {
-        inParallel(materials.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
-            plot(begin, end, nullptr);
-        });
-    } else {
-        EvalGpu device;
-        plot(0, materials.size(), &device);
-    }
-    Answer answer{.question = question};
-    for (Answer& one : found) {
-        std::ranges::move(one.subjects, std::back_inserter(answer.subjects));
-        std::ranges::move(one.solids, std::back_inserter(answer.solids));
-        std::ranges::move(one.slices, std::back_inserter(answer.slices));
-        answer.problems += one.problems;
-    }
-    return isWanted() ? answer : Answer{.question = question};
-}
-
-void LobeDock::show(const Answer& answer) {
-    const bool isIncomplete = answer.question.lines.isSketch && !answer.problems.isEmpty();
-    if (answer.question.page != shownPage() || isIncomplete ||
-        (answer.isEmpty() && answer.problems.isEmpty())) {
+void LobeDock::show(const LobeQuestion& question, const std::vector<SharedAnswer>& answers) {
+    answers_.keep(answers);
+    const bool isIncomplete =
+        question.lines.isSketch &&
+        std::ranges::any_of(answers, [](const SharedAnswer& each) { return !each->plot; });
+    if (question.page != shownPage() || isIncomplete || answers.empty()) {
         return; // another one is on its way
     }
-    QStringList notes = answer.problems;
-    if (picked_ && (shownPage() == Page::Polar || shownPage() == Page::Solid)) {
+    note_->setElidedText(noteOf(answers));
+    showPlots(question, answers);
+}
+
+QString LobeDock::noteOf(const std::vector<SharedAnswer>& answers) const {
+    QStringList notes;
+    for (const SharedAnswer& each : answers) {
+        if (!each->plot) {
+            notes << tr("%1: %2.").arg(asText(each->material.name),
+                                       asText(each->plot.error().problem));
+        }
+    }
+    if (picked_ && (shownPage() == LobePage::Polar || shownPage() == LobePage::Solid)) {
         notes << tr("Picked: light %1° and viewer %2° from the normal, the viewer %3° out of the "
                     "plane of incidence.")
                      .arg(roundText(polar_->light()), roundText(std::abs(picked_->viewerDegrees())),
                           roundText(picked_->outOfPlane()));
     }
-    for (const LobeSubject& subject : answer.subjects) {
-        if (!subject.lines.note.empty()) {
-            notes << QStringLiteral("%1: %2.").arg(asText(subject.name),
-                                                   asText(subject.lines.note));
+    for (const SharedAnswer& each : answers) {
+        const auto* subject = each->plot ? std::get_if<LobeSubject>(&*each->plot) : nullptr;
+        if (subject != nullptr && !subject->lines.note.empty()) {
+            notes << QStringLiteral("%1: %2.").arg(asText(subject->name),
+                                                   asText(subject->lines.note));
         }
     }
-    note_->setElidedText(notes.join(' '));
-    if (shownPage() == Page::Albedo) {
-        const bool isThere = !answer.subjects.empty() &&
-                             answer.subjects.front().lines.lines.front().values.size() > 1;
-        energy_->setRange(
-            isThere ? std::optional(energyRange(answer.subjects.front().lines.lines.front()))
-                    : std::nullopt);
-    }
+    return notes.join(' ');
+}
+
+void LobeDock::showPlots(const LobeQuestion& question, const std::vector<SharedAnswer>& answers) {
     if (LobePlotWidget* plot = linePlot()) {
-        plot->setSubjects(answer.subjects);
-    } else if (shownPage() == Page::Solid) {
-        solid_->setSolids(answer.solids, answer.question.lines.incoming);
+        const auto subjects = plotsOf<LobeSubject>(answers);
+        if (question.page == LobePage::Albedo) {
+            const bool isThere =
+                !subjects.empty() && subjects.front().lines.lines.front().values.size() > 1;
+            energy_->setRange(isThere
+                                  ? std::optional(energyRange(subjects.front().lines.lines.front()))
+                                  : std::nullopt);
+        }
+        plot->setSubjects(subjects);
+    } else if (question.page == LobePage::Solid) {
+        solid_->setSolids(plotsOf<NamedSolid>(answers), question.lines.incoming);
     } else {
-        slice_->setSlices(answer.slices);
+        slice_->setSlices(plotsOf<NamedSlice>(answers));
     }
 }
 
 std::string LobeDock::csv() const {
     const LobePlotWidget* plot = linePlot();
-    return plot != nullptr              ? linesCsv(plot->subjects(), linesOf(shownPage()))
-           : shownPage() == Page::Solid ? solidsCsv(solid_->solids())
-                                        : slicesCsv(slice_->slices());
+    return plot != nullptr                  ? linesCsv(plot->subjects(), linesOf(shownPage()))
+           : shownPage() == LobePage::Solid ? solidsCsv(solid_->solids())
+                                            : slicesCsv(slice_->slices());
 }
 
 void LobeDock::exportTo(const QString& file) {

@@ -9,10 +9,9 @@
 
 #include "background/worker.h"
 #include "docks/dock_context.h"
-#include "lobe/lobe_subjects.h"
+#include "lobe/lobe_answer.h"
 #include "lobe/picked_incidence.h"
 #include "measure/cost/material_times.h"
-#include "measure/lobe/lobe_table.h"
 
 class QAction;
 class QComboBox;
@@ -22,7 +21,6 @@ class QToolButton;
 namespace patina {
 
 class EnergyBar;
-class EvalGpu;
 class LobePlotWidget;
 class ElidedLabel;
 class PaintedPlot;
@@ -44,6 +42,9 @@ class LobeDock : public QWidget {
     bool isTiming() const { return !timer_.isIdle(); }
     bool isComputing() const { return !worker_.isIdle() || settle_.isActive(); }
 
+    /// Counts the plots of materials that were computed since the dock was made.
+    int computed() const { return computed_; }
+
     /// Writes the plot that is seen into a file: .svg, .png or .csv.
     void exportTo(const QString& file);
 
@@ -54,27 +55,6 @@ class LobeDock : public QWidget {
     void dropEvent(QDropEvent* event) override;
 
   private:
-    /// Names the tabs, in their order.
-    enum class Page { Polar, Solid, Albedo, Fresnel, Spectrum, Slice, Float32 };
-
-    /// Says what the worker is to find for a tab; the request counts where the tab has lines.
-    struct Question {
-        Page page = Page::Polar;
-        LobeRequest lines;
-    };
-
-    /// Is what the worker found: the plot of each material that has one, and why the others have
-    /// none.
-    struct Answer {
-        Question question;
-        std::vector<LobeSubject> subjects = {};
-        std::vector<NamedSolid> solids = {};
-        std::vector<NamedSlice> slices = {};
-        QStringList problems = {};
-
-        bool isEmpty() const { return subjects.empty() && solids.empty() && slices.empty(); }
-    };
-
     void addPages();
     void addPreset(const std::filesystem::path& file);
     QWidget* makeControls();
@@ -94,16 +74,13 @@ class LobeDock : public QWidget {
     void connectParts(const DockContext& context);
     void follow();
     void ask(bool isSketch);
-    static Answer answerTo(const Question& question, const std::vector<LobeMaterial>& materials,
-                           const Catalog& catalog, Worker::Control& control);
-    static Result<void> answerFor(const LobeMaterial& material, const Catalog& catalog,
-                                  const std::function<bool()>& isWanted, EvalGpu* device,
-                                  Answer& answer);
-    void show(const Answer& answer);
-    Page shownPage() const;
+    /// Shows answers to the question, one for each material, and keeps them.
+    void show(const LobeQuestion& question, const std::vector<SharedAnswer>& answers);
+    void showPlots(const LobeQuestion& question, const std::vector<SharedAnswer>& answers);
+    QString noteOf(const std::vector<SharedAnswer>& answers) const;
+    LobePage shownPage() const;
     /// Return the widget of the tab that is seen: one of lines or a painted one.
     LobePlotWidget* linePlot() const;
-    static LobePlot linesOf(Page page);
     PaintedPlot* paintedPlot() const;
     std::string csv() const;
 
@@ -133,6 +110,8 @@ class LobeDock : public QWidget {
     QStringList times_; ///< say the time of each material; empty where nobody measured them
     std::optional<PickedIncidence> picked_; ///< is empty where the light was turned by hand
     std::vector<LobeMaterial> materials_;   ///< are those that were asked for last
+    LobeAnswers answers_;                   ///< are what is known of them
+    int computed_ = 0;
     bool isStale_ = true;
     QTimer settle_;
     Worker worker_;

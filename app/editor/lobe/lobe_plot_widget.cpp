@@ -101,12 +101,18 @@ QString LobePlotWidget::readingAt(const QPointF& place) const {
     QStringList lines{abscissaText(at)};
     for (const LobeSubject& subject : subjects_) {
         for (const LobeLine& line : subject.lines.lines) {
-            if (!line.values.empty()) {
-                lines << tr("%1, %2: %3 %4")
-                             .arg(asText(subject.name), asText(line.name), numberText(line, at),
-                                  line.isShare ? QString() : unit())
-                             .trimmed();
+            if (line.values.empty()) {
+                continue;
             }
+            QString reading = tr("%1, %2: %3 %4")
+                                  .arg(asText(subject.name), asText(line.name),
+                                       numberText(line, at), line.isShare ? QString() : unit())
+                                  .trimmed();
+            if (const auto passed = transmittedLine(line)) {
+                const QString name = asText(passed->name).section(' ', -1);
+                reading += tr(", %1: %2").arg(name, numberText(*passed, at));
+            }
+            lines << reading;
         }
     }
     return lines.size() > 1 ? lines.join('\n') : QString();

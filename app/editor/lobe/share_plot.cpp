@@ -107,8 +107,9 @@ QString SharePlot::markText(const LobeMark& mark) const {
 double SharePlot::fitAxes() {
     double largest = 1.0;
     for (const Stroke& line : strokes()) {
-        for (const double value : line.values) {
-            largest = std::max(largest, value);
+        for (std::size_t i = 0; i < line.values.size(); ++i) {
+            const bool isCounted = kind_ == LobePlot::Float32 || line.at[i] <= roomyDegrees;
+            largest = isCounted ? std::max(largest, line.values[i]) : largest;
         }
     }
     const double top = headroom * largest;

@@ -82,7 +82,7 @@ void SlicePlot::paint(QPainter& painter, const QSizeF& size) const {
         painter.drawText(QRectF(square.left(), 0.0, square.width(), square.top()),
                          Qt::AlignLeft | Qt::AlignVCenter, asText(slices_[i].name));
         painter.setPen(ink);
-        for (int degrees = 0; degrees <= 90; degrees += 30) {
+        for (int degrees = i == 0 ? 0 : 30; degrees <= 90; degrees += 30) { // 0 would lie on 90
             const double along = square.width() * degrees / 90.0;
             const QString text = QStringLiteral("%1°").arg(degrees);
             const QRectF below(square.left() + along - 20.0, square.bottom() + 2.0, 40.0, line);

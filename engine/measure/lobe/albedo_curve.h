@@ -28,8 +28,8 @@ AlbedoPoint directionalAlbedo(const LobeModel& model, const Incoming& incoming,
 /// ones towards maxIncoming.
 std::vector<double> albedoAngles(double stepDegrees);
 
-/// Returns the albedo over the light's angle. `isWanted` is asked before each point, and the curve
-/// ends where it is not.
+/// Returns the albedo over the light's angle, computed on all cores. `isWanted` is asked before
+/// each point, on any thread, and the curve ends where it is not.
 std::vector<AlbedoPoint> albedoCurve(
     const LobeModel& model, double azimuth, std::span<const double> angles,
     const IntegralAim& aim = {}, const std::function<bool()>& isWanted = [] { return true; });

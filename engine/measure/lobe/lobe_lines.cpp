@@ -389,6 +389,18 @@ glm::dvec3 valueAt(const LobeLine& line, double at) {
     return glm::mix(line.values[right - 1], line.values[right], share);
 }
 
+std::optional<LobeLine> transmittedLine(const LobeLine& line) {
+    if (!line.name.starts_with("from ")) {
+        return std::nullopt;
+    }
+    LobeLine passed = line;
+    passed.name[passed.name.find('R')] = 'T';
+    for (glm::dvec3& value : passed.values) {
+        value = glm::dvec3(1.0) - value;
+    }
+    return passed;
+}
+
 bool isGrey(const LobeLine& line) {
     constexpr double rounding = 1e-6;
     return std::ranges::all_of(line.values, [](const glm::dvec3& v) {

@@ -75,6 +75,8 @@ struct LobeRequest {
     LobeTerm term = LobeTerm::Whole;
     bool isSketch =
         false; ///< is drawn while a slider moves: fewer angles, albedos to 0.02 up to 85 degrees
+
+    friend bool operator==(const LobeRequest&, const LobeRequest&) = default;
 };
 
 /// Returns what lines are over: "degrees" or "nanometres".
@@ -87,9 +89,17 @@ Result<LobeLines> lobeLines(
     const Catalog& catalog, const Material& material, const LobeRequest& request,
     const std::function<bool()>& isWanted = [] { return true; }, EvalGpu* device = nullptr);
 
+/// Is the angle from the normal, in degrees, up to which a plot of shares has room for all values.
+/// At flatter ones what some models reflect goes far above all light, and nothing else would be
+/// seen.
+inline constexpr double roomyDegrees = 85.0;
+
 /// Returns a line's value at a place, between its points; the first or last one beyond its ends.
 /// The line must have a point.
 glm::dvec3 valueAt(const LobeLine& line, double at);
+
+/// Returns what an interface lets pass, where a line is what it reflects: "from outside T_s".
+std::optional<LobeLine> transmittedLine(const LobeLine& line);
 
 /// Tells whether the three channels are the same.
 bool isGrey(const LobeLine& line);

@@ -39,8 +39,11 @@ void addSlice(std::string& csv, const std::string& start, const HalfDifferenceSl
     }
 }
 
-bool isOfInterface(const LobeLine& line) {
-    return line.name.starts_with("from ");
+void addRows(std::string& csv, const std::string& material, const LobeLine& line) {
+    const std::string start = csvCell(material) + ',' + csvCell(line.name);
+    for (std::size_t i = 0; i < line.values.size(); ++i) {
+        addRow(csv, start, line.at[i], line.values[i]);
+    }
 }
 
 } // namespace
@@ -49,18 +52,9 @@ std::string linesCsv(const std::vector<LobeSubject>& subjects, LobePlot plot) {
     std::string csv = fmt::format("material,line,{},red,green,blue\n", abscissaOf(plot));
     for (const LobeSubject& subject : subjects) {
         for (const LobeLine& line : subject.lines.lines) {
-            const std::string start = csvCell(subject.name) + ',' + csvCell(line.name);
-            for (std::size_t i = 0; i < line.values.size(); ++i) {
-                addRow(csv, start, line.at[i], line.values[i]);
-            }
-            if (!isOfInterface(line)) {
-                continue;
-            }
-            std::string passed = line.name;
-            passed[passed.find('R')] = 'T';
-            for (std::size_t i = 0; i < line.values.size(); ++i) {
-                addRow(csv, csvCell(subject.name) + ',' + passed, line.at[i],
-                       glm::dvec3(1.0) - line.values[i]);
+            addRows(csv, subject.name, line);
+            if (const auto passed = transmittedLine(line)) {
+                addRows(csv, subject.name, *passed);
             }
         }
     }

@@ -17,6 +17,8 @@ struct Incoming {
     /// Returns the unit direction in the plane of incidence at an angle from the normal, positive
     /// on the side that the light is mirrored to.
     glm::dvec3 across(double angleFromNormal) const;
+
+    friend bool operator==(const Incoming&, const Incoming&) = default;
 };
 
 /// Is the angle of the light beyond which curves do not go, in radians: at 90 degrees a reflectance
