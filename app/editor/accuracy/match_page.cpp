@@ -47,6 +47,7 @@ struct MatchTask {
     std::filesystem::path file;
     Material own;
     bool fitsAll = false;
+    FitOptions fit{};
     CostSweep::Subject subject; ///< is what the fits are drawn on to be timed
     CostSweep::Options options{};
 };
@@ -109,7 +110,7 @@ MeasureEnd fit(const MatchTask& task, Worker::Control& control, const TakeMatche
     }
     std::size_t shown = 0;
     ModelMatches matches = fittedMaterials(
-        starts, aim->target, {}, *task.catalog, [&](double done, const ModelMatches& soFar) {
+        starts, aim->target, task.fit, *task.catalog, [&](double done, const ModelMatches& soFar) {
             control.report(done, MatchPage::tr("Fitting models"));
             if (soFar.rows.size() > shown) {
                 shown = soFar.rows.size();
@@ -130,14 +131,14 @@ MeasureEnd fit(const MatchTask& task, Worker::Control& control, const TakeMatche
 MatchPage::MatchPage(const DockContext& context, std::shared_ptr<MeasureTurn> turn)
     : MeasurePage(context, std::move(turn), tr("Find the values that look like what is chosen"),
                   {"csv", "json"}),
-      aim_(new QComboBox(this)), all_(new QCheckBox(tr("All models"), this)),
-      list_(new QTreeWidget(this)),
+      aim_(new QComboBox(this)), error_(new QComboBox(this)),
+      all_(new QCheckBox(tr("All models"), this)), list_(new QTreeWidget(this)),
       plot_(new MatchPlot([this](int match) { select(match); }, this)) {
     rows().addWidget(makeControls());
     list_->setAccessibleName(tr("Fitted models"));
     list_->setHeaderLabels({tr("Model"), tr("Error"), tr("Relative"), tr("ns/pixel")});
-    list_->headerItem()->setToolTip(
-        errorColumn, tr("Root of the mean square of ln(1 + m) - ln(1 + t), of model and target"));
+    list_->headerItem()->setToolTip(errorColumn,
+                                    tr("Root of the mean square of what is made small"));
     list_->headerItem()->setToolTip(
         relativeColumn,
         tr("Root of the squared differences' sum, of that of the target's squares"));
@@ -174,6 +175,19 @@ QWidget* MatchPage::makeControls() {
     all_->setObjectName("all models");
     all_->setChecked(true);
     all_->setToolTip(tr("Fit every model that reflects light, not the object's alone"));
+    error_->setObjectName("error");
+    error_->setAccessibleName(tr("What is made small"));
+    const auto addError = [this](MatchError error, const QString& name, const QString& what) {
+        error_->addItem(name, static_cast<int>(error));
+        error_->setItemData(error_->count() - 1, what, Qt::ToolTipRole);
+    };
+    addError(MatchError::Log, tr("Log error"),
+             tr("ln(1 + m) - ln(1 + t) of model and target: a highlight does not hide the rest"));
+    addError(MatchError::Relative, tr("Relative error"),
+             tr("(m - t) / (t + 0.01): dark directions count as much as bright ones"));
+    addError(MatchError::Linear, tr("Linear error"),
+             tr("m - t: the brightest directions count most"));
+    error_->setToolTip(tr("What a fit makes small; all count flat directions by their cosine"));
     auto* open = textButton(tr("File…"), tr("Match a preset or a measured surface"), this);
     connect(open, &QToolButton::clicked, this, [this] { askForFile(); });
     auto* row = new QWidget(this);
@@ -182,6 +196,7 @@ QWidget* MatchPage::makeControls() {
     widgets->addWidget(new QLabel(tr("To"), row));
     widgets->addWidget(aim_);
     widgets->addWidget(open);
+    widgets->addWidget(error_);
     widgets->addWidget(all_);
     widgets->addStretch(1);
     return row;
@@ -260,10 +275,12 @@ void MatchPage::startMeasuring() {
                          aim.file,
                          *own,
                          all_->isChecked(),
+                         {.error = static_cast<MatchError>(error_->currentData().toInt())},
                          costSubject(),
                          std::move(options)};
-    const TakeMatches taken = [this, name = aim.name](const ModelMatches& matches) {
-        take(matches, tr("Fitted to %1.").arg(name));
+    const TakeMatches taken = [this, name = aim.name,
+                               error = error_->currentText()](const ModelMatches& matches) {
+        take(matches, tr("Fitted to %1, %2.").arg(name, error.toLower()));
     };
     start([task, taken](Worker::Control& control) { return fit(task, control, taken); });
 }

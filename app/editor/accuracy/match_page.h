@@ -54,6 +54,7 @@ class MatchPage : public MeasurePage {
     void apply(int row);
 
     QComboBox* aim_;
+    QComboBox* error_; ///< lists what a fit makes small
     QCheckBox* all_;
     QTreeWidget* list_;
     MatchPlot* plot_;       ///< is hidden until a time is known

@@ -17,12 +17,14 @@ constexpr int sortRole = Qt::UserRole + 1;
 int widthOf(const QTreeWidget& list, int column) {
     const int margin = list.style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, &list) + 1;
     const int between = list.style()->pixelMetric(QStyle::PM_HeaderMargin, nullptr, &list);
-    const QFontMetrics metrics = list.fontMetrics();
     int width = list.header()->fontMetrics().horizontalAdvance(list.headerItem()->text(column)) +
                 2 * between;
     for (int i = 0; i < list.topLevelItemCount(); ++i) {
-        const QString text = list.topLevelItem(i)->text(column);
-        width = std::max(width, metrics.horizontalAdvance(text) + 2 * margin);
+        const QTreeWidgetItem& item = *list.topLevelItem(i);
+        const QVariant font = item.data(column, Qt::FontRole); // bold text is wider
+        const QFontMetrics metrics =
+            font.isValid() ? QFontMetrics(font.value<QFont>()) : list.fontMetrics();
+        width = std::max(width, metrics.horizontalAdvance(item.text(column)) + 2 * margin);
     }
     return column == list.sortColumn()
                ? std::max(width + between, list.header()->sectionSizeHint(column))
