@@ -8,6 +8,7 @@ bool startup();
 bool idle();
 bool sliderTick();
 bool dragging();
+bool overlaidLobes();
 bool modelSwap();
 bool largeMesh();
 bool meshLoading();

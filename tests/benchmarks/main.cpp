@@ -24,6 +24,7 @@ int main(int count, char** arguments) {
                                         {"idle", patina::benchmarks::idle},
                                         {"slider-tick", patina::benchmarks::sliderTick},
                                         {"dragging", patina::benchmarks::dragging},
+                                        {"overlaid-lobes", patina::benchmarks::overlaidLobes},
                                         {"model-swap", patina::benchmarks::modelSwap},
                                         {"large-mesh", patina::benchmarks::largeMesh},
                                         {"mesh-loading", patina::benchmarks::meshLoading},

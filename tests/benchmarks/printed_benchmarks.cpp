@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a move of a dragged slider costs the window's thread, without the driver.
+// What editors of their own measure and print: a move of a dragged slider, and a tick beside the
+// dock Lobe, both on the window's thread and without the driver.
 #include <sstream>
 
 #include "benchmarks.h"
@@ -8,15 +9,17 @@
 #include "support/program.h"
 
 namespace patina::benchmarks {
+namespace {
 
-bool dragging() {
+/// Runs an editor without the driver and reports its lines "figure limit unit what".
+bool reportPrinted(const std::string& title, const char* editor) {
     const tests::Start start{.arguments = {},
                              .environment = {{"GALLIUM_NOOP", "1"}},
                              .input = {},
                              .timeLimitSeconds = 300.0};
-    const tests::Outcome outcome = tests::run(program("patina-dragging-editor"), start);
+    const tests::Outcome outcome = tests::run(program(editor), start);
     if (outcome.exitCode != 0) {
-        report("Dragging", outcome.err, false, "");
+        report(title, outcome.err, false, "");
         return false;
     }
     bool kept = true;
@@ -28,10 +31,20 @@ bool dragging() {
     while (lines >> figure >> limit >> unit && std::getline(lines >> std::ws, what)) {
         const bool isKept = figure <= limit;
         kept = kept && isKept;
-        report("Dragging: " + what, fmt::format("{:.3g} {}", figure, unit), isKept,
+        report(title + ": " + what, fmt::format("{:.3g} {}", figure, unit), isKept,
                fmt::format("<= {} {}", limit, unit));
     }
     return kept;
+}
+
+} // namespace
+
+bool dragging() {
+    return reportPrinted("Dragging", "patina-dragging-editor");
+}
+
+bool overlaidLobes() {
+    return reportPrinted("Four overlaid", "patina-lobe-editor");
 }
 
 } // namespace patina::benchmarks
