@@ -99,4 +99,6 @@ void placeMark(Strokes p) {
     float lift = min((IS_STANDING ? 0.1 : 0.5) * max(size.x, size.y) * pixel, 0.5 * range);
     gl_Position = worldToClip * vec4(worldPosition + lift * m.v, 1.0);
     gl_Position.xy += offset * markView.xy * gl_Position.w;
+    // The near plane may lie on the surface itself.
+    gl_Position.z = max(gl_Position.z, -gl_Position.w);
 }

@@ -21,7 +21,6 @@ class Strokes : public GpuTest {
     /// A plate that fills the picture, whose black dots stand on white paper whatever its light is.
     Scene dotted() const {
         Scene scene = plate();
-        scene.objects[0].rotation = {-90.0, 0.0, 0.0};
         scene.objects[0].scale = glm::dvec3(4.0);
         scene.camera.distance = 12.0;
         scene.camera.fieldOfView = 30.0;
@@ -81,7 +80,7 @@ TEST_F(Strokes, AtAnyDistance_CoverAsMuchOfThePicture) {
 TEST_F(Strokes, OfAnEnlargedMesh_CoverAsMuch) {
     Scene scene = dotted();
     const double square = inked(scene);
-    scene.objects[0].scale = {12.0, 4.0, 4.0};
+    scene.objects[0].scale = {8.0, 4.0, 4.0};
     EXPECT_NEAR(inked(scene), square, 0.15 * square);
 }
 
@@ -129,6 +128,7 @@ TEST_F(Strokes, NearSilhouettes_LeaveTheMiddleBare) {
     Scene scene = dotted();
     scene.objects[0].mesh = "builtin:sphere";
     scene.objects[0].scale = glm::dvec3(1.0);
+    scene.camera.distance = 4.0;
     value(scene, "rim") = 0.2;
     const Image image = picture(scene);
     const auto inkIn = [&](int from, int to) {
