@@ -46,12 +46,13 @@ float steepnessAcross(DrawnPlace at, vec3 way) {
     return sqrt(max(1.0 - c * c, 0.0));
 }
 
-// A slow wave along lines, the same on all scales, -1 .. 1.
+// A slow wave along lines, the same on all scales, in rows: from 1 to -1, half as much where the
+// next finer scale is reached.
 float drawnWave(float along, DrawnScale s) {
     float x = along * s.cells;
     float coarse = sin(2.0 * PI * (0.11 * x - floor(0.11 * x)));
     float fine = sin(2.0 * PI * (0.22 * x - floor(0.22 * x)));
-    return coarse + s.next * (fine - coarse);
+    return exp2(-s.next) * (coarse + s.next * (fine - coarse));
 }
 
 // How far a row is from the nearest of a class, in rows: class 0 are whole numbers, 1 halves

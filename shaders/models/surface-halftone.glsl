@@ -43,6 +43,11 @@ float toNearestDot(DotLattice lattice, float shiftX, float shiftY) {
     return lattice.size * sqrt(x * x + y * y);
 }
 
+// The ink of a dot; one that is smaller than a pixel is pale.
+float dotInk(float radius, float away) {
+    return clamp(0.5 + radius - away, 0.0, 1.0) * clamp(2.0 * radius, 0.0, 1.0);
+}
+
 // Dots that stay on the surface and keep their size on the picture: from one scale to the next
 // three more grow in each cell, one after the other (after R. S. Johansen, Surface-Stable Fractal
 // Dithering, 2025). Together they cover the share `dark`.
@@ -51,15 +56,14 @@ vec2 stableDots(DotLattice lattice, float dark) {
     float second = clamp(number - 1.0, 0.0, 1.0);
     float third = clamp(number - 2.0, 0.0, 1.0);
     float fourth = clamp(number - 3.0, 0.0, 1.0);
-    float together = 1.0 + second + third + fourth;
+    float together = 1.0 + second * second + third * third + fourth * fourth;
     // Dots overlap when they are large; at 0.75 of the distance they leave nothing bare.
     float radius = lattice.size * sqrt(dark / together) * (0.56418958 + 0.19 * dark * dark);
-    float inside = radius - toNearestDot(lattice, 0.0, 0.0);
-    inside = max(inside, radius * sqrt(second) - toNearestDot(lattice, 0.5, 0.5));
-    inside = max(inside, radius * sqrt(third) - toNearestDot(lattice, 0.5, 0.0));
-    inside = max(inside, radius * sqrt(fourth) - toNearestDot(lattice, 0.0, 0.5));
-    float shown = clamp(2.0 * radius, 0.0, 1.0);
-    return faded(inked(inside), shown, 1.0 - shown);
+    float ink = dotInk(radius, toNearestDot(lattice, 0.0, 0.0));
+    ink = max(ink, dotInk(radius * second, toNearestDot(lattice, 0.5, 0.5)));
+    ink = max(ink, dotInk(radius * third, toNearestDot(lattice, 0.5, 0.0)));
+    ink = max(ink, dotInk(radius * fourth, toNearestDot(lattice, 0.0, 0.5)));
+    return vec2(ink, 1.0 - ink);
 }
 
 vec3 surfaceHalftone(Directions d, SurfaceHalftone p) {
