@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <span>
 #include <system_error>
 
 #include <CLI/CLI.hpp>
@@ -15,6 +17,7 @@
 #include "gl/headless_context.h"
 #include "material/preset_file.h"
 #include "measure/approximation/approximation_subject.h"
+#include "measure/approximation/declared_ways.h"
 #include "measure/approximation/level_check.h"
 #include "measure/stability/sweep_cases.h"
 
@@ -29,6 +32,7 @@ struct ApproximateRequest {
     std::size_t levels = 5;
     std::size_t cases = 10000;
     bool json = false;
+    bool declared = false; ///< judges the levels that the block has in the same way
     std::string output;
 };
 
@@ -193,6 +197,37 @@ std::string waysText(const CheaperWays& ways, const ApproximateSubject& subject)
                               ways.moves, ways.tried, ways.heldOut);
 }
 
+nlohmann::json declaredJson(std::span<const DeclaredWay> ways) {
+    nlohmann::json json = nlohmann::json::array();
+    for (const DeclaredWay& way : ways) {
+        json.push_back({{"levels", way.levels},
+                        {"cost", way.cost},
+                        {"error", way.error.worst},
+                        {"meanError", way.error.mean},
+                        {"finite", way.error.isSafe}});
+    }
+    return json;
+}
+
+std::string declaredText(std::span<const DeclaredWay> ways) {
+    std::string text = ways.empty() ? "it has no levels of its own\n" : "its own levels:\n";
+    for (const DeclaredWay& way : ways) {
+        text += fmt::format("{:7.0f}  {:8}  {:11.2g}  {:11.2g}  {}\n", way.cost, "",
+                            way.error.worst, way.error.mean, levelsText(way.levels));
+    }
+    return text;
+}
+
+/// Judges the levels that the block has on as many cases as found ways are.
+Checked<std::vector<DeclaredWay>> declaredOf(const ApproximateSubject& subject,
+                                             const CheaperSearchOptions& options, LongWork& work) {
+    work.report("judging its own levels ");
+    const CaseWish wish{options.heldOut, 3, 4096, std::max<std::size_t>(options.heldOut / 32, 1),
+                        options.ofValues};
+    return declaredWays(subject.subject, subject.catalog->roots.front().folder, *options.family,
+                        wish, [&work] { return work.isStopped(); });
+}
+
 /// Tries the ways on the graphics device, where there is one.
 void checkOnDevice(const ApproximateSubject& subject, CheaperWays& ways,
                    const CheaperSearchOptions& options, LongWork& work) {
@@ -256,9 +291,25 @@ Checked<int> approximate(const ApproximateRequest& request) {
     if (!ways->ways.empty()) {
         checkOnDevice(*subject, *ways, options, work);
     }
+    std::vector<DeclaredWay> declared;
+    if (request.declared) {
+        auto judged = declaredOf(*subject, options, work);
+        if (!judged) {
+            return tl::unexpected(judged.error());
+        }
+        declared = std::move(*judged);
+    }
     work.report({});
     report(ways->notes);
-    std::cout << (request.json ? writeJson(waysJson(*ways, *subject)) : waysText(*ways, *subject));
+    if (request.json) {
+        nlohmann::json json = waysJson(*ways, *subject);
+        if (request.declared) {
+            json["declared"] = declaredJson(declared);
+        }
+        std::cout << writeJson(json);
+    } else {
+        std::cout << waysText(*ways, *subject) << (request.declared ? declaredText(declared) : "");
+    }
     if (!request.output.empty() && !ways->ways.empty()) {
         const auto made =
             approximatedBlock(subject->subject, *ways, usualNaming(*subject->subject.block.block));
@@ -302,6 +353,8 @@ void addApproximate(CLI::App& program, int& status) {
                      "Judge the found ways on so many cases; 10000 without this")
         ->check(CLI::Range(1000UL, 10000000UL));
     command->add_flag("--json", options->json, "Print JSON");
+    command->add_flag("--declared", options->declared,
+                      "Also judge the levels that the block has already, in the same way");
     command->add_option(
         "-o,--output", options->output,
         "Write the block with the found ways as an accuracy choice into this folder:\n"

@@ -17,6 +17,7 @@ bool programMaking();
 bool modelCost();
 bool accuracyCost();
 bool predictedCost();
+bool foundFronts();
 bool sweepTime();
 bool frontTwice();
 bool fittedLight();

@@ -33,6 +33,7 @@ int main(int count, char** arguments) {
                                         {"model-cost", patina::benchmarks::modelCost},
                                         {"accuracy-cost", patina::benchmarks::accuracyCost},
                                         {"predicted-cost", patina::benchmarks::predictedCost},
+                                        {"found-fronts", patina::benchmarks::foundFronts},
                                         {"sweep-time", patina::benchmarks::sweepTime},
                                         {"front-twice", patina::benchmarks::frontTwice},
                                         {"fitted-light", patina::benchmarks::fittedLight},

@@ -206,9 +206,10 @@ TEST(Approximate, FolderOfTheBlockItself_IsRefused) {
 
 TEST(Approximate, ShippedBlock_GetsAnIdOfItsOwn) {
     const TemporaryFolder folder;
-    const Outcome outcome =
-        approximated({"phong", "--seconds", "8", "--cases", "1000", "-o", folder / "models"});
+    const Outcome outcome = approximated(
+        {"phong", "--seconds", "8", "--cases", "1000", "--declared", "-o", folder / "models"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("power=rational"), std::string::npos) << "its own level, judged too";
     const Catalog catalog = catalogWith(folder.path());
     EXPECT_EQ(catalog.errors, Errors());
     EXPECT_NE(catalog.find(kinds::models, "phong-cheaper"), nullptr);
