@@ -15,6 +15,7 @@
 #include "cli/scene_setup.h"
 #include "core/atomic_file.h"
 #include "core/number_text.h"
+#include "measure/approximation/half_lines.h"
 #include "measure/eval/eval_gpu.h"
 #include "measure/lobe/lobe_table.h"
 
@@ -116,8 +117,10 @@ Checked<void> plotLines(const std::vector<Named>& materials, const LobeOptions& 
     std::vector<LobeSubject> subjects;
     EvalGpu device; // opens a context only for what needs one
     for (const Named& named : materials) {
-        auto lines = lobeLines(
-            catalog, named.material, request, [] { return true; }, &device);
+        auto lines = request.plot == LobePlot::Float16
+                         ? halfLines(catalog, named.material, request, catalog.roots.front().folder)
+                         : lobeLines(
+                               catalog, named.material, request, [] { return true; }, &device);
         if (!lines) {
             Error why = lines.error();
             if (materials.size() > 1) {
@@ -130,7 +133,8 @@ Checked<void> plotLines(const std::vector<Named>& materials, const LobeOptions& 
     const auto shapes =
         request.plot == LobePlot::Polar
             ? polarDrawing(subjects, *lobeScaleOf(options.scale), options.degrees, lobePlotSize)
-        : request.plot == LobePlot::Float32  ? errorDrawing(subjects, lobePlotSize)
+        : request.plot == LobePlot::Float32 || request.plot == LobePlot::Float16
+            ? errorDrawing(subjects, request.plot, lobePlotSize)
         : request.plot == LobePlot::Spectrum ? spectrumDrawing(subjects, lobePlotSize)
                                              : shareDrawing(subjects, lobePlotSize);
     return writeOut(options, shapes, linesCsv(subjects, request.plot));
@@ -186,8 +190,10 @@ void addLobe(CLI::App& program, int& status) {
                      "fresnel: what the surface reflects of each polarisation, from both sides; "
                      "spectrum: the index of refraction over the wavelength; "
                      "half: a slice over half and difference angle; float32: how far single "
-                     "precision on the device is from double")
-        ->check(CLI::IsMember({"polar", "albedo", "fresnel", "spectrum", "half", "float32"}));
+                     "precision on the device is from double; float16: the same of floats of 16 "
+                     "bits, rounded on the processor")
+        ->check(CLI::IsMember(
+            {"polar", "albedo", "fresnel", "spectrum", "half", "float32", "float16"}));
     command
         ->add_option(
             "--term", options->term,

@@ -394,14 +394,15 @@ std::vector<PlotShape> spectrumDrawing(const std::vector<LobeSubject>& subjects,
     return shapes;
 }
 
-std::vector<PlotShape> errorDrawing(const std::vector<LobeSubject>& subjects, glm::ivec2 size) {
+std::vector<PlotShape> errorDrawing(const std::vector<LobeSubject>& subjects, LobePlot plot,
+                                    glm::ivec2 size) {
     const std::vector<DrawnLine> lines = drawnLines(subjects);
     const AngleAxes axes{size.x - edgeRight, size.y - edgeBottom, axisEnd(largestOf(lines)), -90.0};
     std::vector<PlotShape> shapes;
     addAngleGrid(shapes, axes, 30);
-    addText(
-        shapes, {8.0, 8.0},
-        "float32 on the device against double, units in the last place over the viewer's angle");
+    addText(shapes, {8.0, 8.0},
+            std::string(plot == LobePlot::Float16 ? "floats of 16 bits" : "float32 on the device") +
+                " against double, units in the last place over the viewer's angle");
     addLines(shapes, lines, axes);
     addLegend(shapes, lines, subjects, size);
     return shapes;

@@ -25,8 +25,10 @@ std::vector<PlotShape> shareDrawing(const std::vector<LobeSubject>& subjects, gl
 /// the right.
 std::vector<PlotShape> spectrumDrawing(const std::vector<LobeSubject>& subjects, glm::ivec2 size);
 
-/// Returns the plot of errors of single precision over the viewer's angle, -90 .. 90 degrees.
-std::vector<PlotShape> errorDrawing(const std::vector<LobeSubject>& subjects, glm::ivec2 size);
+/// Returns the plot of errors of single precision, or of 16 bits, over the viewer's angle, -90 ..
+/// 90 degrees.
+std::vector<PlotShape> errorDrawing(const std::vector<LobeSubject>& subjects, LobePlot plot,
+                                    glm::ivec2 size);
 
 /// Returns the slice as a picture of cells, bright where much is reflected on this scale.
 std::vector<PlotShape> sliceDrawing(const HalfDifferenceSlice& slice, const std::string& name,

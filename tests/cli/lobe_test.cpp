@@ -125,7 +125,8 @@ TEST(LobeCommand, Spectrum_IsOverTheWavelength) {
 
 TEST(LobeCommand, Drawing_HasAFormByItsName) {
     const TemporaryFolder folder;
-    for (const char* plot : {"polar", "albedo", "fresnel", "spectrum", "half", "float32"}) {
+    for (const char* plot :
+         {"polar", "albedo", "fresnel", "spectrum", "half", "float32", "float16"}) {
         const std::string svg = (folder / (std::string(plot) + ".svg")).string();
         const Outcome outcome = patina({"lobe", "--model", "cook-torrance", "--fresnel",
                                         "conductor", "--plot", plot, "-o", svg});
@@ -145,6 +146,23 @@ TEST(LobeCommand, Float32_IsAFewUnitsInTheLastPlaceOfDouble) {
         EXPECT_GE(row.red, 0.0);
         EXPECT_LT(row.red, 100.0) << row.degrees;
     }
+}
+
+/// A diffuse surface takes one or two operations, each of which is at most half a unit off, and so
+/// is what it is given; a highlight's power loses more.
+TEST(LobeCommand, Float16_IsAUnitInTheLastPlaceOfALambertSurfaceAndMoreOfAHighlight) {
+    double worst = 0.0;
+    for (const Row& row : plotted({"--model", "lambert", "--plot", "float16"})) {
+        worst = std::max(worst, row.red);
+    }
+    EXPECT_GT(worst, 0.1);
+    EXPECT_LT(worst, 3.0);
+    double worstOfHighlight = 0.0;
+    for (const Row& row : plotted({"--model", "cook-torrance", "--plot", "float16"})) {
+        worstOfHighlight = std::max(worstOfHighlight, row.red);
+        EXPECT_LE(row.red, 2048.0);
+    }
+    EXPECT_GT(worstOfHighlight, worst);
 }
 
 TEST(LobeCommand, UsersModel_IsPlottedByTheDevice) {

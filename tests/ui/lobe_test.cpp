@@ -37,7 +37,7 @@ namespace {
 constexpr int waitMs = 20000;
 
 /// Names the tabs of the dock.
-enum Tab { Polar, Solid, Albedo, Fresnel, Spectrum, Slice, Float32 };
+enum Tab { Polar, Solid, Albedo, Fresnel, Spectrum, Slice, Float32, Float16 };
 
 class LobePanel : public WindowFixture {
   protected:
@@ -229,6 +229,13 @@ TEST_F(LobePanel, Float32_ComparesTheDeviceWithDouble) {
     auto& plot = *dock().findChild<SharePlot*>("float32Plot");
     ASSERT_EQ(plot.subjects().size(), 1u);
     EXPECT_TRUE(note().contains("units in the last place")) << note().toStdString();
+}
+
+TEST_F(LobePanel, Float16_ComparesSixteenBitsWithDouble) {
+    openTab(Float16);
+    ASSERT_TRUE(wait());
+    ASSERT_EQ(dock().findChild<SharePlot*>("float16Plot")->subjects().size(), 1u);
+    EXPECT_TRUE(note().contains("last place of 16 bits")) << note().toStdString();
 }
 
 TEST_F(LobePanel, PickedPlace_GivesItsLightAndItsViewer) {

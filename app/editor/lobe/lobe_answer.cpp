@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "measure/approximation/half_lines.h"
+
 namespace patina {
 namespace {
 
@@ -24,7 +26,10 @@ decltype(LobeAnswer::plot) plotOf(const LobeMaterial& material, const LobeQuesti
                                   EvalGpu* device) {
     const auto& [page, request] = question;
     if (hasLines(page)) {
-        auto lines = lobeLines(catalog, material.material, request, isWanted, device);
+        auto lines =
+            page == LobePage::Float16
+                ? halfLines(catalog, material.material, request, catalog.roots.front().folder)
+                : lobeLines(catalog, material.material, request, isWanted, device);
         if (!lines) {
             return tl::unexpected(lines.error());
         }
@@ -55,6 +60,8 @@ LobePlot linesOf(LobePage page) {
         return LobePlot::Spectrum;
     case LobePage::Float32:
         return LobePlot::Float32;
+    case LobePage::Float16:
+        return LobePlot::Float16;
     default:
         return LobePlot::Polar;
     }

@@ -14,7 +14,7 @@ namespace patina {
 class EvalGpu;
 
 /// Names the tabs of the dock, in their order.
-enum class LobePage { Polar, Solid, Albedo, Fresnel, Spectrum, Slice, Float32 };
+enum class LobePage { Polar, Solid, Albedo, Fresnel, Spectrum, Slice, Float32, Float16 };
 
 /// Returns the plot of a tab's lines; the polar one where it has none.
 LobePlot linesOf(LobePage page);

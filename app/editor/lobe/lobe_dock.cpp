@@ -100,7 +100,8 @@ LobeDock::LobeDock(const DockContext& context)
       albedo_(new SharePlot(LobePlot::Albedo, this)),
       fresnel_(new SharePlot(LobePlot::Fresnel, this)),
       spectrum_(new SharePlot(LobePlot::Spectrum, this)), slice_(new SlicePlot(this)),
-      float32_(new SharePlot(LobePlot::Float32, this)), energy_(new EnergyBar(this)),
+      float32_(new SharePlot(LobePlot::Float32, this)),
+      float16_(new SharePlot(LobePlot::Float16, this)), energy_(new EnergyBar(this)),
       scale_(new QComboBox(this)), term_(new QComboBox(this)), snapshots_(new QAction(this)),
       forget_(textButton(tr("Without Presets"), tr("Take the presets that were dropped here away"),
                          this)),
@@ -139,6 +140,7 @@ void LobeDock::addPages() {
     add(spectrum_, tr("Spectrum"), tr("The index of refraction over the wavelength"));
     add(slice_, tr("Half angle"), tr("A slice over half and difference angle"));
     add(float32_, tr("Float32"), tr("How far the device is from double precision"));
+    add(float16_, tr("Float16"), tr("How far floats of 16 bits are from double precision"));
 }
 
 QWidget* LobeDock::makeControls() {
@@ -420,6 +422,8 @@ LobePlotWidget* LobeDock::linePlot() const {
         return spectrum_;
     case LobePage::Float32:
         return float32_;
+    case LobePage::Float16:
+        return float16_;
     default:
         return nullptr;
     }
@@ -442,7 +446,7 @@ void LobeDock::ask(bool isSketch) {
     scale_->setEnabled(page == LobePage::Polar || page == LobePage::Solid ||
                        page == LobePage::Slice);
     term_->setEnabled(page != LobePage::Fresnel && page != LobePage::Spectrum &&
-                      page != LobePage::Float32);
+                      page != LobePage::Float32 && page != LobePage::Float16);
     std::vector<SharedAnswer> known = answers_.known(materials_, question);
     const auto missing = std::ranges::count(known, nullptr);
     worker_.ask(

@@ -99,6 +99,7 @@ class LobeDock : public QWidget {
     LobePlotWidget* spectrum_;
     SlicePlot* slice_;
     LobePlotWidget* float32_;
+    LobePlotWidget* float16_;
     EnergyBar* energy_;
     QComboBox* scale_;
     QComboBox* term_;

@@ -52,6 +52,12 @@ SharePlot::SharePlot(LobePlot kind, QWidget* parent) : LobePlotWidget(parent), k
         plot().yAxis->setLabel(tr("units in the last place"));
         plot().xAxis->setRange(-90.0, 90.0);
         break;
+    case LobePlot::Float16:
+        setObjectName("float16Plot");
+        setAccessibleName(tr("Error of 16 bits over the viewer's angle"));
+        plot().yAxis->setLabel(tr("units in the last place of 16 bits"));
+        plot().xAxis->setRange(-90.0, 90.0);
+        break;
     default:
         setObjectName("albedoPlot");
         setAccessibleName(tr("Albedo over the angle of the light"));
@@ -66,7 +72,7 @@ QString SharePlot::abscissaText(double at) const {
 }
 
 QString SharePlot::unit() const {
-    return kind_ == LobePlot::Float32 ? tr("ulp") : QString();
+    return kind_ == LobePlot::Float32 || kind_ == LobePlot::Float16 ? tr("ulp") : QString();
 }
 
 void SharePlot::addMarks(double top) {

@@ -115,11 +115,11 @@ class HalfSearch {
         const TextPlaces places(syntax.text);
         const std::vector<ObservedValues> seen = text_.observed(report_.common->texels);
         const std::vector<ObservedValues> seenAtEdges = text_.observed(report_.edge->texels);
+        const std::vector<bool> own = text_.ownFloats();
         std::map<TextPlace, std::size_t> known;
         for (std::size_t i = 0; i < syntax.expressions.size(); ++i) {
             const ShaderExpression& each = syntax.expressions[i];
-            const bool isOwn = text_.ownFunctions().contains(each.owner);
-            if (!isOwn || !each.type.isFloat() || each.first == each.last || seen[i].count == 0) {
+            if (!own[i] || seen[i].count == 0) {
                 continue;
             }
             const TextPlace place = places.at(each.first);

@@ -178,6 +178,28 @@ TextError MeasuredText::errorInHalf(const std::vector<bool>& halved, const Judge
     return compared(evaluator, syntax_->functionNamed(rootFunction), cases, limit);
 }
 
+std::vector<double> MeasuredText::valuesInHalf(const std::vector<bool>& halved,
+                                               const CaseTexels& texels) const {
+    ShaderEvaluator evaluator(*syntax_, ShaderPrecision::Float);
+    evaluator.halve(&halved);
+    const int function = syntax_->functionNamed(rootFunction);
+    std::vector<double> values(texels.size() * shape_.results);
+    for (std::size_t i = 0; i < texels.size(); ++i) {
+        evaluate(evaluator, function, texels[i],
+                 std::span(values).subspan(i * shape_.results, shape_.results));
+    }
+    return values;
+}
+
+std::vector<bool> MeasuredText::ownFloats() const {
+    std::vector<bool> own(syntax_->expressions.size());
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        const ShaderExpression& each = syntax_->expressions[i];
+        own[i] = own_.contains(each.owner) && each.type.isFloat() && each.first != each.last;
+    }
+    return own;
+}
+
 TextError MeasuredText::compared(ShaderEvaluator& evaluator, int function, const JudgedCases& cases,
                                  double limit) const {
     TextError error;

@@ -58,6 +58,14 @@ class MeasuredText {
     TextError errorInHalf(const std::vector<bool>& halved, const JudgedCases& cases,
                           double limit) const;
 
+    /// Evaluates the text in float, and these of its expressions in floats of 16 bits; returns the
+    /// numbers of one case after the other.
+    std::vector<double> valuesInHalf(const std::vector<bool>& halved,
+                                     const CaseTexels& texels) const;
+
+    /// Marks the expressions of the block's own functions whose values are floats.
+    std::vector<bool> ownFloats() const;
+
     /// Tells whether all numbers of cases are finite, and none negative that must not be, where
     /// that holds for the exact text.
     bool isSafe(std::span<const ShaderEdit> edits, const JudgedCases& cases) const;

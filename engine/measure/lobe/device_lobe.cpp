@@ -149,13 +149,18 @@ Result<std::vector<AlbedoPoint>> deviceAlbedoCurve(EvalGpu& device, const Catalo
     return curve;
 }
 
+PlaneCases planeCases(const EvalCase& request, const Incoming& incoming) {
+    const Incoming lit = inRange(incoming);
+    PlaneCases plane{anglesAcross(lit, stepOfErrors), {}};
+    std::vector<glm::dvec3> viewers = viewersAt(lit, plane.angles);
+    std::ranges::transform(viewers, viewers.begin(), inFloats);
+    plane.cases = casesOf(request, inFloats(lit.direction()), viewers);
+    return plane;
+}
+
 Result<std::vector<FloatError>> floatErrors(EvalGpu& device, const Catalog& catalog,
                                             const EvalCase& request, const Incoming& incoming) {
-    const Incoming lit = inRange(incoming);
-    const std::vector<double> angles = anglesAcross(lit, stepOfErrors);
-    std::vector<glm::dvec3> viewers = viewersAt(lit, angles);
-    std::ranges::transform(viewers, viewers.begin(), inFloats);
-    const std::vector<EvalCase> cases = casesOf(request, inFloats(lit.direction()), viewers);
+    const auto [angles, cases] = planeCases(request, incoming);
     const auto code = ReferenceCode::find(request);
     if (!code) {
         return tl::unexpected(code.error());

@@ -23,6 +23,15 @@ Result<std::vector<LobePoint>> devicePolarCurve(EvalGpu& device, const Catalog& 
 Result<std::vector<AlbedoPoint>> deviceAlbedoCurve(EvalGpu& device, const Catalog& catalog,
                                                    const EvalCase& request, double azimuth);
 
+/// Holds cases in the plane of incidence, at every degree and about the mirror direction, with
+/// directions that are floats.
+struct PlaneCases {
+    std::vector<double> angles; ///< are radians from the normal, positive on the mirror's side
+    std::vector<EvalCase> cases;
+};
+
+PlaneCases planeCases(const EvalCase& request, const Incoming& incoming);
+
 /// Is how far the device's value is from the exact one at an angle.
 struct FloatError {
     double angle = 0.0;   ///< radians from the normal, positive on the mirror's side

@@ -17,8 +17,8 @@
 namespace patina {
 namespace {
 
-constexpr LobePlot linePlots[] = {LobePlot::Polar, LobePlot::Albedo, LobePlot::Fresnel,
-                                  LobePlot::Spectrum, LobePlot::Float32};
+constexpr LobePlot linePlots[] = {LobePlot::Polar,    LobePlot::Albedo,  LobePlot::Fresnel,
+                                  LobePlot::Spectrum, LobePlot::Float32, LobePlot::Float16};
 
 constexpr double stepDegrees = 2.5;
 constexpr double sketchDegrees[] = {0.0, 25.0, 45.0, 60.0, 70.0, 78.0, 84.0, 88.0, 89.5};
@@ -351,6 +351,8 @@ std::string_view wordOf(LobePlot plot) {
         return "fresnel";
     case LobePlot::Float32:
         return "float32";
+    case LobePlot::Float16:
+        return "float16";
     default:
         return "polar";
     }
@@ -370,6 +372,8 @@ Result<LobeLines> lobeLines(const Catalog& catalog, const Material& material,
         return fresnelLines(catalog, material);
     case LobePlot::Spectrum:
         return spectrumLines(catalog, material);
+    case LobePlot::Float16:
+        return failure("floats of 16 bits are evaluated elsewhere");
     default:
         return modelLines(catalog, material, request, isWanted, device);
     }

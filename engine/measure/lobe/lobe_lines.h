@@ -19,11 +19,12 @@ enum class LobePlot {
     Albedo,
     Fresnel,
     Spectrum, ///< the index of refraction and what is mirrored facing the surface, by wavelength
-    Float32   ///< how far single precision on the device is from double, in the plane of incidence
+    Float32,  ///< how far single precision on the device is from double, in the plane of incidence
+    Float16   ///< the same of floats of 16 bits, as an evaluation on the processor rounds them
 };
 
-/// Returns the word of a plot: "polar", "albedo", "fresnel", "spectrum", "float32"; and the plot of
-/// a word.
+/// Returns the word of a plot: "polar", "albedo", "fresnel", "spectrum", "float32", "float16"; and
+/// the plot of a word.
 std::string_view wordOf(LobePlot plot);
 std::optional<LobePlot> lobePlotOf(std::string_view word);
 
@@ -84,7 +85,8 @@ std::string_view abscissaOf(LobePlot plot);
 
 /// Returns the lines of a material. It is an error where the plot means nothing for it, and why.
 /// Where `isWanted` becomes false, lines end early. A model without code in double precision is
-/// evaluated on the device, and the note says so; without a device it is an error.
+/// evaluated on the device, and the note says so; without a device it is an error. So are floats of
+/// 16 bits, whose lines halfLines() returns.
 Result<LobeLines> lobeLines(
     const Catalog& catalog, const Material& material, const LobeRequest& request,
     const std::function<bool()>& isWanted = [] { return true; }, EvalGpu* device = nullptr);
