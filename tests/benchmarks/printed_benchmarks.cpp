@@ -16,7 +16,7 @@ bool reportPrinted(const std::string& title, const char* editor) {
     const tests::Start start{.arguments = {},
                              .environment = {{"GALLIUM_NOOP", "1"}},
                              .input = {},
-                             .timeLimitSeconds = 300.0};
+                             .timeLimitSeconds = 900.0};
     const tests::Outcome outcome = tests::run(program(editor), start);
     if (outcome.exitCode != 0) {
         report(title, outcome.err, false, "");

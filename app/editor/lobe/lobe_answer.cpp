@@ -10,7 +10,7 @@ namespace {
 
 constexpr int sliceCells = 90;
 constexpr int sketchCells = 30;
-constexpr SolidFineness sketchFineness{20, 32};
+constexpr SolidFineness sketchFineness{12, 20}; // four of these are painted in a frame
 
 bool hasLines(LobePage page) {
     return page != LobePage::Solid && page != LobePage::Slice;
