@@ -19,39 +19,53 @@ struct DrawnScale {
     float next;
 };
 
-const float MAX_SCALE = 20.0;
+const float MAX_SCALE = 40.0;
 
 // The lattice of which `apart` metres have one to two cells.
 DrawnScale drawnScale(float apart) {
-    float exact = clamp(-log2(max(apart, 1e-12)), -MAX_SCALE, MAX_SCALE);
-    float whole = floor(exact);
+    float cell = clamp(apart, exp2(-MAX_SCALE), exp2(MAX_SCALE));
     DrawnScale s;
-    s.cells = exp2(whole);
-    s.next = exact - whole;
+    s.cells = exp2(floor(-log2(cell)));
+    // Of the ratio, since the logarithm of a large number has fewer digits behind its point.
+    s.next = clamp(-log2(cell * s.cells), 0.0, 1.0);
     return s;
 }
 
-// How many metres along `way`, of length 1, a pixel passes at most, where the surface is seen at an
-// angle. With g = way - (way.n) n it is |g - n (g.v) / (n.v)| of the pixel's width.
-float passedByPixel(DrawnPlace at, vec3 way) {
-    vec3 g = way - dot(way, at.n) * at.n;
-    float slant = dot(g, at.v) / max(dot(at.n, at.v), 0.08);
-    return at.pixel * sqrt(dot(g, g) + slant * slant);
+// How far rows can be told from each other: so far from the object's middle, in cells, that a float
+// has few digits left for a part of one, marks go over into an even tone.
+float drawnClear(DrawnPlace at, DrawnScale s) {
+    float cells = (abs(at.x.x) + abs(at.x.y) + abs(at.x.z)) * s.cells;
+    return clamp(2.0 - cells / 131072.0, 0.0, 1.0);
 }
 
-// How steeply a surface runs through planes across `way`: 0 where it lies in one of them, and lines
-// have no direction.
-float steepnessAcross(DrawnPlace at, vec3 way) {
-    float c = dot(way, at.n);
-    return sqrt(max(1.0 - c * c, 0.0));
+// Marks, and where they cannot be told apart the even tone that they have.
+vec2 clearMarks(vec2 drawn, float clear, vec2 even) {
+    return clear * drawn + (1.0 - clear) * even;
+}
+
+// How many metres along `way`, of length 1, a pixel passes at most, where the surface is seen at an
+// angle. With g = way - (way.n) n it is |g - n (g.v) / (n.v)| of the pixel's width. Below a tenth
+// of that no line is drawn (clearOfPlanes).
+float passedByPixel(DrawnPlace at, vec3 way) {
+    vec3 g = way - dot(way, at.n) * at.n;
+    float slant = dot(g, at.v) / max(dot(at.n, at.v), 0.15);
+    return max(at.pixel, 1e-9) * max(sqrt(dot(g, g) + slant * slant), 0.1);
+}
+
+// How clear lines are where planes across `way` cut the surface: where that lies in one of them
+// they have no direction, and none is drawn.
+float clearOfPlanes(DrawnPlace at, vec3 way) {
+    vec3 g = way - dot(way, at.n) * at.n;
+    return clamp(6.0 * sqrt(dot(g, g)) - 0.6, 0.0, 1.0);
 }
 
 // A slow wave along lines, the same on all scales, in rows: from 1 to -1, half as much where the
 // next finer scale is reached.
 float drawnWave(float along, DrawnScale s) {
     float x = along * s.cells;
-    float coarse = sin(2.0 * PI * (0.11 * x - floor(0.11 * x)));
-    float fine = sin(2.0 * PI * (0.22 * x - floor(0.22 * x)));
+    // To the nearest whole number: a phase just below one keeps its digits.
+    float coarse = sin(2.0 * PI * (0.11 * x - floor(0.11 * x + 0.5)));
+    float fine = sin(2.0 * PI * (0.22 * x - floor(0.22 * x + 0.5)));
     return exp2(-s.next) * (coarse + s.next * (fine - coarse));
 }
 

@@ -22,25 +22,26 @@ float hatchingOrder(float depth, bool isSecond) {
 // One set of parallel strokes, where planes across `way` cut the surface: the ink of each class of
 // rows by its tone.
 vec2 hatchingSet(DrawnPlace at, vec3 way, bool isSecond, float dark, TonalHatching p) {
-    float passed = max(passedByPixel(at, way), 1e-9);
+    float passed = passedByPixel(at, way);
     DrawnScale s = drawnScale(passed * max(p.spacing, 2.0));
     vec3 across = anyTangent(way);
     float row = (dot(at.x, way)) * s.cells +
         0.35 * p.wobble * drawnWave(dot(at.x, across) + 0.37 * dot(at.x, cross(way, across)), s);
     float size = 1.0 / (passed * s.cells);
-    float clear = clamp(6.0 * steepnessAcross(at, way) - 0.6, 0.0, 1.0);
+    float clear = clearOfPlanes(at, way);
     vec2 drawn = vec2(0.0, 1.0);
     for (int i = 0; i < 4; ++i) {
         float number = float(i);
         float order = hatchingOrder(classDepth(number, s.next), isSecond);
         float share = clamp(6.0 * (dark - order), 0.0, 1.0);
         if (share > 0.0) {
-            float pressed = p.penWidth * sqrt(share) * (0.75 + 0.5 * p.pressure * (dark - 0.5));
+            float pressed = p.penWidth * (0.75 + 0.5 * p.pressure * (dark - 0.5));
+            pressed = pressed * share * (2.0 - share);
             vec2 line = lineMark(min(pressed, 0.75 * size), size * offClass(row, number));
             drawn = overInk(drawn, faded(line, clear, 1.0 - clear));
         }
     }
-    return drawn;
+    return clearMarks(drawn, drawnClear(at, s), vec2(0.5 * dark, 1.0 - 0.5 * dark));
 }
 
 // Strokes that are nested over tones and over scales, as in tonal art maps (E. Praun, H. Hoppe, M.
