@@ -197,7 +197,7 @@ TEST(PredictedCost, OfFunctions_IsWhatTheStageHasMoreWithThem) {
                                             "directional", "--gpu", "rdna2", "--as-it-is"});
     const int all =
         whole.at("presets")[0].at("ways")[0].at("families").at("rdna2").at("instructions");
-    EXPECT_GT(largest, all / 2) << "the model is most of " << all;
+    EXPECT_GT(largest, all / 3) << "the model takes much of " << all;
     EXPECT_LT(largest, all);
 }
 
