@@ -92,6 +92,12 @@ class EditingSession : public GpuTest {
         if (set.outline) {
             passes.push_back("outline " + set.outline->block().id);
         }
+        if (set.shells) {
+            passes.push_back("fins " + set.shells->block().id);
+        }
+        if (set.strokes) {
+            passes.push_back("marks " + set.strokes->block().id);
+        }
         if (set.refraction) {
             passes.emplace_back("back of a body");
         }
