@@ -23,7 +23,7 @@ struct SurfaceMark {
 /// the distance 0.62 sqrt(area / n) from those before it, as long as 48 random places have one that
 /// does (dart throwing after R. Cook, ACM TOG 5(1), 1986, with a radius that falls). Those of a
 /// sheet's two sides, whose normals are opposed, keep none. The same mesh gives the same marks,
-/// however the work is cut into steps. Takes 8 bytes for each triangle and about 100 for each mark.
+/// however the work is cut into steps. Takes 8 bytes for each triangle and about 150 for each mark.
 class SurfaceMarks {
   public:
     /// Are the marks of one mesh at most.

@@ -12,7 +12,7 @@ namespace patina {
 namespace {
 
 /// Takes some milliseconds.
-constexpr std::size_t dartsAtOnce = 8192;
+constexpr std::size_t dartsAtOnce = 2048;
 
 constexpr std::size_t minCount = 256;
 

@@ -40,7 +40,7 @@ const AccuracyChoice* marksChoice(const Block& block) {
     return found == block.accuracy.end() ? nullptr : &*found;
 }
 
-double numberOf(std::string_view role, const Block& block, const Values& values) {
+double strokesNumber(std::string_view role, const Block& block, const Values& values) {
     const Parameter* parameter = block.withRole(role);
     const double* number =
         parameter == nullptr ? nullptr : std::get_if<double>(&givenValue(*parameter, values));
@@ -83,7 +83,7 @@ StrokesChoice strokesChoice(const Material& material, const Catalog& catalog) {
         return {nullptr, nullptr, "No strokes of this kind are known."};
     }
     const auto hasNo = [&](std::string_view role) {
-        return !(numberOf(role, *block, part->parameters) > 0.0);
+        return !(strokesNumber(role, *block, part->parameters) > 0.0);
     };
     if (hasNo(roles::density)) {
         return {nullptr, nullptr, "Its density is 0: there are no marks."};
@@ -106,7 +106,7 @@ double marksPerPixel(const Material& material, const Catalog& catalog) {
         return 0.0;
     }
     const auto number = [&](std::string_view role) {
-        return numberOf(role, *choice.block, *choice.values);
+        return strokesNumber(role, *choice.block, *choice.values);
     };
     const double limit = maxMarksOver / (number(roles::length) * number(roles::width));
     const BlockUse use(*choice.block, *choice.values, material.accuracy);
@@ -135,9 +135,9 @@ void StrokesEffect::list(EffectListing& listing, const EffectSet&) const {
                                          ? StrokesChoice()
                                          : strokesChoice(*subject.material, subject.catalog);
         const bool isCut = choice.block != nullptr &&
-                           numberOf(roles::density, *choice.block, *choice.values) *
-                                   numberOf(roles::length, *choice.block, *choice.values) *
-                                   numberOf(roles::width, *choice.block, *choice.values) >
+                           strokesNumber(roles::density, *choice.block, *choice.values) *
+                                   strokesNumber(roles::length, *choice.block, *choice.values) *
+                                   strokesNumber(roles::width, *choice.block, *choice.values) >
                                maxMarksOver * densityArea;
         return isCut ? "The material has marks on its surface; no more of them than 32 over a "
                        "pixel are drawn."
