@@ -110,10 +110,12 @@ void ShaderDock::update() {
         return;
     }
     const GpuFamily* family = margin_->isChecked() ? &family_->family() : nullptr;
-    worker_.ask([this, subject = subject(),
-                 family](Worker::Control& control) { work(subject, family, control); },
+    worker_.ask([this, subject = subject(), family, known = knownFor(family)](
+                    Worker::Control& control) { work(subject, family, known, control); },
                 [this](const Result<void>& done) {
-                    problem_ = done ? QString() : asText(done.error().text());
+                    if (!done) {
+                        problem_ = asText(done.error().text());
+                    }
                     showMargins();
                 },
                 "shader");
@@ -129,9 +131,16 @@ PredictedSubject ShaderDock::subject() const {
             std::move(meshes), document_.sharedCatalog()};
 }
 
+/// Returns the program that is shown where its margin for the family is known: a slider changes no
+/// text, and is to cost no prediction.
+ProgramText ShaderDock::knownFor(const GpuFamily* family) const {
+    const bool isKnown = shown_.functions && *shown_.functions && shown_.family == family;
+    return isKnown ? shown_.program : ProgramText();
+}
+
 /// Runs in the worker's thread.
 void ShaderDock::work(const PredictedSubject& subject, const GpuFamily* family,
-                      Worker::Control& control) {
+                      const ProgramText& known, Worker::Control& control) {
     auto program = surfaceText(subject);
     if (!program) {
         control.show([this, problem = asText(program.error().front().text())] {
@@ -141,7 +150,7 @@ void ShaderDock::work(const PredictedSubject& subject, const GpuFamily* family,
         return;
     }
     control.show([this, shown = Shown{*program, family}] { take(shown); });
-    if (family == nullptr) {
+    if (family == nullptr || *program == known) {
         return;
     }
     FamilyCompilerOptions options;

@@ -51,7 +51,9 @@ class ShaderDock : public QWidget {
     void connectParts();
     void update();
     PredictedSubject subject() const;
-    void work(const PredictedSubject& subject, const GpuFamily* family, Worker::Control& control);
+    void work(const PredictedSubject& subject, const GpuFamily* family, const ProgramText& known,
+              Worker::Control& control);
+    ProgramText knownFor(const GpuFamily* family) const;
     void take(Shown shown);
     void showMargins();
     void showState();
