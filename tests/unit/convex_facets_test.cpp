@@ -2,7 +2,7 @@
 #include "core/convex_facets.h"
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 #include <limits>
 
 #include <glm/geometric.hpp>
@@ -143,11 +143,12 @@ TEST(ConvexFacets, OfAMillionTriangles_AreNotLookedFor) {
     EXPECT_EQ(facetsOf(mesh).whyNot, "it has more than 100000 triangles");
 }
 
-TEST(ConvexFacets, OfManyTriangles_AreFoundBeforeAWindowWaits) {
+/// Takes 0.03 s of processor time, 0.4 s under sanitizers; comparing all pairs would take minutes.
+TEST(ConvexFacets, OfManyTriangles_AreFoundWithoutComparingAllPairs) {
     const Mesh mesh = fineCube(90); // 97 200 triangles
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     EXPECT_EQ(facetsOf(mesh).planes.size(), 6u);
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(500));
+    EXPECT_LT(std::clock() - start, CLOCKS_PER_SEC);
 }
 
 } // namespace
