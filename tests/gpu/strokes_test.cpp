@@ -96,6 +96,9 @@ TEST_F(Strokes, OfTheSameScene_AreTheSamePicture) {
     const Image first = picture(scene);
     makeRenderer();
     EXPECT_EQ(first.pixels, picture(scene).pixels);
+    Scene bare = scene;
+    bare.objects[0].material.parts.clear();
+    EXPECT_NE(first.pixels, picture(bare).pixels);
 }
 
 TEST_F(Strokes, ThatComeNearer_FadeInWithoutPopping) {
@@ -117,11 +120,14 @@ TEST_F(Strokes, OfNoDensity_AreThePictureWithoutThem) {
 TEST_F(Strokes, OfInkInTheSurfacesLight_HaveItsColour) {
     Scene scene = dotted();
     scene.objects[0].material.model.parameters["diffuse.color"] = glm::dvec3(0.2, 0.6, 0.4);
-    value(scene, "tint") = 1.0;
     value(scene, "wash") = 1.0;
+    const Image black = picture(scene);
+    value(scene, "tint") = 1.0;
     const Image marked = picture(scene);
     scene.objects[0].material.parts.clear();
-    EXPECT_LT(differenceOf(marked, picture(scene)), 2e-3);
+    const Image bare = picture(scene);
+    EXPECT_LT(differenceOf(marked, bare), 2e-3);
+    EXPECT_GT(differenceOf(black, bare), 2e-2);
 }
 
 TEST_F(Strokes, NearSilhouettes_LeaveTheMiddleBare) {
