@@ -33,24 +33,48 @@ float shareInPicture(vec4 a, vec4 b) {
     return nearAtEnd < 0.0 ? min(share, max(near, 0.0) / (near - nearAtEnd)) : share;
 }
 
+float solidDepth(ivec2 texel) {
+    return texelFetch(behindDepth, clamp(texel, ivec2(0), textureSize(behindDepth, 0) - 1), 0).r;
+}
+
 // How much deeper than what is solid there a place of the picture lies; negative in front of it,
 // and where nothing is.
 float depthBehind(vec3 place) {
-    ivec2 size = textureSize(behindDepth, 0);
-    ivec2 texel = ivec2((0.5 * place.xy + 0.5) * vec2(size));
-    float solid = texelFetch(behindDepth, clamp(texel, ivec2(0), size - 1), 0).r;
+    float solid = solidDepth(ivec2((0.5 * place.xy + 0.5) * vec2(textureSize(behindDepth, 0))));
     return solid < 1.0 ? place.z - (2.0 * solid - 1.0) : -1.0;
+}
+
+// The slope of a surface from the differences to the neighbours on both sides, one of which may lie
+// on something else.
+float ownSlope(float before, float after) {
+    return before * after > 0.0 ? (abs(before) < abs(after) ? before : after) : 0.0;
+}
+
+// The same between the middles of pixels: depth is linear in the picture on a plane, and on one that
+// is seen at a grazing angle it changes more from pixel to pixel than a ray is away from it.
+float exactDepthBehind(vec3 place) {
+    vec2 at = (0.5 * place.xy + 0.5) * vec2(textureSize(behindDepth, 0));
+    ivec2 texel = ivec2(at);
+    float solid = solidDepth(texel);
+    if (!(solid < 1.0)) {
+        return -1.0;
+    }
+    vec2 slope = vec2(ownSlope(solid - solidDepth(texel - ivec2(1, 0)),
+                          solidDepth(texel + ivec2(1, 0)) - solid),
+        ownSlope(solid - solidDepth(texel - ivec2(0, 1)), solidDepth(texel + ivec2(0, 1)) - solid));
+    solid += dot(slope, at - vec2(texel) - 0.5);
+    return place.z - (2.0 * solid - 1.0);
 }
 
 // Whether the line from `low`, in front of something, to `high`, behind it, goes through a surface
 // between them and not past the edge of one; `place` is where.
 bool goesThrough(vec3 low, vec3 high, out vec3 place) {
-    float lowDepth = depthBehind(low);
-    float highDepth = depthBehind(high);
+    float lowDepth = exactDepthBehind(low);
+    float highDepth = exactDepthBehind(high);
     float gap = highDepth - lowDepth;
     for (int i = 0; i < BISECTIONS; ++i) {
         vec3 middle = 0.5 * (low + high);
-        float depth = depthBehind(middle);
+        float depth = exactDepthBehind(middle);
         if (depth > 0.0) {
             high = middle;
             highDepth = depth;
@@ -74,15 +98,23 @@ bool meets(vec4 a, vec4 b, int steps, out vec3 place) {
     vec3 from = a.xyz / a.w;
     vec3 to = end.xyz / max(end.w, 1e-20);
     vec3 last = from;
+    vec3 next = from;
     bool isBehind = depthBehind(from) > 0.0;
-    for (int i = 1; i <= steps; ++i) {
-        vec3 next = mix(from, to, float(i) / float(steps));
-        bool wasBehind = isBehind;
-        isBehind = depthBehind(next) > 0.0;
-        if (isBehind && !wasBehind && goesThrough(last, next, place)) {
-            return true;
+    for (int i = 1; i <= steps;) {
+        bool entered = false;
+        for (; i <= steps && !entered; ++i) {
+            last = next;
+            next = mix(from, to, float(i) / float(steps));
+            bool wasBehind = isBehind;
+            isBehind = depthBehind(next) > 0.0;
+            entered = isBehind && !wasBehind;
         }
-        last = next;
+        if (entered) {
+            isBehind = exactDepthBehind(next) > 0.0;
+            if (isBehind && goesThrough(last, next, place)) {
+                return true;
+            }
+        }
     }
     return false;
 }

@@ -129,6 +129,31 @@ TEST_F(RefractionOfABall, WhatIsInside_IsSeen) {
     EXPECT_GT(middle(drawn(65)).r, 0.8f);
 }
 
+/// Rays that leave the ball's sides graze the floor, whose depth changes there more from pixel to
+/// pixel than the rays are away from it.
+TEST_F(RefractionOfABall, OverAFloor_HasNoSpecks) {
+    scene_.objects = {clear("ball", "solid-body", 1.545), glowing({1.0, 0.0, 0.0}, {0, -1, 0})};
+    scene_.objects[1].rotation = glm::dvec3(0.0);
+    scene_.objects[1].scale = glm::dvec3(200.0);
+    scene_.background = glm::dvec3(0.0);
+    scene_.camera.pitch = 10.0;
+    const Image image = drawn(129);
+    const auto isRed = [&image](int x, int y) { return pixel(image, x, y).r > 0.4f; };
+    int red = 0;
+    int specks = 0;
+    for (int y = 1; y < 128; ++y) {
+        for (int x = 1; x < 128; ++x) {
+            const int alike = (isRed(x - 1, y) == isRed(x, y)) + (isRed(x + 1, y) == isRed(x, y)) +
+                              (isRed(x, y - 1) == isRed(x, y)) + (isRed(x, y + 1) == isRed(x, y));
+            red += isRed(x, y) ? 1 : 0;
+            specks += alike == 0 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(red, 4000);
+    EXPECT_LT(red, 12000);
+    EXPECT_EQ(specks, 0);
+}
+
 TEST_F(RefractionOfABall, WithDispersion_HasColoursOfItsOwn) {
     scene_.objects = {clear("ball", "solid-body", 1.5)};
     surround(false);
