@@ -6,8 +6,10 @@
 #include <numbers>
 
 #include <QFontMetricsF>
+#include <QImage>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QPaintEngine>
 #include <QPainter>
 
 #include <glm/geometric.hpp>
@@ -26,6 +28,7 @@ constexpr double lobeRoom = 1.14; ///< is the room about the lobes, over their l
 constexpr double degreesPerPixel = 0.5;
 constexpr double degreesPerKey = 5.0;
 constexpr double overlaidOpacity = 0.7;
+constexpr double fineDevicePixels = 1.75; ///< a point, from which on edges need no smoothing
 
 double largestOf(const std::vector<NamedSolid>& solids) {
     double largest = 0.0;
@@ -158,6 +161,35 @@ std::vector<SolidPlot::Facet> SolidPlot::facets(const Projection& projection) co
     return all;
 }
 
+void SolidPlot::drawFacets(QPainter& painter, const std::vector<Facet>& facets,
+                           const QSizeF& size) {
+    if (painter.paintEngine()->type() != QPaintEngine::Raster) {
+        for (const Facet& facet : facets) {
+            // The outline in the same colour closes the seams between facets.
+            painter.setPen(QPen(facet.color, 0.6));
+            painter.setBrush(facet.color);
+            painter.drawPolygon(facet.outline);
+        }
+        return;
+    }
+    // Without antialiasing, facets that share an edge neither overlap nor leave a seam, and take a
+    // fraction of the time. Pixels that are large are supersampled.
+    const double pixels = painter.device()->devicePixelRatioF();
+    const double samples = pixels < fineDevicePixels ? 2.0 * pixels : pixels;
+    QImage image((size * samples).toSize(), QImage::Format_ARGB32_Premultiplied);
+    image.setDevicePixelRatio(samples);
+    image.fill(Qt::transparent);
+    QPainter filler(&image);
+    filler.setPen(Qt::NoPen);
+    for (const Facet& facet : facets) {
+        filler.setBrush(facet.color);
+        filler.drawConvexPolygon(facet.outline);
+    }
+    filler.end();
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.drawImage(QRectF({}, size), image);
+}
+
 void SolidPlot::paint(QPainter& painter, const QSizeF& size) const {
     const Projection projection(turn_ * degree, tilt_ * degree, size);
     const QColor base = palette().color(QPalette::Base);
@@ -171,12 +203,7 @@ void SolidPlot::paint(QPainter& painter, const QSizeF& size) const {
     painter.setPen(mixed(base, text, 0.3));
     painter.setBrush(mixed(base, text, 0.06));
     painter.drawPolygon(horizon);
-    for (const Facet& facet : facets(projection)) {
-        // The outline in the same colour closes the seams between pieces.
-        painter.setPen(QPen(facet.color, 0.6));
-        painter.setBrush(facet.color);
-        painter.drawPolygon(facet.outline);
-    }
+    drawFacets(painter, facets(projection), size);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(mixed(base, text, 0.6), 1.2, Qt::DashLine));
     const QPointF from = projection.at(light_.direction());
