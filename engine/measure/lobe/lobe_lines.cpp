@@ -2,7 +2,10 @@
 #include "measure/lobe/lobe_lines.h"
 
 #include <algorithm>
+#include <chrono>
+#include <iterator>
 #include <numbers>
+#include <span>
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
@@ -21,7 +24,11 @@ constexpr LobePlot linePlots[] = {LobePlot::Polar,    LobePlot::Albedo,  LobePlo
                                   LobePlot::Spectrum, LobePlot::Float32, LobePlot::Float16};
 
 constexpr double stepDegrees = 2.5;
-constexpr double sketchDegrees[] = {0.0, 25.0, 45.0, 60.0, 70.0, 78.0, 84.0, 88.0, 89.5};
+/// Holds the angles, in degrees, of every sketch of an albedo.
+constexpr double coarseSketch[] = {0.0, 45.0, 72.0, 89.5};
+/// Holds those between them, in degrees, of a sketch whose model is quick.
+constexpr double fineSketch[] = {25.0, 60.0, 80.0, 84.0, 88.0};
+constexpr std::chrono::milliseconds quickSketch{4}; ///< for the coarse part
 constexpr IntegralAim sketchAim{.isSketch = true};
 
 double inDegrees(double radians) {
@@ -39,19 +46,33 @@ LobeLine polarLine(const DirectionsValue& value, const LobeRequest& request) {
     return line;
 }
 
+/// Returns the albedo at so few angles that a plot keeps up with a slider: as many as the model's
+/// time allows.
+std::vector<AlbedoPoint> sketchedAlbedo(const LobeModel& model, double azimuth,
+                                        const std::function<bool()>& isWanted) {
+    const auto at = [&](std::span<const double> degrees) {
+        std::vector<double> angles;
+        for (const double each : degrees) {
+            angles.push_back(each * std::numbers::pi / 180.0);
+        }
+        return albedoCurve(model, azimuth, angles, sketchAim, isWanted);
+    };
+    const auto start = std::chrono::steady_clock::now();
+    std::vector<AlbedoPoint> curve = at(coarseSketch);
+    if (std::chrono::steady_clock::now() - start < quickSketch) {
+        std::ranges::copy(at(fineSketch), std::back_inserter(curve));
+        std::ranges::sort(curve, {}, &AlbedoPoint::angle);
+    }
+    return curve;
+}
+
 LobeLine albedoLine(const LobeModel& model, const LobeRequest& request,
                     const std::function<bool()>& isWanted) {
     LobeLine line{"albedo", LobeStroke::Main, false, {}, {}};
-    const IntegralAim aim = request.isSketch ? sketchAim : IntegralAim();
-    std::vector<double> angles = albedoAngles(stepDegrees);
-    if (request.isSketch) {
-        angles.clear();
-        for (const double degrees : sketchDegrees) {
-            angles.push_back(degrees * std::numbers::pi / 180.0);
-        }
-    }
+    const double azimuth = request.incoming.azimuth;
     for (const AlbedoPoint& point :
-         albedoCurve(model, request.incoming.azimuth, angles, aim, isWanted)) {
+         request.isSketch ? sketchedAlbedo(model, azimuth, isWanted)
+                          : albedoCurve(model, azimuth, albedoAngles(stepDegrees), {}, isWanted)) {
         line.at.push_back(inDegrees(point.angle));
         line.values.push_back(point.albedo);
     }
