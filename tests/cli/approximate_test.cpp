@@ -10,7 +10,7 @@
 
 #include "cli/patina_program.h"
 #include "measure/approximation/measured_text.h"
-#include "measure/approximation/shader_parser.h"
+#include "measure/interpreter/shader_parser.h"
 #include "measure/eval/eval_reference.h"
 #include "measure/stability/edge_case_directions.h"
 #include "measure/stability/edge_case_fields.h"

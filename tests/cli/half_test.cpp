@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/patina_program.h"
-#include "measure/approximation/shader_evaluator.h"
+#include "measure/interpreter/shader_evaluator.h"
 
 namespace patina::tests::half_test {
 namespace {

@@ -63,7 +63,7 @@ EvalCase hidden(const EvalCase& start) {
 }
 
 std::vector<double> logsAt(const EvalCase& model, const MatchTarget& target) {
-    const ModelValues values = *ModelValues::of(model);
+    const ModelValues values = *ModelValues::of(model, catalog());
     std::vector<double> logs;
     for (const DirectionPair& pair : target.pairs) {
         const glm::dvec3 value = values.at(pair);
@@ -171,7 +171,8 @@ Found expectFound(const Block& model, const EvalCase& truth, const MatchTarget& 
     // Another set of values may be the same reflectance everywhere, such as a grain that is turned
     // by 90 degrees with its widths exchanged.
     const bool isTheSame =
-        distance(truth, fit->model, *matchTarget(truth, 4 * directions)) < sameEverywhere;
+        distance(truth, fit->model, *matchTarget(truth, 4 * directions, catalog())) <
+        sameEverywhere;
     Found counts;
     for (std::size_t k = 0; k < wanted.size(); ++k) {
         if (nearness * distances[k] < seenChange) {
@@ -192,7 +193,7 @@ TEST(Recovery, EveryModel_FindsItsIdentifiableNumbersInAPreset) {
     Found all;
     for (const Block* model : matchedModels(catalog())) {
         const EvalCase truth = hidden(start(*model));
-        const Found counts = expectFound(*model, truth, *matchTarget(truth, directions));
+        const Found counts = expectFound(*model, truth, *matchTarget(truth, directions, catalog()));
         all.identifiable += counts.identifiable;
         all.ofTwins += counts.ofTwins;
     }
@@ -210,7 +211,7 @@ TEST(Recovery, CheapModels_FindTheirIdentifiableNumbersInFiles) {
         if (!model->hasClaim("isotropic") || FreeNumbers(truth).size() > fewNumbers) {
             continue;
         }
-        const ModelValues values = *ModelValues::of(truth);
+        const ModelValues values = *ModelValues::of(truth, catalog());
         const auto reflectance = [&values](const DirectionPair& pair) {
             return values.at(pair) / (pi * pair.l.z);
         };

@@ -36,7 +36,7 @@ Material hidden(const std::string& model, const Values& values) {
 }
 
 tests::Reflectance reflectanceOf(const Material& material) {
-    const ModelValues values = *ModelValues::of(*sweepVariant(catalog(), material));
+    const ModelValues values = *ModelValues::of(*sweepVariant(catalog(), material), catalog());
     return [values](const DirectionPair& pair) { return values.at(pair) / (pi * pair.l.z); };
 }
 
@@ -105,7 +105,8 @@ void expectGrain(const Material& found, double along, double across) {
 TEST(Matched, AnisotropicPreset_IsFoundFromTheDefaults) {
     const Values values{
         {"diffuse.color", glm::dvec3(0.1, 0.4, 0.3)}, {"roughness.x", 0.35}, {"roughness.y", 0.2}};
-    const auto target = matchTarget(*sweepVariant(catalog(), hidden("ward", values)), 2048);
+    const auto target =
+        matchTarget(*sweepVariant(catalog(), hidden("ward", values)), 2048, catalog());
     ASSERT_TRUE(target);
     const ModelMatches matches = matched("ward", *target);
     ASSERT_EQ(matches.rows.size(), 1u);
@@ -116,7 +117,7 @@ TEST(Matched, AnisotropicPreset_IsFoundFromTheDefaults) {
 TEST(Matched, OtherChoiceOfTheModel_IsFound) {
     Material material = hidden("oren-nayar", {{"roughness", 0.9}});
     material.model.parameters["form"] = std::string("eon");
-    const auto target = matchTarget(*sweepVariant(catalog(), material), 1024);
+    const auto target = matchTarget(*sweepVariant(catalog(), material), 1024, catalog());
     ASSERT_TRUE(target);
     const ModelMatches matches = matched("oren-nayar", *target);
     ASSERT_EQ(matches.rows.size(), 1u);
@@ -137,7 +138,8 @@ TEST(Matched, AnisotropicSurfaceInAnRglFile_IsFound) {
 }
 
 TEST(Matched, Ended_ReturnsWhatWasFittedUntilThen) {
-    const auto target = matchTarget(*sweepVariant(catalog(), hidden("lambert", {})), 4096);
+    const auto target =
+        matchTarget(*sweepVariant(catalog(), hidden("lambert", {})), 4096, catalog());
     ASSERT_TRUE(target);
     const std::vector<Material> many(1000, hidden("he-torrance", {}));
     const ModelMatches matches = fittedMaterials(many, *target, {}, catalog(),
@@ -159,7 +161,7 @@ TEST(Matched, SurfaceMeasuredAtGrazingAnglesAlone_IsAnError) {
 TEST(Matched, Drawings_AreNoReflectances) {
     const Material drawing = hidden("gooch", {});
     EXPECT_FALSE(matchAim(drawing, catalog(), 64));
-    const auto target = matchTarget(*sweepVariant(catalog(), hidden("lambert", {})), 64);
+    const auto target = matchTarget(*sweepVariant(catalog(), hidden("lambert", {})), 64, catalog());
     ASSERT_TRUE(target);
     EXPECT_EQ(fittedMaterials({drawing}, *target, {}, catalog(),
                               [](double, const ModelMatches&) { return true; })

@@ -141,7 +141,7 @@ TEST_F(MeasuredModel, RglFile_IsAsNearTheSurfaceAsTheFileAllows) {
 TEST_F(MeasuredModel, Device_GivesTheSameValues) {
     write("a.binary", merlBytes({30, 20, 36}, measuredSurface));
     const EvalCase request = *sweepVariant(catalog(), material_);
-    const ModelValues values = *ModelValues::of(request);
+    const ModelValues values = *ModelValues::of(request, catalog());
     std::vector<EvalCase> cases;
     for (const DirectionPair& pair : manyPairs()) {
         cases.push_back(request);

@@ -130,10 +130,10 @@ CaseTexels texelsOfCases(const std::vector<EvalCase>& cases) {
     CaseTexels all;
     all.reserve(cases.size());
     for (const EvalCase& each : cases) {
-        std::vector<float> texels = placeTexels(each);
+        const std::vector<float> place = placeTexels(each);
         const std::vector<float> values = valueTexels(each);
-        texels.insert(texels.end(), values.begin(), values.end());
-        all.push_back(std::move(texels));
+        all.emplace_back(place.begin(), place.end());
+        all.back().insert(all.back().end(), values.begin(), values.end());
     }
     return all;
 }

@@ -8,8 +8,9 @@
 
 namespace patina {
 
-/// Are the numbers of cases as a program reads them (placeTexels() and valueTexels()).
-using CaseTexels = std::vector<std::vector<float>>;
+/// Are the numbers of cases as a program reads them, which are floats (placeTexels() and
+/// valueTexels()).
+using CaseTexels = std::vector<std::vector<double>>;
 
 /// Says which cases are made of a subject.
 struct CaseWish {

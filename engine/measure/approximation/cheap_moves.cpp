@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "measure/approximation/shader_builtins.h"
+#include "measure/interpreter/shader_builtins.h"
 
 namespace patina {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "measure/approximation/shader_edit.h"
-#include "measure/approximation/shader_evaluator.h"
+#include "measure/interpreter/shader_evaluator.h"
 
 namespace patina {
 

@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-#include "measure/approximation/shader_parser.h"
+#include "measure/interpreter/shader_parser.h"
 
 namespace patina {
 namespace {

@@ -169,7 +169,7 @@ class DeviceCheck {
             each.block.accuracy = own.block.accuracy;
         }
         const auto numbers = static_cast<std::size_t>(program.shape().caseTexels) * 4;
-        for (const std::vector<float>& each : texelsOfCases(some)) {
+        for (const std::vector<double>& each : texelsOfCases(some)) {
             all.insert(all.end(), each.begin(), each.end());
             all.resize(all.size() + numbers - each.size());
         }

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "measure/approximation/shader_parser.h"
+#include "measure/interpreter/shader_parser.h"
 #include "measure/time/instruction_count.h"
 #include "shading/glsl/compile_log.h"
 
@@ -100,7 +100,7 @@ Checked<MeasuredText> MeasuredText::of(const EvalCase& subject,
 }
 
 void MeasuredText::evaluate(ShaderEvaluator& evaluator, int function,
-                            const std::vector<float>& texels, std::span<double> results) const {
+                            const std::vector<double>& texels, std::span<double> results) const {
     const auto parts = static_cast<std::size_t>(shape_.resultPixels);
     const std::size_t perPart = shape_.results == 3 * parts ? 3 : 4;
     for (std::size_t part = 0; part < parts; ++part) {
@@ -128,7 +128,7 @@ std::vector<ObservedValues> MeasuredText::observed(const CaseTexels& texels) con
     std::vector<double> ignored(shape_.results);
     ShaderEvaluator evaluator(*syntax_, ShaderPrecision::Double);
     evaluator.observe(&values);
-    for (const std::vector<float>& each : texels) {
+    for (const std::vector<double>& each : texels) {
         evaluate(evaluator, syntax_->functionNamed(rootFunction), each, ignored);
     }
     return values;

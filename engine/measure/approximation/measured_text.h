@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "measure/approximation/approximation_cases.h"
 #include "measure/approximation/shader_edit.h"
-#include "measure/approximation/shader_evaluator.h"
+#include "measure/interpreter/shader_evaluator.h"
 #include "measure/eval/eval_source.h"
 
 namespace patina {
@@ -77,7 +77,7 @@ class MeasuredText {
 
   private:
     MeasuredText() = default;
-    void evaluate(ShaderEvaluator& evaluator, int function, const std::vector<float>& texels,
+    void evaluate(ShaderEvaluator& evaluator, int function, const std::vector<double>& texels,
                   std::span<double> results) const;
     bool isSafe(std::span<const double> exact, std::span<const double> got) const;
     TextError compared(ShaderEvaluator& evaluator, int function, const JudgedCases& cases,

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "measure/approximation/shader_syntax.h"
+#include "measure/interpreter/shader_syntax.h"
 #include "shading/glsl/shader_source.h"
 
 namespace patina {

@@ -9,8 +9,8 @@
 #include "catalog/table_source.h"
 #include "material/measured_preset.h"
 #include "measure/eval/eval_reference.h"
-#include "shading/program/source_builder.h"
 #include "shading/program/block_source.h"
+#include "shading/program/source_builder.h"
 
 namespace patina {
 namespace {
@@ -187,18 +187,24 @@ void addFunctionProgram(SourceBuilder& builder, const EvalCase& request,
     builder.addFile("passes/evaluate_function.glsl");
 }
 
-void append(std::vector<float>& texels, const glm::dvec3& v, double last = 0.0) {
-    for (const double x : {v.x, v.y, v.z, last}) {
-        texels.push_back(static_cast<float>(x));
+void append(std::vector<double>& numbers, const glm::dvec3& v, double last = 0.0) {
+    numbers.insert(numbers.end(), {v.x, v.y, v.z, last});
+}
+
+void appendValues(std::vector<double>& numbers, const EvalBlock& block) {
+    if (block.block != nullptr) {
+        const std::vector<double> values = block.packedValues();
+        numbers.insert(numbers.end(), values.begin(), values.end());
     }
 }
 
-void appendValues(std::vector<float>& texels, const EvalBlock& block) {
-    if (block.block != nullptr) {
-        for (const double x : block.packedValues()) {
-            texels.push_back(static_cast<float>(x));
-        }
+std::vector<float> roundedToFloats(const std::vector<double>& numbers) {
+    std::vector<float> rounded;
+    rounded.reserve(numbers.size());
+    for (const double each : numbers) {
+        rounded.push_back(static_cast<float>(each));
     }
+    return rounded;
 }
 
 } // namespace
@@ -258,40 +264,48 @@ Checked<ShaderSource> evalSource(const EvalCase& request, const EvalShape& shape
     return builder.finish();
 }
 
-std::vector<float> placeTexels(const EvalCase& request) {
-    std::vector<float> texels;
+std::vector<double> placeNumbers(const EvalCase& request) {
+    std::vector<double> numbers;
     switch (request.subject) {
     case Subject::Model:
-        append(texels, request.n, request.pixel.x);
-        append(texels, request.t, request.pixel.y);
-        append(texels, request.l);
-        append(texels, request.v);
+        append(numbers, request.n, request.pixel.x);
+        append(numbers, request.t, request.pixel.y);
+        append(numbers, request.l);
+        append(numbers, request.v);
         break;
     case Subject::Function:
-        texels.assign(request.arguments.begin(), request.arguments.end());
+        numbers.assign(request.arguments.begin(), request.arguments.end());
         break;
     case Subject::Light:
-        append(texels, request.l);
+        append(numbers, request.l);
         break;
     case Subject::Fog:
-        append(texels, request.l, request.number);
-        append(texels, request.v);
+        append(numbers, request.l, request.number);
+        append(numbers, request.v);
         break;
     case Subject::Fields:
-        texels.assign(request.fields.begin(), request.fields.end());
-        texels.resize(4 * static_cast<std::size_t>(argumentTexels(request)));
+        numbers.assign(request.fields.begin(), request.fields.end());
+        numbers.resize(4 * static_cast<std::size_t>(argumentTexels(request)));
         break;
     default:
-        append(texels, {request.number, 0.0, 0.0});
+        append(numbers, {request.number, 0.0, 0.0});
     }
-    return texels;
+    return numbers;
+}
+
+std::vector<double> valueNumbers(const EvalCase& request) {
+    std::vector<double> numbers;
+    appendValues(numbers, request.block);
+    appendValues(numbers, request.slot);
+    return numbers;
+}
+
+std::vector<float> placeTexels(const EvalCase& request) {
+    return roundedToFloats(placeNumbers(request));
 }
 
 std::vector<float> valueTexels(const EvalCase& request) {
-    std::vector<float> texels;
-    appendValues(texels, request.block);
-    appendValues(texels, request.slot);
-    return texels;
+    return roundedToFloats(valueNumbers(request));
 }
 
 } // namespace patina

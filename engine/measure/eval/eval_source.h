@@ -35,9 +35,13 @@ Checked<ShaderSource> evalSource(const EvalCase& request, const EvalShape& shape
                                  const std::filesystem::path& shaders);
 
 /// Returns the first numbers of a case's texels: the arguments of its function.
-std::vector<float> placeTexels(const EvalCase& request);
+std::vector<double> placeNumbers(const EvalCase& request);
 
 /// Returns the numbers after them: the values of the block and of what fills its slot.
+std::vector<double> valueNumbers(const EvalCase& request);
+
+/// Return these numbers as a texture holds them.
+std::vector<float> placeTexels(const EvalCase& request);
 std::vector<float> valueTexels(const EvalCase& request);
 
 } // namespace patina

@@ -7,10 +7,11 @@
 #include <numbers>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include "core/vectors.h"
-#include "measure/eval/eval_reference.h"
+#include "measure/eval/model_values.h"
 #include "measure/stability/hemisphere_rule.h"
 
 namespace patina {
@@ -161,9 +162,9 @@ PlaneCases planeCases(const EvalCase& request, const Incoming& incoming) {
 Result<std::vector<FloatError>> floatErrors(EvalGpu& device, const Catalog& catalog,
                                             const EvalCase& request, const Incoming& incoming) {
     const auto [angles, cases] = planeCases(request, incoming);
-    const auto code = ReferenceCode::find(request);
-    if (!code) {
-        return tl::unexpected(code.error());
+    const auto exactValues = ModelValues::of(request, catalog);
+    if (!exactValues) {
+        return tl::unexpected(exactValues.error());
     }
     const auto values = deviceValues(device, catalog, cases);
     if (!values) {
@@ -171,7 +172,8 @@ Result<std::vector<FloatError>> floatErrors(EvalGpu& device, const Catalog& cata
     }
     std::vector<FloatError> errors;
     for (std::size_t i = 0; i < cases.size(); ++i) {
-        const glm::dvec3 exact = valueFrom(evaluatedInDouble(cases[i], *code));
+        const glm::dvec3 exact =
+            exactValues->at({glm::normalize(cases[i].l), glm::normalize(cases[i].v)});
         FloatError error{angles[i], glm::dvec3(0.0)};
         for (int channel = 0; channel < 3; ++channel) {
             error.ulps[channel] = ulpsBetween((*values)[i][channel], exact[channel]);

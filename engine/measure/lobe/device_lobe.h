@@ -40,7 +40,7 @@ struct FloatError {
 
 /// Returns the errors of single precision in the plane of incidence, at every degree and about the
 /// mirror direction. Both are asked at the same directions, which are floats. It is an error for a
-/// block without code in double precision, and without a graphics driver.
+/// block that cannot be evaluated in double precision, and without a graphics driver.
 Result<std::vector<FloatError>> floatErrors(EvalGpu& device, const Catalog& catalog,
                                             const EvalCase& request, const Incoming& incoming);
 

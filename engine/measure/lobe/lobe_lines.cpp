@@ -11,6 +11,7 @@
 #include <glm/common.hpp>
 
 #include "material/blocks_in_use.h"
+#include "measure/eval/model_values.h"
 #include "measure/lobe/device_lobe.h"
 #include "measure/lobe/fresnel_curve.h"
 #include "measure/lobe/index_spectrum.h"
@@ -129,8 +130,8 @@ Result<LobeLines> deviceLines(const Catalog& catalog, const EvalCase& variant,
             line.values.push_back(point.albedo);
         }
     }
-    all.note = "in single precision, by the device: there is no code of the model in double "
-               "precision yet";
+    all.note = "in single precision, by the device: the model cannot be evaluated in double "
+               "precision";
     return all;
 }
 
@@ -202,7 +203,7 @@ Result<LobeLines> modelLines(const Catalog& catalog, const Material& material,
                                  : Result<LobeLines>(failure("there is no device to compare with"));
     }
     const bool isWhole = request.term == LobeTerm::Whole;
-    if (device != nullptr && isWhole && !ReferenceCode::find(*variant)) {
+    if (device != nullptr && isWhole && !ModelValues::of(*variant, catalog)) {
         return deviceLines(catalog, *variant, request, *device);
     }
     LobeLines all;

@@ -47,14 +47,14 @@ Result<LobeModel> LobeModel::create(const Catalog& catalog, const Material& mate
         return failure(fmt::format("{} does not add a highlight to a diffuse term", block.label));
     }
     const EvalCase looked = term == LobeTerm::Highlight ? withoutDiffuse(*request) : *request;
-    Result<ModelValues> values = ModelValues::of(looked);
+    Result<ModelValues> values = ModelValues::of(looked, catalog);
     if (!values) {
         return tl::unexpected(values.error());
     }
     LobeModel model(std::move(*values));
     model.isIsotropic_ = block.hasClaim("isotropic");
     if (term == LobeTerm::Diffuse) {
-        model.subtracted_ = *ModelValues::of(withoutDiffuse(*request)); // has the same code
+        model.subtracted_ = model.values_.with(withoutDiffuse(*request));
     }
     return model;
 }

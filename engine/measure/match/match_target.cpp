@@ -81,11 +81,12 @@ Result<MatchTarget> matchTarget(const MeasuredReflectance& measured, std::size_t
     return target.thinned(samples);
 }
 
-Result<MatchTarget> matchTarget(const EvalCase& model, std::size_t samples) {
+Result<MatchTarget> matchTarget(const EvalCase& model, std::size_t samples,
+                                const Catalog& catalog) {
     if (const std::string why = whyNoReflectance(*model.block.block); !why.empty()) {
         return failure(why);
     }
-    const Result<ModelValues> values = ModelValues::of(model);
+    const Result<ModelValues> values = ModelValues::of(model, catalog);
     if (!values) {
         return tl::unexpected(values.error());
     }
@@ -103,7 +104,9 @@ Result<MatchTarget> matchTarget(const EvalCase& model, std::size_t samples) {
 
 Result<MatchAim> matchAim(const Material& material, const Catalog& catalog, std::size_t samples) {
     return sweepVariant(catalog, material)
-        .and_then([samples](const EvalCase& model) { return matchTarget(model, samples); })
+        .and_then([samples, &catalog](const EvalCase& model) {
+            return matchTarget(model, samples, catalog);
+        })
         .map([&material](MatchTarget target) {
             return MatchAim{std::move(target), material, {}};
         });

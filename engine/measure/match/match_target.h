@@ -46,7 +46,8 @@ Result<MatchAim> matchAim(const Material& material, const Catalog& catalog, std:
 
 /// Returns a target of a material's model (sweepVariant()), in directions that are dense around the
 /// mirror direction and sparse at grazing angles. It is an error where the model is no
-/// reflectance (whyNoReflectance()) or has no code in double precision.
-Result<MatchTarget> matchTarget(const EvalCase& model, std::size_t samples);
+/// reflectance (whyNoReflectance()) or cannot be evaluated (ModelValues).
+Result<MatchTarget> matchTarget(const EvalCase& model, std::size_t samples,
+                                const Catalog& catalog);
 
 } // namespace patina

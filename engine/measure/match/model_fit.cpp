@@ -92,19 +92,20 @@ double rootMeanSquare(const std::vector<double>& numbers) {
 /// Holds a fit in work: the free numbers of a model against a target.
 class Fit {
   public:
-    Fit(EvalCase model, const MatchTarget& target, MatchError error)
-        : model_(std::move(model)), free_(model_), numbers_(free_.of(model_)), target_(target),
-          wanted_(wantedOf(target, error)), error_(error) {}
+    Fit(EvalCase model, const MatchTarget& target, MatchError error, const Catalog& catalog)
+        : model_(std::move(model)), values_(ModelValues::of(model_, catalog)), free_(model_),
+          numbers_(free_.of(model_)), target_(target), wanted_(wantedOf(target, error)),
+          error_(error) {}
 
     /// Writes the differences of all directions and channels; they are those of these numbers.
     bool differences(const double* numbers, double* out) const {
-        const Result<ModelValues> values = ModelValues::of(modelWith(numbers));
-        if (!values) {
+        if (!values_) {
             return false;
         }
+        const ModelValues values = values_->with(modelWith(numbers));
         const double* wanted = wanted_.data();
         for (std::size_t i = 0; i < target_.pairs.size(); ++i) {
-            const glm::dvec3 value = values->at(target_.pairs[i]);
+            const glm::dvec3 value = values.at(target_.pairs[i]);
             for (int c = 0; c < 3; ++c) {
                 *out++ = difference(error_, value[c], *wanted++);
             }
@@ -159,6 +160,7 @@ class Fit {
     }
 
     EvalCase model_;
+    Result<ModelValues> values_;
     FreeNumbers free_;
     std::vector<double> numbers_;
     const MatchTarget& target_;
@@ -369,11 +371,11 @@ struct Targets {
 
 /// Returns the best of random sets of values.
 std::vector<EvalCase> scattered(const EvalCase& model, const Targets& targets,
-                                const FitOptions& options) {
+                                const FitOptions& options, const Catalog& catalog) {
     std::minstd_rand random(1);
     std::vector<std::pair<double, EvalCase>> tried;
     for (std::size_t i = 0; i < triedSets; ++i) {
-        Fit fit(model, targets.few, options.error);
+        Fit fit(model, targets.few, options.error, catalog);
         fit.scatter(random);
         tried.emplace_back(fit.error(), fit.model());
     }
@@ -387,10 +389,10 @@ std::vector<EvalCase> scattered(const EvalCase& model, const Targets& targets,
 
 /// Improves these a little, and the best of them as far as it goes.
 Fit improved(std::vector<EvalCase> starts, const MatchTarget& roughly, const Targets& targets,
-             const FitOptions& options, const Progress& progress) {
+             const FitOptions& options, const Catalog& catalog, const Progress& progress) {
     std::vector<std::pair<double, EvalCase>> rough;
     for (EvalCase& start : starts) {
-        Fit fit(std::move(start), roughly, options.error);
+        Fit fit(std::move(start), roughly, options.error, catalog);
         fit.improve(roughSteps, progress);
         rough.emplace_back(fit.error(), fit.model());
     }
@@ -401,7 +403,7 @@ Fit improved(std::vector<EvalCase> starts, const MatchTarget& roughly, const Tar
         if (i > 0 && rough[i].first > nearest) {
             break;
         }
-        Fit fine(std::move(rough[i].second), targets.many, options.error);
+        Fit fine(std::move(rough[i].second), targets.many, options.error, catalog);
         fine.improve(fineSteps, progress);
         if (!best || fine.error() < best->error()) {
             best.emplace(std::move(fine));
@@ -413,8 +415,8 @@ Fit improved(std::vector<EvalCase> starts, const MatchTarget& roughly, const Tar
     return std::move(*best);
 }
 
-double relativeError(const EvalCase& model, const MatchTarget& target) {
-    const Result<ModelValues> values = ModelValues::of(model);
+double relativeError(const EvalCase& model, const MatchTarget& target, const Catalog& catalog) {
+    const Result<ModelValues> values = ModelValues::of(model, catalog);
     double missed = 0.0;
     double all = 0.0;
     for (std::size_t i = 0; values && i < target.pairs.size(); ++i) {
@@ -437,17 +439,18 @@ std::optional<MatchError> matchErrorOf(std::string_view word) {
 Result<ModelFit> fittedModel(const EvalCase& model, const MatchTarget& target,
                              const FitOptions& options, const Catalog& catalog,
                              const Progress& progress) {
-    if (const auto code = ModelValues::of(model); !code) {
-        return tl::unexpected(code.error());
+    if (const auto values = ModelValues::of(model, catalog); !values) {
+        return tl::unexpected(values.error());
     }
     // A narrow highlight may pass between the directions of a fit: all of them decide.
     const auto errorOf = [&](const EvalCase& found) {
-        return Fit(found, target, options.error).error();
+        return Fit(found, target, options.error, catalog).error();
     };
     const Targets targets(target);
-    std::vector<EvalCase> starts = scattered(model, targets, options);
+    std::vector<EvalCase> starts = scattered(model, targets, options, catalog);
     starts.insert(starts.begin(), model);
-    EvalCase found = improved(std::move(starts), targets.some, targets, options, progress).model();
+    EvalCase found =
+        improved(std::move(starts), targets.some, targets, options, catalog, progress).model();
     double smallest = errorOf(found);
     // Other choices may look the same with other numbers: they have to be better.
     for (int round = 0; round < maxChoices && smallest > isTheSame; ++round) {
@@ -456,7 +459,7 @@ Result<ModelFit> fittedModel(const EvalCase& model, const MatchTarget& target,
             break;
         }
         EvalCase other =
-            improved(std::move(others), targets.few, targets, options, progress).model();
+            improved(std::move(others), targets.few, targets, options, catalog, progress).model();
         const double error = errorOf(other);
         if (error > isBetter * smallest) {
             break;
@@ -466,7 +469,7 @@ Result<ModelFit> fittedModel(const EvalCase& model, const MatchTarget& target,
     }
     const MatchTarget nearlyAll = target.thinned(lastDirections);
     for (int round = 0; round < lastRounds && smallest > isExact; ++round) {
-        Fit last(found, nearlyAll, options.error);
+        Fit last(found, nearlyAll, options.error, catalog);
         if (round > 0 && !last.leaveEnds()) {
             break;
         }
@@ -481,7 +484,7 @@ Result<ModelFit> fittedModel(const EvalCase& model, const MatchTarget& target,
             break;
         }
     }
-    return ModelFit{found, smallest, relativeError(found, target)};
+    return ModelFit{found, smallest, relativeError(found, target, catalog)};
 }
 
 } // namespace patina

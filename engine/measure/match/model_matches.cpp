@@ -63,7 +63,7 @@ double effortOf(const Material& material, const MatchTarget& target, const Catal
     constexpr std::size_t timedValues = 64;
     const Result<EvalCase> model = sweepVariant(catalog, material);
     const Result<ModelValues> values =
-        model ? ModelValues::of(*model) : tl::unexpected(model.error());
+        model ? ModelValues::of(*model, catalog) : tl::unexpected(model.error());
     if (!values) {
         return 0.0;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "measure/approximation/shader_lexemes.h"
+#include "measure/interpreter/shader_lexemes.h"
 
 #include <algorithm>
 #include <array>

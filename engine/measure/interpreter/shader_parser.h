@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/error.h"
-#include "measure/approximation/shader_syntax.h"
+#include "measure/interpreter/shader_syntax.h"
 #include "shading/glsl/shader_source.h"
 
 namespace patina {

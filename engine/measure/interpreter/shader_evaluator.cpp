@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "measure/approximation/shader_evaluator.h"
+#include "measure/interpreter/shader_evaluator.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "measure/approximation/shader_builtins.h"
+#include "measure/interpreter/shader_builtins.h"
 
 namespace patina {
 namespace {
@@ -75,7 +75,7 @@ void ShaderEvaluator::observe(std::vector<ObservedValues>* values) {
 }
 
 void ShaderEvaluator::call(int function, std::span<const double> arguments,
-                           std::span<const float> data, std::span<double> result) {
+                           std::span<const double> data, std::span<double> result) {
     const ParsedFunction& called = syntax_.functions[static_cast<std::size_t>(function)];
     data_ = data;
     steps_ = 0;
@@ -442,7 +442,7 @@ void ShaderEvaluator::vectorBuiltin(const ShaderExpression& expression, double* 
     default: // the case's own data
         for (std::size_t i = 0; i < 4; ++i) {
             const std::size_t place = 4 * static_cast<std::size_t>(std::max(a[0], 0.0)) + i;
-            out[i] = place < data_.size() ? static_cast<double>(data_[place]) : 0.0;
+            out[i] = place < data_.size() ? data_[place] : 0.0;
         }
     }
 }

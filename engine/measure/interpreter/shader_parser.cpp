@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "measure/approximation/shader_parser.h"
+#include "measure/interpreter/shader_parser.h"
 
 #include <algorithm>
 #include <charconv>
@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "measure/approximation/shader_builtins.h"
-#include "measure/approximation/shader_lexemes.h"
+#include "measure/interpreter/shader_builtins.h"
+#include "measure/interpreter/shader_lexemes.h"
 #include "shading/glsl/tokens.h"
 
 namespace patina {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "measure/approximation/shader_syntax.h"
+#include "measure/interpreter/shader_syntax.h"
 
 namespace patina {
 
@@ -36,7 +36,7 @@ class ShaderEvaluator {
     /// Calls a function of the syntax with the numbers of its arguments, one after the other, and
     /// returns those of its result. They are NaN where it does not end. `data` are the vec4s of the
     /// case, which caseData() reads.
-    void call(int function, std::span<const double> arguments, std::span<const float> data,
+    void call(int function, std::span<const double> arguments, std::span<const double> data,
               std::span<double> result);
 
     /// Rounds the values of these expressions, in the order of ShaderSyntax::expressions, to floats
@@ -90,7 +90,7 @@ class ShaderEvaluator {
     std::size_t steps_ = 0; ///< counts rounds of loops and calls in this case
     bool isEndless_ = false;
     double* result_ = nullptr;
-    std::span<const float> data_;
+    std::span<const double> data_;
     std::vector<ObservedValues>* observed_ = nullptr;
     const std::vector<bool>* halved_ = nullptr;
 };
