@@ -127,7 +127,6 @@ int main(int argc, char** argv) {
     MainWindow window(catalog, theme);
     window.documentFiles().openTemplate(defaultSceneFile());
     window.show();
-    window.startRest();
     FrameLoop& frames = window.views().first().viewport().frames();
     if (!waitFor([&] { return frames.frameCount() > 0 && frames.isUpToDate(); })) {
         std::fprintf(stderr, "no first frame seen (is there a display?)\n");

@@ -38,7 +38,8 @@ struct ModelFit {
 /// own and the best of some hundred random ones are improved by Levenberg and Marquardt's method
 /// within the ranges of the parameters (Ceres Solver), then one choice after the other is changed,
 /// and the block in the slot, as long as that brings it nearer. The result is the same at every
-/// call. Fails where a block cannot be evaluated (ModelValues); when cancelled it returns what it has.
+/// call. Fails where a block cannot be evaluated (ModelValues); when cancelled it returns what it
+/// has.
 Result<ModelFit> fittedModel(const EvalCase& model, const MatchTarget& target,
                              const FitOptions& options, const Catalog& catalog,
                              const Progress& progress);
