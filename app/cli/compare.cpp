@@ -124,11 +124,11 @@ std::vector<std::string> metrics(const std::vector<Side>& sides) {
     std::vector<std::string> lines;
     for (std::size_t i = 1; i < sides.size(); ++i) {
         const ImageDifference apart = difference(sides.front().image, sides[i].image);
-        lines.push_back(fmt::format("{} ({}) against {} ({}): RMSE {:.5f}, largest difference "
-                                    "{:.5f}, {:.2f} % of the pixels differ",
+        lines.push_back(fmt::format("{} ({}) against {} ({}): FLIP {:.5f}, RMSE {:.5f}, largest "
+                                    "difference {:.5f}, {:.2f} % of the pixels differ",
                                     sides[i].letter, sides[i].name(), sides.front().letter,
-                                    sides.front().name(), apart.rootMeanSquare, apart.largest,
-                                    100.0 * apart.changedShare));
+                                    sides.front().name(), apart.flip, apart.rootMeanSquare,
+                                    apart.largest, 100.0 * apart.changedShare));
     }
     return lines;
 }

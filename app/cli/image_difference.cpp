@@ -4,11 +4,35 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "measure/error/flip.h"
 
 namespace patina {
+namespace {
+
+std::vector<glm::dvec3> colorsOf(const Image& image) {
+    const auto channels = std::size_t(image.channels);
+    std::vector<glm::dvec3> colors(image.pixels.size() / channels);
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        const float* pixel = image.pixels.data() + channels * i;
+        colors[i] = {pixel[0], pixel[1], pixel[2]};
+    }
+    return colors;
+}
+
+double meanFlip(const Image& a, const Image& b) {
+    const Flip flip({a.width, a.height}, colorsOf(a));
+    const std::vector<double> map = flip.differences(colorsOf(b));
+    return std::accumulate(map.begin(), map.end(), 0.0) / double(map.size());
+}
+
+} // namespace
 
 ImageDifference difference(const Image& a, const Image& b) {
     assert(a.pixels.size() == b.pixels.size() && a.channels == b.channels);
+    assert(a.channels >= 3);
     constexpr double step = 1.0 / 255.0;
     constexpr double rounding = 1e-6; // a step between two floats is not exactly 1/255
     const int colors = std::min(a.channels, 3);
@@ -30,6 +54,7 @@ ImageDifference difference(const Image& a, const Image& b) {
     if (pixels > 0) {
         result.rootMeanSquare = std::sqrt(squares / double(pixels * std::size_t(colors)));
         result.changedShare = double(changed) / double(pixels);
+        result.flip = meanFlip(a, b);
     }
     return result;
 }

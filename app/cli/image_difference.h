@@ -11,6 +11,7 @@ struct ImageDifference {
     double largest = 0.0;
     /// Says which share of the pixels, 0 .. 1, differs by at least one 8-bit step in a channel.
     double changedShare = 0.0;
+    double flip = 0.0; ///< is the mean difference that Flip finds, 0 .. 1
 };
 
 ImageDifference difference(const Image& a, const Image& b);

@@ -53,6 +53,18 @@ TEST(CompareCommand, TwoPresets_WriteAPicture) {
     EXPECT_TRUE(readFile(folder / "a.png").starts_with("\x89PNG"));
 }
 
+TEST(CompareCommand, Flip_IsZeroForTheSamePictureOnly) {
+    const TemporaryFolder folder;
+    const Outcome outcome = patina(
+        {"compare", gold, plastic, gold, "--size", "96x64", "-o", (folder / "a.png").string()});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const std::size_t plasticAt = outcome.out.find("FLIP 0.");
+    const std::size_t goldAt = outcome.out.find("FLIP 0.00000", plasticAt + 1);
+    ASSERT_NE(plasticAt, std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.substr(plasticAt, 12), "FLIP 0.00000");
+    EXPECT_NE(goldAt, std::string::npos) << outcome.out;
+}
+
 TEST(CompareCommand, Page_HoldsBothPicturesAndLoadsNothing) {
     const TemporaryFolder folder;
     const Outcome outcome =
