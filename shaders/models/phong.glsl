@@ -6,7 +6,7 @@
 
 // The lobe (r.v)^e of Phong 1975; normalised, pi (n.l) (e + 2) / (2 pi) (r.v)^e of Lewis 1994.
 vec3 phong(Directions d, Phong p) {
-    float lobe = powerLobe(p.power, d.versineRv, d.rv, p.shininess);
+    float lobe = mirrorPowerLobe(p.power, d, p.shininess);
     float white = 1.0;
     if (p.normalisation == PHONG_NORMALISATION_NORMALISED) {
         lobe *= phongNormalisation(p.shininess) * d.nl;

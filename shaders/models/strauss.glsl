@@ -93,7 +93,7 @@ float straussLobe(Directions d, Strauss p) {
     if (p.lobe == STRAUSS_LOBE_GGX) {
         return PI * alpha * alpha * ggxDistribution(d.sin2h, d.cos2h, alpha);
     }
-    return powerLobe(p.power, d.versineRv, d.rv, 3.0 / max(rough, 1e-30));
+    return mirrorPowerLobe(p.power, d, 3.0 / max(rough, 1e-30));
 }
 
 // The integral of (r.v)^e over all directions is 2 pi / (e + 1): what the highlight is multiplied by

@@ -4,7 +4,7 @@
 #include "lib/powers.glsl"
 
 vec3 phongSpecular(Directions d, PhongSpecular p) {
-    float power = powerLobe(p.power, d.versineRv, d.rv, p.shininess);
+    float power = mirrorPowerLobe(p.power, d, p.shininess);
     bool limits = p.glossMode == PHONG_SPECULAR_GLOSS_MODE_LIMIT;
     return glossed(p.specularColor * power, p.gloss, limits, 1.0);
 }

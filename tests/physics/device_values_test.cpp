@@ -2,7 +2,9 @@
 // Single values on the graphics device beside what theory or double precision says of them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "measure/eval/eval_gpu.h"
 #include "measure/eval/eval_reference.h"
@@ -46,6 +48,63 @@ TEST_F(DeviceValues, NearlyOppositeUnitDirections_StayAsTheyAre) {
     EXPECT_NEAR(exact, 0.729033, 1e-6);
     EXPECT_NEAR(onDevice(request) / exact, 1.0, 5e-4);
 }
+
+/// A model of a power of the mirror direction, and what its level "rounded" states to be off at
+/// most, as a share of the peak for each unit of the exponent.
+struct RoundedModel {
+    const char* id;
+    double stated;
+};
+
+class RoundedPower : public testing::TestWithParam<RoundedModel> {};
+
+/// A viewer down to 3 degrees above the surface, and light within a few widths of the lobe of this
+/// exponent.
+void placeNearMirror(EvalCase& request, double exponent, std::mt19937& random) {
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    std::normal_distribution<double> step(0.0, 1.5 / std::sqrt(exponent));
+    request.v = direction(87.0 * std::sqrt(share(random)), 360.0 * share(random));
+    const glm::dvec3 near = glm::dvec3(-request.v.x, -request.v.y, request.v.z) +
+                            glm::dvec3(step(random), step(random), step(random));
+    request.l = glm::normalize(glm::dvec3(near.x, near.y, std::abs(near.z)));
+    request.v = glm::dvec3(glm::vec3(request.v));
+    request.l = glm::dvec3(glm::vec3(request.l));
+}
+
+TEST_P(RoundedPower, OfAnySharpness_ErrsByNoMoreThanItStates) {
+    constexpr int casesEach = 10000;
+    std::mt19937 random(1);
+    EvalGpu gpu;
+    for (const double exponent : {20.0, 200.0, 1000.0}) {
+        EvalCase request = facing(GetParam().id);
+        request.block.values["shininess"] = exponent;
+        request.block.values["diffuse.color"] = black;
+        request.block.values["specular.color"] = white;
+        std::vector<EvalCase> cases;
+        std::vector<double> exact;
+        for (int i = 0; i < casesEach; ++i) {
+            placeNearMirror(request, exponent, random);
+            exact.push_back(evaluatedInDouble(request).value()[0]);
+            cases.push_back(request);
+            cases.back().block.accuracy["power"] = "rounded";
+        }
+        const auto answers = gpu.evaluate(cases, catalog());
+        double worst = 0.0;
+        for (int i = 0; i < casesEach; ++i) {
+            ASSERT_TRUE(answers[i]) << answers[i].error().text();
+            worst = std::max(worst, std::abs((*answers[i])[0] - exact[i]));
+        }
+        EXPECT_LE(worst, GetParam().stated * exponent) << exponent;
+        EXPECT_GT(worst, 0.05 * GetParam().stated * exponent) << "it states too much";
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(PowersOfTheMirrorDirection, RoundedPower,
+                         testing::Values(RoundedModel{"phong", 2.5e-7},
+                                         RoundedModel{"heidrich-seidel", 5e-7}),
+                         [](const auto& tested) {
+                             return std::string(tested.param.id[0] == 'p' ? "phong" : "fibres");
+                         });
 
 /// Normals whose float forms have a dot product with themselves of 1 and a little off 1.
 constexpr glm::dvec3 normals[] = {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the shader loses against double precision where nothing is an edge case.
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iostream>
@@ -35,8 +36,22 @@ bool lists(const char* list, const std::string& id) {
     return std::find(ids.begin(), ids.end(), Json(id)) != ids.end();
 }
 
+/// Whether the block computes its lobe at a level that takes cosines as they are rounded.
+bool isRounded(const EvalBlock& block) {
+    return std::ranges::any_of(bounds().at("rounded"), [&block](const Json& level) {
+        const auto chosen = block.accuracy.find(level[0].get<std::string>());
+        return chosen != block.accuracy.end() && chosen->second == level[1].get<std::string>();
+    });
+}
+
+/// What a power of this exponent adds to the bound.
+double growthOfPower(double exponent, bool rounded) {
+    return std::max(3e-7 * std::sqrt(exponent), rounded ? 1e-7 * exponent : 0.0);
+}
+
 /// What the sharpest lobe of a set of values adds to the bound.
 double growthOf(const EvalBlock& block, bool diffuse) {
+    const bool rounded = isRounded(block);
     double growth = 0.0;
     for (const auto& [id, value] : block.values) {
         const auto* x = std::get_if<double>(&value);
@@ -44,10 +59,11 @@ double growthOf(const EvalBlock& block, bool diffuse) {
             continue;
         }
         if (lists("exponents", id)) {
-            growth = std::max(growth, 3e-7 * std::sqrt(*x));
+            growth = std::max(growth, growthOfPower(*x, rounded));
         }
         if (lists("smoothnesses", id)) {
-            growth = std::max(growth, 3e-7 * std::sqrt(3.0 / std::max(1.0 - *x, 1e-30)));
+            const double exponent = 3.0 / std::max(1.0 - *x, 1e-30);
+            growth = std::max(growth, growthOfPower(exponent, rounded));
         }
         if (lists("widths", id) && !diffuse) {
             growth = std::max(growth, 5e-7 / std::max(*x, 1e-4));
