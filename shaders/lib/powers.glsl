@@ -54,3 +54,8 @@ float halfPowerLobe(int level, Directions d, float e) {
     }
     return blinnLobe(d.sin2h, d.cos2h, d.nH, e);
 }
+
+// 1 - (1 - y)^5 for y = 0 .. 1, multiplied out so that a small y keeps its digits.
+float fifthRise(float y) {
+    return y * (5.0 - y * (10.0 - y * (10.0 - y * (5.0 - y))));
+}

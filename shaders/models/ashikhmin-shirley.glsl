@@ -3,11 +3,7 @@
 #include "lib/elementary.glsl"
 #include "lib/fresnel.glsl"
 #include "lib/gloss.glsl"
-
-// 1 - (1 - y)^5 for y = 0 .. 1, multiplied out so that a small y keeps its digits.
-float ashikhminShirleyRise(float y) {
-    return y * (5.0 - y * (10.0 - y * (10.0 - y * (5.0 - y))));
-}
+#include "lib/powers.glsl"
 
 // -ln(n.h) over the squared sine of n.h on the scale of H; cheaply (1 - n.h) over it.
 float ashikhminShirleyFall(Directions d, AshikhminShirley p) {
@@ -46,7 +42,7 @@ vec3 ashikhminShirley(Directions d, AshikhminShirley p) {
     if (p.diffuseKind == ASHIKHMIN_SHIRLEY_DIFFUSE_KIND_COUPLED
         && p.base == ASHIKHMIN_SHIRLEY_BASE_EXACT) {
         vec3 Rs = p.specularColor * slotFresnel(incidenceOf(1.0), p.fresnel);
-        float rise = ashikhminShirleyRise(0.5 * d.nl) * ashikhminShirleyRise(0.5 * d.nv);
+        float rise = fifthRise(0.5 * d.nl) * fifthRise(0.5 * d.nv);
         diffuse *= (vec3(1.0) - Rs) * (1.2173913043478261 * rise);
     }
     vec3 highlight = p.specularColor * F * lobe;
