@@ -52,6 +52,19 @@ TEST(ElidedLabel, WithoutRoom_EndsInDotsAndTellsAllInItsTooltip) {
     EXPECT_EQ(line.text(), text);
 }
 
+TEST(ElidedLabel, WithALimitOfLines_ElidesTheLastOne) {
+    const QString text = "256 × 256 pixels, 31,447 of them shaded; errors against the same frame";
+    ElidedLabel label;
+    label.setMaxLines(2);
+    label.setElidedText(text);
+    label.resize(1000, 40);
+    EXPECT_EQ(label.shown(), text);
+    label.resize(150, 40);
+    EXPECT_EQ(label.shown().count('\n'), 1) << label.shown().toStdString();
+    EXPECT_TRUE(label.shown().startsWith("256 ×") && label.shown().endsWith("…"));
+    EXPECT_EQ(label.toolTip(), text);
+}
+
 ChoiceCost costOf(double ratio, bool belowNoise) {
     ChoiceCost cost;
     cost.ratio = {ratio, 0.9 * ratio, 1.1 * ratio};

@@ -23,6 +23,7 @@
 #include "accuracy/measure_bar.h"
 #include "accuracy/number_row.h"
 #include "catalog/json_text.h"
+#include "core/text.h"
 #include "docks/family_chooser.h"
 #include "docks/panel.h"
 #include "document/document.h"
@@ -38,7 +39,6 @@ namespace {
 
 enum WayColumn { WayWords, WayCost, WayShare, WayOff, WayMean, WayColumns };
 constexpr int wayRole = Qt::UserRole;
-constexpr int whatWidth = 300;
 constexpr double usualGreatestError = 0.25;
 constexpr std::pair<const char*, int> searchTimes[] = {
     {QT_TRANSLATE_NOOP("CheaperPage", "30 s"), 30},
@@ -104,7 +104,7 @@ CheaperPage::CheaperPage(const DockContext& context, std::shared_ptr<MeasureTurn
     list_->setUniformRowHeights(true);
     list_->setFrameShape(QFrame::NoFrame);
     list_->header()->setStretchLastSection(false);
-    list_->setColumnWidth(WayWords, whatWidth);
+    list_->header()->setSectionResizeMode(WayWords, QHeaderView::Stretch);
     list_->setTextElideMode(Qt::ElideMiddle);
     fitColumns(*list_, WayCost);
     notes_->setObjectName("notes");
@@ -309,7 +309,7 @@ void CheaperPage::fillList(bool stale) {
     for (std::size_t i = 0; i < ways.ways.size(); ++i) {
         const CheaperWay& way = ways.ways[i];
         auto* row = new NumberRow;
-        const QString words = asText(wordsOf(way));
+        const QString words = asText(capitalised(wordsOf(way)));
         row->setText(WayWords, words);
         row->setData(WayWords, wayRole, static_cast<int>(i));
         row->setToolTip(WayWords, words.split("; ").join('\n'));
@@ -448,15 +448,25 @@ QString CheaperPage::nothingText() const {
                : nothing;
 }
 
+QString CheaperPage::runningText() const {
+    return tr("Searching …");
+}
+
+QString CheaperPage::savedText() const {
+    return tr("Saved as “%1” in %2.").arg(asText(savedId_), asText(found().wish.folder.string()));
+}
+
 QString CheaperPage::outOfDateText() const {
+    if (isSaved()) { // the material may have what was saved, which is another block
+        return savedText();
+    }
     return tr("Found for %1, with other values or choices.")
         .arg(asText(found().wish.subject.block.block->label));
 }
 
 QString CheaperPage::measuredText() const {
     if (isSaved()) {
-        return tr("Saved as “%1” in %2.")
-            .arg(asText(savedId_), asText((found().wish.folder).string()));
+        return savedText();
     }
     if (!found().isChecked) {
         return tr("Not checked: errors are those of the search alone.");

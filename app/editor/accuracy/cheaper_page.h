@@ -53,6 +53,7 @@ class CheaperPage : public MeasurePage {
     void showNumbers(bool stale) override;
     QByteArray bytesFor(const QString& ending) const override;
     QString nothingText() const override;
+    QString runningText() const override;
     QString outOfDateText() const override;
     QString measuredText() const override;
 
@@ -77,6 +78,7 @@ class CheaperPage : public MeasurePage {
     void fillList(bool stale);
     int selectedWay() const; ///< is -1 where none is
     bool isSaved() const;
+    QString savedText() const;
     void takeWanted();
     void copy();
 

@@ -74,6 +74,10 @@ int CostPlot::currentPoint() const {
 
 void CostPlot::draw() {
     marks_->draw({chart_, currentPoint(), selected_, stale_}, palette());
+    if (!chart_.predictedFor.empty()) { // the card's name stands above and has no room here
+        plot_->xAxis->setLabel(tr("ns per pixel, predicted"));
+        plot_->replot();
+    }
 }
 
 QPoint CostPlot::placeOf(int point) const {

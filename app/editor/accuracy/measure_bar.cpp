@@ -16,6 +16,7 @@ namespace {
 
 constexpr int progressSteps = 1000;
 constexpr int progressWidth = 200;
+constexpr int longestText = 3; ///< in lines; the tool tip has the rest
 
 } // namespace
 
@@ -57,7 +58,7 @@ void MeasureBar::setStartText(const QString& text) {
 }
 
 void MeasureBar::giveTwoLines() {
-    text_->setWordWrap(true);
+    text_->setMaxLines(longestText);
     text_->setMinimumHeight(2 * fontMetrics().lineSpacing()); // so that a longer text moves nothing
 }
 

@@ -151,6 +151,10 @@ QString MeasurePage::nothingText() const {
     return document_.selection().object() < 0 ? tr("There is no object.") : QString();
 }
 
+QString MeasurePage::runningText() const {
+    return tr("Measuring …");
+}
+
 QString MeasurePage::outOfDateText() const {
     return tr("Out of date: the scene has changed since.");
 }
@@ -161,7 +165,7 @@ QString MeasurePage::measuredText() const {
 
 QString MeasurePage::stateText() const {
     if (isMeasuring()) {
-        return doing_.isEmpty() ? tr("Measuring …") : doing_;
+        return doing_.isEmpty() ? runningText() : doing_;
     }
     if (const QString nothing = nothingText(); !nothing.isEmpty()) {
         return nothing;
