@@ -136,16 +136,20 @@ Incidence cookTorranceIncidence(Directions d, CookTorrance p) {
     return halfIncidence(d);
 }
 
-// What the mirrors leave of the light for the base, seen from the viewer: 1 - R with Schlick's
-// R = R0 + (1 - R0) (1 - q)^5 (CGF 13(3), 1994). A rough surface reflects about as much as a smooth
-// one does at the cosine q with q^2 = (n.v)^2 + 0.4 w^2 / (w + 0.025), which is fitted to GGX of
-// width w with Smith's masking by height: of the light that clear materials of index 1.33 to 1.8
-// reflect it takes 0.03 too little to 0.08 too much.
+// What the mirrors leave of the light for the base, seen from the viewer: 1 - s R with Schlick's
+// R = R0 + (1 - R0) (1 - q)^5 (CGF 13(3), 1994) and s the strength of the mirrors. A rough surface
+// reflects about as much as a smooth one does at the cosine q with q^2 = (n.v)^2 + 0.4 w^2 /
+// (w + 0.025), which is fitted to GGX of width w with Smith's masking by height: of the light that
+// clear materials of index 1.33 to 1.8 reflect it takes 0.03 too little to 0.08 too much.
 vec3 cookTorranceLeft(Directions d, CookTorrance p) {
     float width = cookTorranceWidth(p);
     float q = sqrt(d.nv * d.nv + 0.4 * width * width / (width + 0.025));
-    vec3 R0 = p.specularColor * slotFresnel(incidenceOf(1.0), p.fresnel);
-    return (vec3(1.0) - R0) * fifthRise(min(q, 1.0));
+    vec3 passed = vec3(1.0) - slotFresnel(incidenceOf(1.0), p.fresnel);
+    vec3 strength = p.specularColor;
+    if (p.glossMode == COOK_TORRANCE_GLOSS_MODE_MULTIPLY) {
+        strength *= p.gloss;
+    }
+    return (vec3(1.0) - strength) + strength * passed * fifthRise(min(q, 1.0));
 }
 
 // s R_s + d R_d of Cook and Torrance 1982, with R_s = D G F / (4 (n.l)(n.v)). Their
