@@ -68,6 +68,11 @@ void nameWayColumns(QTreeWidget& list) {
     head.setToolTip(WayMean, CheaperPage::tr("Mean of the errors"));
 }
 
+/// Has two digits, so that what is done has room beside it.
+QString errorText(double error) {
+    return numberLocale().toString(error, 'g', 2);
+}
+
 /// Leaves only what decides which program a block is: choices that are compiled.
 void keepCompiled(Values& values, const Block* block) {
     std::erase_if(values, [block](const auto& value) {
@@ -316,8 +321,8 @@ void CheaperPage::fillList(bool stale) {
         row->setNumber(WayCost, numberLocale().toString(way.cost, 'f', 0), way.cost);
         const double share = 100.0 * way.cost / ways.exact.cost;
         row->setNumber(WayShare, tr("%1 %").arg(numberLocale().toString(share, 'f', 0)), share);
-        row->setNumber(WayOff, digitsText(statedError(way)), statedError(way));
-        row->setNumber(WayMean, digitsText(way.meanError), way.meanError);
+        row->setNumber(WayOff, errorText(statedError(way)), statedError(way));
+        row->setNumber(WayMean, errorText(way.meanError), way.meanError);
         for (int column = 0; stale && column < WayColumns; ++column) {
             row->setForeground(column, palette().placeholderText());
         }
@@ -446,6 +451,10 @@ QString CheaperPage::nothingText() const {
     return nothing.isEmpty() && chosenBlock() == nullptr
                ? tr("Nothing of this material can be searched.")
                : nothing;
+}
+
+QString CheaperPage::notYetText() const {
+    return tr("No search was made yet.");
 }
 
 QString CheaperPage::runningText() const {

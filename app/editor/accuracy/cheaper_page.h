@@ -53,6 +53,7 @@ class CheaperPage : public MeasurePage {
     void showNumbers(bool stale) override;
     QByteArray bytesFor(const QString& ending) const override;
     QString nothingText() const override;
+    QString notYetText() const override;
     QString runningText() const override;
     QString outOfDateText() const override;
     QString measuredText() const override;

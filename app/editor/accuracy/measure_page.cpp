@@ -151,6 +151,10 @@ QString MeasurePage::nothingText() const {
     return document_.selection().object() < 0 ? tr("There is no object.") : QString();
 }
 
+QString MeasurePage::notYetText() const {
+    return tr("Nothing is measured yet.");
+}
+
 QString MeasurePage::runningText() const {
     return tr("Measuring …");
 }
@@ -178,7 +182,7 @@ QString MeasurePage::stateText() const {
         if (!whyNot.isEmpty()) {
             return whyNot;
         }
-        return shown_ != nullptr && !stale_ ? tr("Stopped.") : tr("Nothing is measured yet.");
+        return shown_ != nullptr && !stale_ ? tr("Stopped.") : notYetText();
     }
     if (stale_) {
         return outOfDateText();

@@ -59,6 +59,7 @@ class MeasurePage : public QWidget {
     virtual QByteArray bytesFor(const QString& ending) const = 0;
     /// Says why there is nothing to measure; empty if there is something.
     virtual QString nothingText() const;
+    virtual QString notYetText() const;    ///< is shown before a measurement
     virtual QString runningText() const;   ///< is shown until a measurement says what it does
     virtual QString outOfDateText() const; ///< is shown for numbers that are stale
     virtual QString measuredText() const;  ///< says how the numbers were measured
