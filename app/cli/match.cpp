@@ -19,6 +19,8 @@
 namespace patina {
 namespace {
 
+constexpr double timingSeconds = 15.0; ///< for all models together
+
 struct MatchRequest {
     std::string preset;
     std::string to;
@@ -94,7 +96,8 @@ std::map<std::string, double> timesOf(const std::shared_ptr<const Catalog>& cata
         return {};
     }
     AssetClient files;
-    const CostRequest options;
+    CostRequest options;
+    options.seconds = timingSeconds;
     const Tools tools{catalog, files, work};
     const auto subject = prepared({}, options.picture, *catalog, files);
     if (!subject) {
