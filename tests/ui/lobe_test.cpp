@@ -20,6 +20,7 @@
 #include "document/snapshot_edits.h"
 #include "lobe/energy_bar.h"
 #include "lobe/lobe_dock.h"
+#include "lobe/lobe_subjects.h"
 #include "lobe/picked_incidence.h"
 #include "lobe/polar_plot.h"
 #include "lobe/share_plot.h"
@@ -60,6 +61,22 @@ class LobePanel : public WindowFixture {
     void openTab(Tab index) { dock().findChild<QTabWidget*>()->setCurrentIndex(index); }
     bool wait() {
         return QTest::qWaitFor([this] { return dock().isUpToDate(); }, waitMs);
+    }
+    /// Drops presets on the dock at once, by their paths in the folder of presets.
+    void drop(const QStringList& presets) {
+        QMimeData files;
+        QList<QUrl> urls;
+        for (const QString& preset : presets) {
+            urls << QUrl::fromLocalFile(PATINA_SOURCE_DIR "/presets/" + preset + ".patina.json");
+        }
+        files.setUrls(urls);
+        QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &files, Qt::LeftButton,
+                              Qt::NoModifier);
+        QApplication::sendEvent(&dock(), &enter);
+        EXPECT_TRUE(enter.isAccepted());
+        QDropEvent drop(QPointF(50.0, 50.0), Qt::CopyAction, &files, Qt::LeftButton,
+                        Qt::NoModifier);
+        QApplication::sendEvent(&dock(), &drop);
     }
     void set(const char* id, const Value& value) {
         document().setValue(document().selection().currentPath(kinds::models), id, value);
@@ -146,20 +163,43 @@ TEST_F(LobePanel, Tick_ComputesOnlyTheCurveThatItChanges) {
 
 TEST_F(LobePanel, DroppedPreset_IsOverlaidUntilItIsTakenAway) {
     ASSERT_TRUE(wait());
-    QMimeData files;
-    files.setUrls(
-        {QUrl::fromLocalFile(PATINA_SOURCE_DIR "/presets/cook-torrance/gold.patina.json")});
-    QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(&dock(), &enter);
-    EXPECT_TRUE(enter.isAccepted());
-    QDropEvent drop(QPointF(50.0, 50.0), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(&dock(), &drop);
+    drop({"cook-torrance/gold"});
     ASSERT_TRUE(wait());
     ASSERT_EQ(polar().subjects().size(), 2u);
     EXPECT_EQ(document().undoStack().index(), 1); // the model; a drop on the plot is no edit
     dock().findChild<QToolButton*>("forget presets")->click();
     ASSERT_TRUE(wait());
     EXPECT_EQ(polar().subjects().size(), 1u);
+}
+
+TEST_F(LobePanel, SixthMaterial_HasNoRoomAndTheNoteSaysSo) {
+    drop({"cook-torrance/gold", "strauss/brass", "strauss/gunmetal", "strauss/red-plastic",
+          "strauss/frosted-steel"});
+    ASSERT_TRUE(wait());
+    EXPECT_EQ(polar().subjects().size(), 5u);
+    EXPECT_TRUE(note().contains("No room for Frosted")) << note().toStdString();
+    dock().findChild<QToolButton*>("forget presets")->click();
+    ASSERT_TRUE(wait());
+    EXPECT_FALSE(note().contains("No room")) << note().toStdString();
+}
+
+TEST_F(LobePanel, MaterialWithoutAnAnswer_LeavesTheOthersTheirColoursAndTheBarItsOwn) {
+    document().setModel(Side::A, "toon");
+    drop({"cook-torrance/gold", "strauss/brass"});
+    openTab(Albedo);
+    ASSERT_TRUE(wait());
+    ASSERT_EQ(albedo().subjects().size(), 3u);
+    EXPECT_TRUE(albedo().subjects().front().lines.lines.empty());
+    EXPECT_EQ(albedo().subjects()[1].name, "Gold, satin");
+    const QByteArray drawing = albedo().svg();
+    const auto isDrawnIn = [&](std::size_t place) {
+        return drawing.contains("stroke=\"" + lobeColor(place, albedo().palette()).name().toUtf8());
+    };
+    EXPECT_FALSE(isDrawnIn(0));
+    EXPECT_TRUE(isDrawnIn(1));
+    EXPECT_TRUE(isDrawnIn(2));
+    EXPECT_TRUE(energy().text().startsWith("A: ")) << energy().text().toStdString();
+    EXPECT_TRUE(energy().text().contains("no share of the light")) << energy().text().toStdString();
 }
 
 TEST_F(LobePanel, Drag_TurnsTheLight) {
@@ -346,16 +386,22 @@ TEST_F(LobePanel, DrawingModel_HasNoPlotOverViewersOrHalfAngles) {
         ASSERT_TRUE(wait());
         EXPECT_TRUE(note().contains("no share of the light")) << note().toStdString();
     }
-    EXPECT_TRUE(solid().solids().empty());
-    EXPECT_TRUE(slice().slices().empty());
+    EXPECT_TRUE(solid().solids().front().solid.f.empty());
+    EXPECT_TRUE(slice().slices().front().slice.cells.empty());
+    EXPECT_EQ(solid().readingAt(solid().placeOf({0.0, 0.0, 0.1})), "");
+    EXPECT_EQ(slice().readingAt(slice().squareOf(0).center()), "");
 }
 
 TEST_F(LobePanel, DrawingModel_SaysThatThePlotMeansNothing) {
     document().setModel(Side::A, "toon");
     ASSERT_TRUE(wait());
-    EXPECT_TRUE(polar().subjects().empty());
+    EXPECT_TRUE(polar().subjects().front().lines.lines.empty());
     EXPECT_TRUE(note().contains("no share of the light")) << note().toStdString();
     EXPECT_TRUE(note().contains("its albedo")) << note().toStdString();
+    EXPECT_TRUE(dock().findChild<QLabel*>("note")->accessibleDescription() == note());
+    openTab(Float16);
+    ASSERT_TRUE(wait());
+    EXPECT_TRUE(note().contains("of 16 bits mean nothing")) << note().toStdString();
 }
 
 TEST_F(LobePanel, Export_WritesEachForm) {

@@ -31,21 +31,40 @@ EnergyBar::EnergyBar(QWidget* parent) : QWidget(parent) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
-void EnergyBar::setRange(const std::optional<EnergyRange>& range) {
+void EnergyBar::setRange(const EnergyRange& range) {
     range_ = range;
+    why_.clear();
+    refresh();
+}
+
+void EnergyBar::setNothing(const QString& why) {
+    range_.reset();
+    why_ = why;
+    refresh();
+}
+
+void EnergyBar::setName(const QString& name) {
+    name_ = name;
+    refresh();
+}
+
+void EnergyBar::refresh() {
     setToolTip(text());
     setAccessibleDescription(text());
     update();
 }
 
 QString EnergyBar::text() const {
+    const auto named = [this](const QString& words) {
+        return name_.isEmpty() || words.isEmpty() ? words : tr("%1: %2").arg(name_, words);
+    };
     if (!range_) {
-        return {};
+        return named(why_);
     }
     const QString numbers =
-        tr("Reflects %1 at least, %2 of an even sky, %3 at most")
-            .arg(shareText(weakest(range_->min)), shareText(luminance(range_->mean)),
-                 shareText(strongest(range_->max)));
+        named(tr("Reflects %1 at least, %2 of an even sky, %3 at most")
+                  .arg(shareText(weakest(range_->min)), shareText(luminance(range_->mean)),
+                       shareText(strongest(range_->max))));
     return isAboveOne() ? tr("%1: more than arrives").arg(numbers) : numbers;
 }
 
@@ -63,9 +82,16 @@ void EnergyBar::paintEvent(QPaintEvent*) {
     const QColor ink = palette().color(QPalette::Text);
     const QRectF bar(0.0, 1.0, width() - 1.0, barHeight - 2.0);
     painter.fillRect(bar, mixed(base, ink, 0.12));
-    if (!range_) {
-        return;
+    if (range_) {
+        paintRange(painter, bar);
     }
+    painter.setPen(ink);
+    painter.drawText(QRect(0, barHeight, width(), height() - barHeight),
+                     Qt::AlignLeft | Qt::AlignVCenter,
+                     fontMetrics().elidedText(text(), Qt::ElideRight, width()));
+}
+
+void EnergyBar::paintRange(QPainter& painter, const QRectF& bar) const {
     const double end = std::max(1.0, strongest(range_->max));
     const auto place = [&](double share) { return bar.left() + bar.width() * share / end; };
     const auto fill = [&](double from, double to, const QColor& color) {
@@ -77,13 +103,9 @@ void EnergyBar::paintEvent(QPaintEvent*) {
     if (isAboveOne()) {
         fill(1.0, strongest(range_->max), QColor(220, 70, 60));
     }
-    painter.setPen(QPen(ink, 2.0));
+    painter.setPen(QPen(palette().color(QPalette::Text), 2.0));
     const double mean = place(luminance(range_->mean));
     painter.drawLine(QPointF(mean, bar.top()), QPointF(mean, bar.bottom()));
-    painter.setPen(ink);
-    painter.drawText(QRect(0, barHeight, width(), height() - barHeight),
-                     Qt::AlignLeft | Qt::AlignVCenter,
-                     fontMetrics().elidedText(text(), Qt::ElideRight, width()));
 }
 
 } // namespace patina

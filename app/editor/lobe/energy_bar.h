@@ -17,10 +17,15 @@ class EnergyBar : public QWidget {
   public:
     explicit EnergyBar(QWidget* parent = nullptr);
 
-    /// Nothing: the bar is empty.
-    void setRange(const std::optional<EnergyRange>& range);
+    void setRange(const EnergyRange& range);
 
-    /// Says the numbers in words; empty without a range.
+    /// Empties the bar; the text says why.
+    void setNothing(const QString& why);
+
+    /// Sets whose energy it is, which the text says; empty where that is plain.
+    void setName(const QString& name);
+
+    /// Says the numbers in words, or why there are none.
     QString text() const;
 
     /// Says that more light is reflected than arrives, in some channel from some angle.
@@ -32,7 +37,12 @@ class EnergyBar : public QWidget {
     void paintEvent(QPaintEvent* event) override;
 
   private:
+    void refresh();
+    void paintRange(QPainter& painter, const QRectF& bar) const;
+
     std::optional<EnergyRange> range_;
+    QString why_;
+    QString name_;
 };
 
 } // namespace patina

@@ -79,13 +79,14 @@ Found completed(std::vector<SharedAnswer> answers, const std::vector<LobeMateria
     return {std::move(answers), isWanted()};
 }
 
+/// Returns a plot for each material, so that all keep their colours; one without an answer has its
+/// name alone.
 template <class Plot>
 std::vector<Plot> plotsOf(const std::vector<SharedAnswer>& answers) {
     std::vector<Plot> plots;
     for (const SharedAnswer& each : answers) {
-        if (const Plot* plot = each->plot ? std::get_if<Plot>(&*each->plot) : nullptr) {
-            plots.push_back(*plot);
-        }
+        const Plot* plot = each->plot ? std::get_if<Plot>(&*each->plot) : nullptr;
+        plots.push_back(plot != nullptr ? *plot : Plot{each->material.name, {}});
     }
     return plots;
 }
@@ -158,7 +159,7 @@ QWidget* LobeDock::makeControls() {
     term_->addItem(tr("Masking"), static_cast<int>(LobeTerm::Masking));
     term_->addItem(tr("Fresnel"), static_cast<int>(LobeTerm::Fresnel));
     snapshots_->setText(tr("&Snapshots"));
-    snapshots_->setToolTip(tr("Show the snapshots beside what is on screen, four in all"));
+    snapshots_->setToolTip(tr("Show the snapshots beside what is on screen, five in all"));
     snapshots_->setCheckable(true);
     auto* overlay = new QToolButton(this);
     overlay->setDefaultAction(snapshots_);
@@ -214,7 +215,7 @@ void LobeDock::takePick(SideView& view, const Hit& hit) {
                     : std::nullopt;
     if (!picked_) {
         forgetPick();
-        note_->setElidedText(tr("No light reaches that place."));
+        say(tr("No light reaches that place."));
         return;
     }
     polar_->setLight(picked_->incoming().angle * 180.0 / std::numbers::pi);
@@ -287,7 +288,12 @@ void LobeDock::takeTimes(const std::vector<LobeMaterial>& materials,
                      .arg(asText(materials[i].name), times_[static_cast<qsizetype>(i)],
                           leftOutText(materials[i]));
     }
-    note_->setElidedText(notes.join(' '));
+    say(notes.join(' '));
+}
+
+void LobeDock::say(const QString& text) {
+    note_->setElidedText(text);
+    note_->setAccessibleDescription(text);
 }
 
 QString LobeDock::leftOutText(const LobeMaterial& material) const {
@@ -326,6 +332,7 @@ void LobeDock::connectParts(const DockContext& context) {
     connect(snapshots_, &QAction::toggled, this, follow);
     connect(forget_, &QToolButton::clicked, this, [this] {
         dropped_.clear();
+        refused_.clear();
         forget_->hide();
         this->follow();
     });
@@ -355,9 +362,11 @@ void LobeDock::dragEnterEvent(QDragEnterEvent* event) {
 
 void LobeDock::dropEvent(QDropEvent* event) {
     event->acceptProposedAction();
+    refused_.clear();
     for (const auto& file : draggedFiles(*event->mimeData())) {
         addPreset(file.toStdString());
     }
+    isStale_ = isStale_ || !refused_.isEmpty(); // its note has to be written
     forget_->setVisible(!dropped_.empty());
     follow();
 }
@@ -370,8 +379,13 @@ void LobeDock::addPreset(const std::filesystem::path& file) {
         }
         return;
     }
-    const std::string& name = reading->material.name;
-    dropped_.push_back({name.empty() ? file.filename().string() : name, reading->material});
+    const std::string& own = reading->material.name;
+    const std::string name = own.empty() ? file.filename().string() : own;
+    if (shownMaterials().size() < maxLobeSubjects) {
+        dropped_.push_back({name, reading->material});
+    } else {
+        refused_ << asText(name);
+    }
 }
 
 void LobeDock::hideEvent(QHideEvent* event) {
@@ -383,17 +397,22 @@ void LobeDock::hideEvent(QHideEvent* event) {
     isStale_ = true;
 }
 
+std::vector<LobeMaterial> LobeDock::shownMaterials() const {
+    std::vector<LobeMaterial> all = lobeMaterials(document_, tried_, snapshots_->isChecked());
+    for (const LobeMaterial& each : dropped_) {
+        if (all.size() < maxLobeSubjects) {
+            all.push_back(each);
+        }
+    }
+    return all;
+}
+
 /// Sketches what changed, unless the dock is not seen; showEvent() catches up.
 void LobeDock::follow() {
     if (!isVisible()) {
         return;
     }
-    std::vector<LobeMaterial> now = lobeMaterials(document_, tried_, snapshots_->isChecked());
-    for (const LobeMaterial& each : dropped_) {
-        if (now.size() < maxLobeSubjects) {
-            now.push_back(each);
-        }
-    }
+    std::vector<LobeMaterial> now = shownMaterials();
     if (!isStale_ && now == materials_) {
         return;
     }
@@ -471,12 +490,17 @@ void LobeDock::show(const LobeQuestion& question, const std::vector<SharedAnswer
     if (question.page != shownPage() || isIncomplete || answers.empty()) {
         return; // another one is on its way
     }
-    note_->setElidedText(noteOf(answers));
+    say(noteOf(answers));
     showPlots(question, answers);
 }
 
 QString LobeDock::noteOf(const std::vector<SharedAnswer>& answers) const {
     QStringList notes;
+    if (!refused_.isEmpty()) {
+        notes << tr("No room for %1: the plot holds %2 materials.")
+                     .arg(refused_.join(QStringLiteral(", ")))
+                     .arg(maxLobeSubjects);
+    }
     for (const SharedAnswer& each : answers) {
         if (!each->plot) {
             notes << tr("%1: %2.").arg(asText(each->material.name),
@@ -501,19 +525,28 @@ QString LobeDock::noteOf(const std::vector<SharedAnswer>& answers) const {
 
 void LobeDock::showPlots(const LobeQuestion& question, const std::vector<SharedAnswer>& answers) {
     if (LobePlotWidget* plot = linePlot()) {
-        const auto subjects = plotsOf<LobeSubject>(answers);
         if (question.page == LobePage::Albedo) {
-            const bool isThere =
-                !subjects.empty() && subjects.front().lines.lines.front().values.size() > 1;
-            energy_->setRange(isThere
-                                  ? std::optional(energyRange(subjects.front().lines.lines.front()))
-                                  : std::nullopt);
+            showEnergy(*answers.front(), answers.size() > 1);
         }
-        plot->setSubjects(subjects);
+        plot->setSubjects(plotsOf<LobeSubject>(answers));
     } else if (question.page == LobePage::Solid) {
         solid_->setSolids(plotsOf<NamedSolid>(answers), question.lines.incoming);
     } else {
         slice_->setSlices(plotsOf<NamedSlice>(answers));
+    }
+}
+
+void LobeDock::showEnergy(const LobeAnswer& answer, bool isOneOfSeveral) {
+    energy_->setName(isOneOfSeveral ? asText(answer.material.name) : QString());
+    if (!answer.plot) {
+        energy_->setNothing(asText(answer.plot.error().problem));
+        return;
+    }
+    const LobeLine& line = std::get<LobeSubject>(*answer.plot).lines.lines.front();
+    if (line.values.size() > 1) {
+        energy_->setRange(energyRange(line));
+    } else {
+        energy_->setNothing({});
     }
 }
 

@@ -56,7 +56,10 @@ class LobeDock : public QWidget {
 
   private:
     void addPages();
+    /// Overlays a preset, or remembers that there is no room for it.
     void addPreset(const std::filesystem::path& file);
+    /// Returns what is on screen and what is overlaid, as many as there is room for.
+    std::vector<LobeMaterial> shownMaterials() const;
     QWidget* makeControls();
     QToolButton* makePick();
     void watchPicks(SideView& view);
@@ -77,7 +80,11 @@ class LobeDock : public QWidget {
     /// Shows answers to the question, one for each material, and keeps them.
     void show(const LobeQuestion& question, const std::vector<SharedAnswer>& answers);
     void showPlots(const LobeQuestion& question, const std::vector<SharedAnswer>& answers);
+    /// Shows in the energy bar what was found of the first material.
+    void showEnergy(const LobeAnswer& answer, bool isOneOfSeveral);
     QString noteOf(const std::vector<SharedAnswer>& answers) const;
+    /// Writes the note, all of it for a screen reader, too.
+    void say(const QString& text);
     LobePage shownPage() const;
     /// Return the widget of the tab that is seen: one of lines or a painted one.
     LobePlotWidget* linePlot() const;
@@ -106,6 +113,7 @@ class LobeDock : public QWidget {
     QAction* snapshots_;
     QToolButton* forget_;               ///< takes the dropped presets away
     std::vector<LobeMaterial> dropped_; ///< are presets that were dropped on the dock
+    QStringList refused_;               ///< names those of the last drop that had no room
     ElidedLabel* note_;
     QToolButton* time_ = nullptr;
     QStringList times_; ///< say the time of each material; empty where nobody measured them

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lobe/lobe_plot_widget.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <QMouseEvent>
 #include <QToolTip>
@@ -22,7 +24,7 @@ constexpr QSize plotFileSize{960, 600};
 constexpr double plotFileScale = 2.0;
 constexpr QSize minPlotSize{180, 120};
 constexpr QSize usualLobeSize{480, 260};
-constexpr QPointF legendPlace{0.02, 0.04}; ///< shares of the plot from its top left
+constexpr double legendGap = 8.0; ///< pixels between the legend and the plot's edges
 constexpr double lineWidth = 1.6;
 
 QPen penOf(const LobeLine& line, const QColor& color) {
@@ -46,6 +48,58 @@ QString numberText(const LobeLine& line, double at) {
     return QStringLiteral("%1, %2, %3").arg(roundText(v.x), roundText(v.y), roundText(v.z));
 }
 
+/// Adds the places between two points, a few pixels apart.
+void addPlaces(std::vector<QPointF>& all, const QPointF& from, const QPointF& to) {
+    constexpr double apart = 4.0;
+    constexpr double longest = 1e4; ///< pixels; a line may lead far out of the plot
+    const QPointF way = to - from;
+    const double length = std::hypot(way.x(), way.y());
+    if (!(length < longest)) {
+        return;
+    }
+    const int steps = std::max(static_cast<int>(length / apart), 1);
+    for (int i = 0; i <= steps; ++i) {
+        all.push_back(from + way * (static_cast<double>(i) / steps));
+    }
+}
+
+/// Returns the area of a text in pixels.
+QRectF areaOf(const QCPItemText& text) {
+    const QSizeF size = QFontMetricsF(text.font()).size(0, text.text());
+    const Qt::Alignment alignment = text.positionAlignment();
+    const QPointF at = text.position->pixelPosition();
+    const double left = alignment.testFlag(Qt::AlignRight)  ? size.width()
+                        : alignment.testFlag(Qt::AlignLeft) ? 0.0
+                                                            : 0.5 * size.width();
+    const double above = alignment.testFlag(Qt::AlignBottom) ? size.height()
+                         : alignment.testFlag(Qt::AlignTop)  ? 0.0
+                                                             : 0.5 * size.height();
+    return {at - QPointF(left, above), size};
+}
+
+/// Returns places on the lines and the texts of a plot, in pixels, without those of its legend.
+std::vector<QPointF> inkedPlaces(QCustomPlot& plot, const std::vector<QCPItemText*>& legend) {
+    std::vector<QPointF> all;
+    for (int i = 0; i < plot.plottableCount(); ++i) {
+        auto* drawn = qobject_cast<QCPAbstractPlottable*>(plot.plottable(i));
+        const auto* data = drawn->interface1D();
+        for (int point = 1; data != nullptr && point < data->dataCount(); ++point) {
+            addPlaces(all, data->dataPixelPosition(point - 1), data->dataPixelPosition(point));
+        }
+    }
+    for (int i = 0; i < plot.itemCount(); ++i) {
+        auto* text = qobject_cast<QCPItemText*>(plot.item(i));
+        if (text != nullptr && std::ranges::find(legend, text) == legend.end()) {
+            const QRectF area = areaOf(*text);
+            for (const double share : {0.1, 0.5, 0.9}) { // a text counts as lines close together
+                const double y = area.top() + share * area.height();
+                addPlaces(all, {area.left(), y}, {area.right(), y});
+            }
+        }
+    }
+    return all;
+}
+
 } // namespace
 
 LobePlotWidget::LobePlotWidget(QWidget* parent) : PlotWidget(parent), plot_(new QCustomPlot(this)) {
@@ -56,6 +110,7 @@ LobePlotWidget::LobePlotWidget(QWidget* parent) : PlotWidget(parent), plot_(new 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(1, 1, 1, 1); // leaves room for the focus frame
     layout->addWidget(plot_);
+    connect(plot_, &QCustomPlot::afterLayout, this, &LobePlotWidget::placeLegend);
 }
 
 void LobePlotWidget::setSubjects(std::vector<LobeSubject> subjects) {
@@ -123,19 +178,56 @@ QSize LobePlotWidget::sizeHint() const {
 }
 
 void LobePlotWidget::addLegend() {
+    legend_.clear(); // its items went with the plot's others
     const bool isWanted = subjects_.size() > 1 || !details_.isEmpty();
     for (std::size_t i = 0; i < subjects_.size() && isWanted; ++i) {
         const QString detail = details_.value(static_cast<qsizetype>(i));
         auto* name = new QCPItemText(plot_);
-        name->position->setType(QCPItemPosition::ptAxisRectRatio);
-        name->position->setCoords(legendPlace);
+        name->position->setType(QCPItemPosition::ptAbsolute);
         name->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
-        // Names stand below each other: the lines above are empty.
-        name->setText(QString(static_cast<qsizetype>(i), '\n') + asText(subjects_[i].name) +
+        name->setText(asText(subjects_[i].name) +
+                      (subjects_[i].lines.lines.empty() ? tr(": no line") : QString()) +
                       (detail.isEmpty() ? QString() : QStringLiteral(", ") + detail));
         name->setTextAlignment(Qt::AlignLeft);
         name->setFont(plot_->font());
         name->setColor(lobeColor(i, palette()));
+        legend_.push_back(name);
+    }
+}
+
+/// Moves the legend to where it lies on as little as may be: a corner, or between two.
+void LobePlotWidget::placeLegend() {
+    if (legend_.empty()) {
+        return;
+    }
+    const QFontMetricsF metrics(plot_->font());
+    const double rowHeight = metrics.lineSpacing();
+    QSizeF size(0.0, rowHeight * static_cast<double>(legend_.size()));
+    for (const QCPItemText* name : legend_) {
+        size.setWidth(std::max(size.width(), metrics.horizontalAdvance(name->text()) + 2.0));
+    }
+    const QRectF room =
+        QRectF(plot_->axisRect()->rect()).adjusted(legendGap, legendGap, -legendGap, -legendGap);
+    const std::vector<QPointF> inked = inkedPlaces(*plot_, legend_);
+    QPointF place = room.topLeft();
+    auto fewest = std::numeric_limits<std::ptrdiff_t>::max();
+    for (const QPointF share :
+         {QPointF(0, 0), QPointF(1, 0), QPointF(0, 1), QPointF(1, 1), QPointF(0.5, 0),
+          QPointF(0, 0.5), QPointF(1, 0.5), QPointF(0.5, 1), QPointF(0.5, 0.5)}) {
+        const QRectF tried(
+            QPointF(room.left() + share.x() * std::max(room.width() - size.width(), 0.0),
+                    room.top() + share.y() * std::max(room.height() - size.height(), 0.0)),
+            size);
+        const auto covered = std::ranges::count_if(
+            inked, [&tried](const QPointF& each) { return tried.contains(each); });
+        if (covered < fewest) {
+            fewest = covered;
+            place = tried.topLeft();
+        }
+    }
+    for (QCPItemText* name : legend_) {
+        name->position->setCoords(place);
+        place.ry() += rowHeight;
     }
 }
 

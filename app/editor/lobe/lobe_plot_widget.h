@@ -9,6 +9,7 @@
 #include "accuracy/plot_widget.h"
 #include "measure/lobe/lobe_lines.h"
 
+class QCPItemText;
 class QCustomPlot;
 
 namespace patina {
@@ -20,6 +21,8 @@ class LobePlotWidget : public PlotWidget {
   public:
     explicit LobePlotWidget(QWidget* parent = nullptr);
 
+    /// Takes all materials, so that each keeps its colour; one that has no lines has its name
+    /// alone.
     void setSubjects(std::vector<LobeSubject> subjects);
     const std::vector<LobeSubject>& subjects() const { return subjects_; }
 
@@ -65,7 +68,10 @@ class LobePlotWidget : public PlotWidget {
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
+    void placeLegend();
+
     std::vector<LobeSubject> subjects_;
+    std::vector<QCPItemText*> legend_; ///< are the plot's, a name in each
     QStringList details_;
     QCustomPlot* plot_;
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "text/display_number.h"
 #include "viewport/side_view.h"
@@ -48,8 +49,11 @@ std::vector<LobeMaterial> lobeMaterials(const Document& document, const TriedMat
 }
 
 QColor lobeColor(std::size_t place, const QPalette& palette) {
-    constexpr int hues[maxLobeSubjects] = {35, 207, 110, 300};
-    return standingOut(hues[place % maxLobeSubjects], palette);
+    constexpr int hues[] = {35, 207, 110, 300};
+    if (place < std::size(hues)) {
+        return standingOut(hues[place], palette);
+    }
+    return QColor::fromHsl(0, 0, isDark(palette) ? 200 : 85); // no fifth hue is far from all
 }
 
 QColor channelColor(int channel, const QPalette& palette) {

@@ -13,8 +13,8 @@
 
 namespace patina {
 
-/// Limits how many materials a plot shows.
-inline constexpr std::size_t maxLobeSubjects = 4;
+/// Limits how many materials a plot shows: the one on screen and four more.
+inline constexpr std::size_t maxLobeSubjects = 5;
 
 /// Is a material that is plotted.
 struct LobeMaterial {
@@ -25,7 +25,7 @@ struct LobeMaterial {
 };
 
 /// Returns the current object's material on each side that is shown, with what is tried there, and
-/// then the first snapshots where `hasSnapshots` says so: four materials at most.
+/// then the first snapshots where `hasSnapshots` says so, as many as a plot shows.
 std::vector<LobeMaterial> lobeMaterials(const Document& document, const TriedMaterial& tried,
                                         bool hasSnapshots);
 

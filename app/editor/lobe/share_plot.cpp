@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include "accuracy/plot_colors.h"
 #include "accuracy/plot_library.h"
@@ -15,6 +16,7 @@ namespace {
 
 constexpr double headroom = 1.05;
 constexpr double sampleSize = 7.0; ///< pixels
+constexpr double firstUlps = 0.1;  ///< is where a logarithmic axis of errors begins
 
 /// Is the range of wavelengths that a spectrum shows at least, in nanometres.
 constexpr double usualFirst = 380.0;
@@ -72,7 +74,7 @@ QString SharePlot::abscissaText(double at) const {
 }
 
 QString SharePlot::unit() const {
-    return kind_ == LobePlot::Float32 || kind_ == LobePlot::Float16 ? tr("ulp") : QString();
+    return isOfErrors() ? tr("ulp") : QString();
 }
 
 void SharePlot::addMarks(double top) {
@@ -89,8 +91,12 @@ void SharePlot::addMarks(double top) {
     }
     const double bottom = plot().yAxis->range().lower;
     double height = bottom + 0.9 * (top - bottom); // below the line of 1, which marks would lie on
+    std::set<QString> named;                       // several materials may have the same
     for (const LobeSubject& subject : subjects()) {
         for (const LobeMark& mark : subject.lines.marks) {
+            if (!named.insert(markText(mark)).second) {
+                continue;
+            }
             addLine({mark.at, bottom}, {mark.at, top},
                     QPen(mixed(base, text, 0.35), 1.0, Qt::DashLine));
             auto* label = new QCPItemText(&plot());
@@ -114,14 +120,33 @@ double SharePlot::fitAxes() {
     double largest = 1.0;
     for (const Stroke& line : strokes()) {
         for (std::size_t i = 0; i < line.values.size(); ++i) {
-            const bool isCounted = kind_ == LobePlot::Float32 || line.at[i] <= roomyDegrees;
+            const bool isCounted = isOfErrors() || line.at[i] <= roomyDegrees;
             largest = isCounted ? std::max(largest, line.values[i]) : largest;
         }
     }
     const double top = headroom * largest;
-    plot().yAxis->setRange(0.0, top);
+    plot().yAxis->setRange(hasLogarithm() ? firstUlps : 0.0, top);
     plot().yAxis2->setRange(1.0 - top, 1.0);
     return top;
+}
+
+bool SharePlot::isOfErrors() const {
+    return kind_ == LobePlot::Float32 || kind_ == LobePlot::Float16;
+}
+
+/// Tells whether one line's errors would leave another one flat on a linear axis.
+bool SharePlot::hasLogarithm() const {
+    constexpr double flattened = 20.0;
+    double smallest = std::numeric_limits<double>::infinity();
+    double largest = 0.0;
+    for (const Stroke& line : strokes()) {
+        if (!line.values.empty()) {
+            const double peak = std::ranges::max(line.values);
+            smallest = std::min(smallest, std::max(peak, 1.0));
+            largest = std::max(largest, peak);
+        }
+    }
+    return isOfErrors() && largest > flattened * smallest;
 }
 
 /// An index that hardly bends is to be seen to bend, so its axis need not begin at 0. Above the
@@ -168,7 +193,16 @@ void SharePlot::draw() {
     plot().yAxis2->setLabelFont(plot().font());
     plot().yAxis2->setLabelColor(plot().yAxis->labelColor());
     const bool isSpectrum = kind_ == LobePlot::Spectrum;
-    for (const Stroke& line : strokes()) {
+    const bool isLogarithmic = hasLogarithm();
+    if (isOfErrors()) {
+        plot().yAxis->setScaleType(isLogarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
+        plot().yAxis->setTicker(isLogarithmic ? QSharedPointer<QCPAxisTicker>(new QCPAxisTickerLog)
+                                              : QSharedPointer<QCPAxisTicker>(new QCPAxisTicker));
+    }
+    for (Stroke& line : strokes()) {
+        for (double& value : line.values) {
+            value = isLogarithmic ? std::max(value, firstUlps) : value;
+        }
         const bool isRight = isSpectrum && line.isShare;
         QCPGraph* graph = plot().addGraph(plot().xAxis, isRight ? plot().yAxis2 : plot().yAxis);
         QPen pen = line.pen;

@@ -27,6 +27,8 @@ class SharePlot final : public LobePlotWidget {
     /// Set the axes' ranges, and return what the left one ends at.
     double fitAxes();
     double fitSpectrum();
+    bool isOfErrors() const;
+    bool hasLogarithm() const;
 
     LobePlot kind_;
 };

@@ -73,9 +73,14 @@ void SlicePlot::paint(QPainter& painter, const QSizeF& size) const {
     const QColor ink = mixed(base, palette().color(QPalette::Text), 0.8);
     const double line = QFontMetricsF(font()).height();
     const double white = whiteOf(slices_);
+    if (std::ranges::all_of(slices_, [](const NamedSlice& each) { return each.slice.size == 0; })) {
+        return;
+    }
     for (std::size_t i = 0; i < slices_.size(); ++i) {
         const QRectF square = squareOf(i, size);
-        painter.drawImage(square, pictureOf(slices_[i].slice, scale_, white));
+        if (slices_[i].slice.size > 0) {
+            painter.drawImage(square, pictureOf(slices_[i].slice, scale_, white));
+        }
         painter.setPen(mixed(base, palette().color(QPalette::Text), 0.4));
         painter.drawRect(square);
         painter.setPen(slices_.size() > 1 ? lobeColor(i, palette()) : ink);
@@ -94,15 +99,13 @@ void SlicePlot::paint(QPainter& painter, const QSizeF& size) const {
             }
         }
     }
-    if (!slices_.empty()) {
-        const QRectF first = squareOf(0, size);
-        const QString what = tr("right: half vector from the normal · up: light from the half "
-                                "vector · white: %1 1/sr or more")
-                                 .arg(roundText(white));
-        painter.drawText(QRectF(first.left(), first.bottom() + line + 4.0,
-                                size.width() - first.left(), line + 2.0),
-                         Qt::AlignLeft | Qt::AlignVCenter, what);
-    }
+    const QRectF first = squareOf(0, size);
+    const QString what = tr("right: half vector from the normal · up: light from the half "
+                            "vector · white: %1 1/sr or more")
+                             .arg(roundText(white));
+    painter.drawText(
+        QRectF(first.left(), first.bottom() + line + 4.0, size.width() - first.left(), line + 2.0),
+        Qt::AlignLeft | Qt::AlignVCenter, what);
 }
 
 QString SlicePlot::readingAt(const QPointF& place) const {
@@ -110,6 +113,9 @@ QString SlicePlot::readingAt(const QPointF& place) const {
         const QRectF square = squareOf(i);
         if (!square.contains(place)) {
             continue;
+        }
+        if (slices_[i].slice.size == 0) {
+            return {};
         }
         const int cells = slices_[i].slice.size;
         const auto cell = [cells](double share) {
@@ -122,6 +128,9 @@ QString SlicePlot::readingAt(const QPointF& place) const {
                 .arg(roundText(slices_[i].slice.angleOf(half) * degreesOfRadian),
                      roundText(slices_[i].slice.angleOf(difference) * degreesOfRadian))};
         for (const NamedSlice& each : slices_) {
+            if (each.slice.size != cells) {
+                continue;
+            }
             lines << tr("%1: %2 1/sr")
                          .arg(asText(each.name), valueText(each.slice.at(half, difference)));
         }

@@ -18,6 +18,7 @@ class SlicePlot final : public PaintedPlot {
     explicit SlicePlot(QWidget* parent = nullptr);
 
     void setScale(LobeScale scale);
+    /// Takes slices of which one without cells keeps its place, and its colour.
     void setSlices(std::vector<NamedSlice> slices);
     const std::vector<NamedSlice>& slices() const { return slices_; }
 

@@ -119,6 +119,9 @@ QPointF SolidPlot::placeOf(const glm::dvec3& point) const {
 void SolidPlot::addFacets(std::vector<Facet>& all, std::size_t material, double largest,
                           const Projection& projection) const {
     const LobeSolid& solid = solids_[material].solid;
+    if (solid.f.empty()) {
+        return;
+    }
     std::vector<glm::dvec3> points(solid.f.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
         points[i] = solid.directions[i] * lobeLength(scale_, luminance(solid.f[i]), largest);
@@ -145,6 +148,7 @@ void SolidPlot::addFacets(std::vector<Facet>& all, std::size_t material, double 
             QColor color = hasHue ? hueOf(solid.f[corners[2]]) : own;
             color.setAlphaF(static_cast<float>(solids_.size() > 1 ? overlaidOpacity : 1.0));
             facet.color = shaded(color, 0.4 + 0.6 * facing);
+            facet.material = material;
             facet.direction = corners[2];
             all.push_back(std::move(facet));
         }
@@ -220,7 +224,9 @@ void SolidPlot::paint(QPainter& painter, const QSizeF& size) const {
     double top = metrics.ascent() + 4.0;
     for (std::size_t i = 0; i < solids_.size() && solids_.size() > 1; ++i) {
         painter.setPen(lobeColor(i, palette()));
-        painter.drawText(QPointF(8.0, top), asText(solids_[i].name));
+        painter.drawText(QPointF(8.0, top),
+                         asText(solids_[i].name) +
+                             (solids_[i].solid.f.empty() ? tr(": no lobe") : QString()));
         top += metrics.lineSpacing();
     }
 }
@@ -233,12 +239,15 @@ QString SolidPlot::readingAt(const QPointF& place) const {
     if (hit == all.rend()) {
         return {};
     }
-    const glm::dvec3& v = solids_.front().solid.directions[hit->direction];
+    const glm::dvec3& v = solids_[hit->material].solid.directions[hit->direction];
     const double around = std::atan2(v.y, v.x) / degree;
     QStringList lines{tr("viewer %1° from the normal, %2° from the tangent")
                           .arg(roundText(std::acos(std::min(v.z, 1.0)) / degree),
                                roundText(around < 0.0 ? around + 360.0 : around))};
     for (const NamedSolid& each : solids_) {
+        if (each.solid.f.empty()) {
+            continue;
+        }
         lines << tr("%1: %2 1/sr").arg(asText(each.name), valueText(each.solid.f[hit->direction]));
     }
     return lines.join('\n');

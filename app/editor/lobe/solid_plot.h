@@ -21,7 +21,7 @@ class SolidPlot final : public PaintedPlot {
 
     void setScale(LobeScale scale);
 
-    /// Takes lobes that have the same directions.
+    /// Takes lobes that have the same directions; one without any keeps its place, and its colour.
     void setSolids(std::vector<NamedSolid> solids, const Incoming& light);
     const std::vector<NamedSolid>& solids() const { return solids_; }
 
@@ -51,7 +51,8 @@ class SolidPlot final : public PaintedPlot {
     struct Facet {
         QPolygonF outline;
         QColor color;
-        double depth = 0.0;        ///< is larger nearer to the eye
+        double depth = 0.0; ///< is larger nearer to the eye
+        std::size_t material = 0;
         std::size_t direction = 0; ///< is one of its corners
     };
 

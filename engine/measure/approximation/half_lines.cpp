@@ -47,6 +47,10 @@ std::string worstText(const LobeLine& line, std::size_t broken) {
 
 Result<LobeLines> halfLines(const Catalog& catalog, const Material& material,
                             const LobeRequest& request, const std::filesystem::path& shaders) {
+    const Block* block = catalog.find(kinds::models, material.model.id);
+    if (block != nullptr && !whyNoPlots(*block).empty()) {
+        return failure(whyNoPlots(*block), "a model of a reflectance");
+    }
     const Result<EvalCase> variant = sweepVariant(catalog, material);
     if (!variant) {
         return tl::unexpected(variant.error());

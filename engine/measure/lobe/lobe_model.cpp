@@ -91,8 +91,8 @@ std::string whyNoPlots(const Block& model) {
     const std::string why = whyNoReflectance(model);
     return why.empty() ? why
                        : why + ": its lobe, in the plane of incidence or in 3D, its albedo, the "
-                               "slice over half angles and the error of single precision mean "
-                               "nothing";
+                               "slice over half angles and the errors of single precision and "
+                               "of 16 bits mean nothing";
 }
 
 bool hasTerms(const Block& model) {
