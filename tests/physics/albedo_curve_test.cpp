@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <atomic>
+
 #include <gtest/gtest.h>
 
 #include "lobe_cases.h"
+#include "measure/error/parallel.h"
 #include "measure/lobe/albedo_curve.h"
 #include "measure/lobe/lobe_lines.h"
 #include "measure/stability/sweep_cases.h"
@@ -108,6 +111,17 @@ TEST(AlbedoCurve, IsFiniteForEveryEdgeCase) {
                 << block->id << ' ' << angle;
         }
     }
+}
+
+/// A plot that is superseded ends within an angle's integral, of which some take seconds.
+TEST(AlbedoCurve, NoLongerWanted_EndsWithinAnAngle) {
+    const LobeModel model = modelOf(materialOf("phong", {}));
+    std::atomic<int> asked = 0;
+    const auto curve = albedoCurve(model, 0.0, albedoAngles(5.0), {}, [&asked] {
+        return ++asked < 40; // an angle has 75 rings at the least
+    });
+    EXPECT_TRUE(curve.empty());
+    EXPECT_LT(asked, 400 * int(parallelParts()));
 }
 
 TEST(EnergyRange, OfAnEvenCurve_IsItsValue) {

@@ -11,7 +11,7 @@
 #include "material/preset_file.h"
 #include "measure/eval/eval_gpu.h"
 #include "measure/eval/model_values.h"
-#include "measure/lobe/lobe_model.h"
+#include "measure/lobe/lobe_lines.h"
 #include "measure/stability/sweep_cases.h"
 #include "measured/measured_reflectance.h"
 #include "support/measured_files.h"
@@ -59,6 +59,23 @@ std::vector<DirectionPair> manyPairs() {
     return pairs;
 }
 
+/// Returns the albedo by many directions that are even in projected solid angle.
+glm::dvec3 albedoByDirections(const LobeModel& model, double angle) {
+    constexpr int elevations = 500;
+    constexpr int azimuths = 120;
+    const glm::dvec3 l(std::sin(angle), 0.0, std::cos(angle));
+    glm::dvec3 sum(0.0);
+    for (int i = 0; i < elevations; ++i) {
+        const double z = std::sqrt(1.0 - (i + 0.5) / elevations);
+        const double s = std::sqrt((i + 0.5) / elevations);
+        for (int j = 0; j < azimuths; ++j) {
+            const double phi = pi * (j + 0.5) / azimuths; // the other half is the same
+            sum += model.reflectance(l, {s * std::cos(phi), s * std::sin(phi), z});
+        }
+    }
+    return pi * sum / double(elevations * azimuths);
+}
+
 class MeasuredModel : public testing::Test {
   protected:
     void write(const std::string& name, const std::string& bytes) {
@@ -74,6 +91,21 @@ class MeasuredModel : public testing::Test {
     Material material_;
     std::shared_ptr<const MeasuredReflectance> measured_;
 };
+
+TEST_F(MeasuredModel, Albedo_IsKnownAsWellAsATableIs) {
+    write("a.binary", merlBytes({30, 20, 36}, measuredSurface));
+    const LobeModel model = *LobeModel::create(catalog(), material_);
+    LobeRequest request;
+    request.plot = LobePlot::Albedo;
+    const auto lines = lobeLines(catalog(), material_, request);
+    ASSERT_TRUE(lines) << lines.error().text();
+    for (const double degrees : {0.0, 35.0, 75.0}) {
+        const glm::dvec3 counted = albedoByDirections(model, degrees * pi / 180.0);
+        const glm::dvec3 found = valueAt(lines->lines.front(), degrees);
+        EXPECT_NEAR(found.x, counted.x, 2e-3) << degrees;
+        EXPECT_NEAR(found.z, counted.z, 2e-3) << degrees;
+    }
+}
 
 TEST_F(MeasuredModel, MerlFile_GivesTheFilesValues) {
     write("a.binary", merlBytes({30, 20, 36}, measuredSurface));

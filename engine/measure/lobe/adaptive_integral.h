@@ -13,6 +13,9 @@ namespace patina {
 struct IntegralAim {
     double tolerance = 3e-5; ///< is absolute, of the worst component
     std::size_t panels = 60; ///< limits how many panels the range is cut into
+    /// Limits how many panels each ring of an integral over directions is cut into: steps of a
+    /// reflectance, such as shadows of grooves, would take as many as there may be.
+    std::size_t ringPanels = 128;
     /// Takes each panel once by the Gauss rule of 5 nodes, without an estimate of the uncertainty.
     bool isSketch = false;
 };

@@ -18,10 +18,6 @@ namespace {
 /// Is the radius, in radians, from which on rings are spread by their logarithm.
 constexpr double innermost = 1e-5;
 
-/// Limits how many panels a ring is cut into: steps of a reflectance, such as shadows of grooves,
-/// would take as many as there may be.
-constexpr std::size_t ringPanels = 128;
-
 double radiusOf(double u) {
     return innermost * std::sinh(u);
 }
@@ -30,9 +26,10 @@ double radiusOf(double u) {
 /// e + sin(psi) b), with e towards the normal and b across the plane of incidence.
 class Rings {
   public:
-    Rings(const LobeModel& model, const Incoming& incoming, const IntegralAim& aim)
-        : model_(model), light_(incoming.direction()), mirror_(incoming.across(incoming.angle)),
-          angle_(incoming.angle), aim_(aim) {
+    Rings(const LobeModel& model, const Incoming& incoming, const IntegralAim& aim,
+          const std::function<bool()>& isWanted)
+        : model_(model), isWanted_(isWanted), light_(incoming.direction()),
+          mirror_(incoming.across(incoming.angle)), angle_(incoming.angle), aim_(aim) {
         const double turn = incoming.azimuth;
         towardsNormal_ = {std::cos(angle_) * std::cos(turn), std::cos(angle_) * std::sin(turn),
                           std::sin(angle_)};
@@ -68,6 +65,9 @@ class Rings {
 
   private:
     glm::dvec3 ring(double u) {
+        if (!isWanted_()) {
+            return glm::dvec3(0.0); // so that the end is near
+        }
         const double rho = radiusOf(u);
         const double s = std::sin(rho);
         const double c = std::cos(rho);
@@ -85,7 +85,8 @@ class Rings {
                 : std::array<double, 4>{-horizon, -0.3 * horizon, 0.3 * horizon, horizon};
         const double share = model_.isIsotropic() ? 2.0 : 1.0;
         // A tenth of the whole for all rings, the rest for what is between them.
-        const IntegralAim aim{0.1 * aim_.tolerance / (share * range_), ringPanels, aim_.isSketch};
+        const IntegralAim aim{0.1 * aim_.tolerance / (share * range_), aim_.ringPanels,
+                              aim_.ringPanels, aim_.isSketch};
         const Integral part = adaptiveIntegral(integrand, ends, aim);
         if (part.uncertainty > aim.tolerance) {
             uncertainty_ = std::max(uncertainty_, share * part.uncertainty * range_);
@@ -104,6 +105,7 @@ class Rings {
     }
 
     const LobeModel& model_;
+    const std::function<bool()>& isWanted_;
     glm::dvec3 light_;
     glm::dvec3 mirror_;
     glm::dvec3 towardsNormal_{0.0};
@@ -124,10 +126,10 @@ glm::dvec3 skyPart(const AlbedoPoint& a, const AlbedoPoint& b) {
 } // namespace
 
 AlbedoPoint directionalAlbedo(const LobeModel& model, const Incoming& incoming,
-                              const IntegralAim& aim) {
+                              const IntegralAim& aim, const std::function<bool()>& isWanted) {
     Incoming lit = incoming;
     lit.angle = std::clamp(incoming.angle, 0.0, maxIncoming);
-    const Integral integral = Rings(model, lit, aim).integral();
+    const Integral integral = Rings(model, lit, aim, isWanted).integral();
     return {lit.angle, isFinite(integral.value) ? integral.value : glm::dvec3(0.0),
             integral.uncertainty};
 }
@@ -153,7 +155,10 @@ std::vector<AlbedoPoint> albedoCurve(const LobeModel& model, double azimuth,
     // Neighbours take about as long as each other, so each core takes every other angle.
     inParallel(angles.size(), [&](std::size_t part, std::size_t, std::size_t) {
         for (std::size_t i = part; i < angles.size() && isWanted(); i += parallelParts()) {
-            found[i] = directionalAlbedo(model, {angles[i], azimuth}, aim);
+            const AlbedoPoint point = directionalAlbedo(model, {angles[i], azimuth}, aim, isWanted);
+            if (isWanted()) {
+                found[i] = point;
+            }
         }
     });
     std::vector<AlbedoPoint> curve;

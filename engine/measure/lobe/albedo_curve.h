@@ -20,16 +20,17 @@ struct AlbedoPoint {
 /// Returns the directional albedo, the integral of f (n.v) over all viewers, within the tolerance
 /// where so many panels reach it. It is integrated in rings about the mirror direction, whose radii
 /// are spread by the logarithm from 1e-5 radians on, so that broad and narrow lobes cost alike; a
-/// narrower lobe than that is missed.
-AlbedoPoint directionalAlbedo(const LobeModel& model, const Incoming& incoming,
-                              const IntegralAim& aim = {});
+/// narrower lobe than that is missed. Where `isWanted` becomes false the value means nothing.
+AlbedoPoint directionalAlbedo(
+    const LobeModel& model, const Incoming& incoming, const IntegralAim& aim = {},
+    const std::function<bool()>& isWanted = [] { return true; });
 
 /// Returns angles for a curve of the albedo, in radians: even steps of this many degrees and closer
 /// ones towards maxIncoming.
 std::vector<double> albedoAngles(double stepDegrees);
 
-/// Returns the albedo over the light's angle, computed on all cores. `isWanted` is asked before
-/// each point, on any thread, and the curve ends where it is not.
+/// Returns the albedo over the light's angle, computed on all cores. `isWanted` is asked in
+/// the midst of each point, on any thread, and the curve ends where it is not.
 std::vector<AlbedoPoint> albedoCurve(
     const LobeModel& model, double azimuth, std::span<const double> angles,
     const IntegralAim& aim = {}, const std::function<bool()>& isWanted = [] { return true; });

@@ -11,6 +11,7 @@
 #include <glm/common.hpp>
 
 #include "material/blocks_in_use.h"
+#include "material/measured_preset.h"
 #include "measure/eval/model_values.h"
 #include "measure/lobe/device_lobe.h"
 #include "measure/lobe/fresnel_curve.h"
@@ -31,6 +32,10 @@ constexpr double coarseSketch[] = {0.0, 45.0, 72.0, 89.5};
 constexpr double fineSketch[] = {25.0, 60.0, 80.0, 84.0, 88.0};
 constexpr std::chrono::milliseconds quickSketch{4}; ///< for the coarse part
 constexpr IntegralAim sketchAim{.isSketch = true};
+
+/// Is the aim for a measured file, which is straight between its bins: every bin is a kink, and the
+/// file itself is not known any better.
+constexpr IntegralAim measuredAim{.tolerance = 1e-3, .panels = 20, .ringPanels = 10};
 
 double inDegrees(double radians) {
     return radians * 180.0 / std::numbers::pi;
@@ -67,13 +72,13 @@ std::vector<AlbedoPoint> sketchedAlbedo(const LobeModel& model, double azimuth,
     return curve;
 }
 
-LobeLine albedoLine(const LobeModel& model, const LobeRequest& request,
+LobeLine albedoLine(const LobeModel& model, const LobeRequest& request, const IntegralAim& aim,
                     const std::function<bool()>& isWanted) {
     LobeLine line{"albedo", LobeStroke::Main, false, {}, {}};
     const double azimuth = request.incoming.azimuth;
     for (const AlbedoPoint& point :
          request.isSketch ? sketchedAlbedo(model, azimuth, isWanted)
-                          : albedoCurve(model, azimuth, albedoAngles(stepDegrees), {}, isWanted)) {
+                          : albedoCurve(model, azimuth, albedoAngles(stepDegrees), aim, isWanted)) {
         line.at.push_back(inDegrees(point.angle));
         line.values.push_back(point.albedo);
     }
@@ -184,7 +189,12 @@ Result<LobeLine> termLine(const Catalog& catalog, const Material& material,
                ? polarLine([&model](const glm::dvec3& l,
                                     const glm::dvec3& v) { return model->reflectance(l, v); },
                            request)
-               : albedoLine(*model, request, isWanted);
+               : albedoLine(*model, request,
+                            tableParameter(*catalog.find(kinds::models, material.model.id)) !=
+                                    nullptr
+                                ? measuredAim
+                                : IntegralAim(),
+                            isWanted);
 }
 
 Result<LobeLines> modelLines(const Catalog& catalog, const Material& material,
