@@ -46,6 +46,9 @@ PictureHistogram counted(const Image& image, std::size_t bins, double white, con
             clipped[channel] += value >= white ? 1u : 0u;
         }
         const double brightest = std::max({values[0], values[1], values[2]});
+        const double light = values[PictureHistogram::Luminance];
+        histogram.brightest =
+            std::isfinite(light) ? std::max(histogram.brightest, light) : histogram.brightest;
         clippedAny += brightest >= white ? 1u : 0u;
         black += brightest <= 0.0 ? 1u : 0u;
     }
@@ -81,6 +84,9 @@ BrightnessRange brightnessOf(const PictureHistogram& stops) {
     const PictureHistogram::Counts& counts = stops.counts[PictureHistogram::Luminance];
     const auto stopOf = [](double bin) { return minStop + bin / binsPerStop; };
     BrightnessRange range{minStop, minStop};
+    if (stops.brightest > 0.0) {
+        range.max = std::max(std::log2(stops.brightest), range.max);
+    }
     std::uint64_t below = 0;
     std::uint64_t counted = 0;
     for (const std::uint32_t count : counts) {
@@ -92,9 +98,6 @@ BrightnessRange brightnessOf(const PictureHistogram& stops) {
         if (!hasMedian && 2 * below >= counted) {
             range.median = stopOf(static_cast<double>(bin) + 0.5);
             hasMedian = true;
-        }
-        if (counts[bin] > 0) {
-            range.max = stopOf(static_cast<double>(bin) + 1.0);
         }
     }
     return range;

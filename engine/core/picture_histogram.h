@@ -20,6 +20,7 @@ struct PictureHistogram {
     std::uint32_t pixels = 0;        ///< is the number of pixels of the picture
     std::array<double, 4> clipped{}; ///< is the share of pixels at or above white, per Channel
     double clippedAny = 0.0;         ///< is that of pixels with a clipped channel
+    double brightest = 0.0;          ///< is the largest luminance that is finite
     double black = 0.0;              ///< is the share of pixels whose channels are all 0 or less
 
     /// Returns the share of the pixels that a bin has.
@@ -45,8 +46,9 @@ struct BrightnessRange {
 /// values, of which 0 is white. Pixels without light are in the first bin.
 PictureHistogram stopHistogram(const Image& linear);
 
-/// Returns the middle of the bin of the pixel that is brighter than one half of the others, and the
-/// upper end of the last bin that has a pixel, both by luminance, from counts of stopHistogram().
+/// Returns the middle of the bin of the pixel that is brighter than one half of the others, and
+/// where the brightest one is, which may be beyond the range, both by luminance, from
+/// stopHistogram().
 BrightnessRange brightnessOf(const PictureHistogram& stops);
 
 } // namespace patina
