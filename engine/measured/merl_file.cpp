@@ -159,7 +159,9 @@ Result<std::array<std::size_t, 3>> binsOf(std::string_view bytes) {
     }
     const std::size_t wanted = headerBytes + 3 * product * sizeof(double);
     if (bytes.size() != wanted) {
-        return failure(fmt::format("has {} bytes", bytes.size()),
+        return failure(bytes.size() < wanted
+                           ? fmt::format("byte {}: the file ends too early", bytes.size())
+                           : fmt::format("byte {}: the file goes on behind its last value", wanted),
                        fmt::format("{} for {} x {} x {} values of three colours", wanted, bins[0],
                                    bins[1], bins[2]));
     }

@@ -12,6 +12,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/color.h"
 #include "measured/sampled_table.h"
 #include "measured/spectrum_color.h"
 #include "measured/tensor_file.h"
@@ -180,9 +181,9 @@ class RglReader {
             return failure(fmt::format("\"phi_i\" covers {:.3} radians", turn), "a whole turn");
         }
         const auto text = fields_.find("description");
+        const bool hasText = text != fields_.end() && text->second.type == TensorField::Type::Bytes;
         return RglTables{std::move(normals), std::move(area), WarpTable(std::move(seen)),
-                         std::move(*channels),
-                         text != fields_.end() ? text->second.bytes : std::string("RGL")};
+                         std::move(*channels), hasText ? text->second.bytes : std::string("RGL")};
     }
 
   private:
@@ -211,7 +212,10 @@ class RglReader {
             });
         if (!fits) {
             note(found == fields_.end() ? fmt::format("the array \"{}\" is missing", name)
-                                        : wrongAt(name, 0, "has another shape or type"));
+                 : found->second.type != TensorField::Type::Floats
+                     ? fmt::format("byte {}: \"{}\" is of {}, not of float32",
+                                   found->second.typePlace, name, typeText(found->second))
+                     : wrongAt(name, 0, "has another shape"));
             return {};
         }
         return found->second.floats;
@@ -233,6 +237,28 @@ class RglReader {
         const auto below = std::ranges::find_if(values, [](float value) { return value < 0.0f; });
         if (below != values.end()) {
             note(wrongAt(name, below - values.begin(), fmt::format("is {}, below 0", *below)));
+        } else if (!values.empty() && std::ranges::max(values) == 0.0f) {
+            note(fmt::format("byte {}: \"{}\" is 0 everywhere", fields_.at(name).offset, name));
+        }
+    }
+
+    /// Looks for light below none. A colour outside of Rec. 709 has a channel below 0, which counts
+    /// as none, but no luminance below 0; what is next to nothing may be the instrument's noise.
+    void checkLight(const std::string& name, const std::vector<float>& values, std::size_t channels,
+                    std::size_t points) {
+        const double noise = 1e-3 * double(std::ranges::max(values));
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (double(values[i]) >= -noise) {
+                continue;
+            }
+            const std::size_t first = i / (channels * points) * channels * points + i % points;
+            const double light = channels != 3 ? double(values[i])
+                                               : luminance({values[first], values[first + points],
+                                                            values[first + 2 * points]});
+            if (light < -noise) {
+                note(wrongAt(name, std::ptrdiff_t(i), fmt::format("is {}, below 0", values[i])));
+                return;
+            }
         }
     }
 
@@ -273,13 +299,16 @@ class RglReader {
             isSpectral ? numbers("wavelengths", {shape.size() > 2 ? shape[2] : 1})
                        : std::vector<float>();
         const glm::ivec2 grid = gridOf(name, shape);
+        const std::size_t points = std::size_t(grid.x) * std::size_t(grid.y);
+        if (!problem_) {
+            checkLight(name, values, shape[2], points);
+        }
         if (problem_) {
             return std::nullopt;
         }
         const std::vector<glm::dvec3> weights =
             isSpectral ? spectrumWeights(wavelengths)
                        : std::vector<glm::dvec3>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-        const std::size_t points = std::size_t(grid.x) * std::size_t(grid.y);
         const std::size_t slices = azimuths.size() * polars.size();
         std::array<std::vector<float>, 3> colours;
         for (std::size_t c = 0; c < 3; ++c) {

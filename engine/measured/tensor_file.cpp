@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include <fmt/format.h>
@@ -29,6 +30,7 @@ struct Header {
     std::string name;
     std::uint8_t type = 0;
     std::size_t offset = 0;
+    std::size_t typePlace = 0; ///< is the byte of the type
     std::size_t count = 1;
     std::vector<std::size_t> shape{};
 };
@@ -38,12 +40,13 @@ Result<Header> nextHeader(ByteReader& reader, std::size_t fileBytes) {
     const auto length = reader.next<std::uint16_t>();
     const auto name = length ? reader.next(*length) : std::nullopt;
     const auto dimensions = name ? reader.next<std::uint16_t>() : std::nullopt;
+    const std::size_t typePlace = reader.place();
     const auto type = dimensions ? reader.next<std::uint8_t>() : std::nullopt;
     const auto offset = type ? reader.next<std::uint64_t>() : std::nullopt;
     if (!offset || *dimensions > maxDimensions) {
         return wrongAt(start, "the description of an array is damaged");
     }
-    Header header{std::string(*name), *type, std::size_t(*offset)};
+    Header header{std::string(*name), *type, std::size_t(*offset), typePlace};
     for (std::uint16_t i = 0; i < *dimensions; ++i) {
         const auto size = reader.next<std::uint64_t>();
         if (!size || *size == 0 || *size > fileBytes / header.count) {
@@ -58,7 +61,13 @@ Result<Header> nextHeader(ByteReader& reader, std::size_t fileBytes) {
 Result<TensorField> numbersOf(const Header& header, std::string_view bytes) {
     TensorField field{TensorField::Type::Floats, header.shape};
     field.offset = header.offset;
+    field.typePlace = header.typePlace;
+    field.typeNumber = header.type;
     ByteReader reader(bytes, header.offset);
+    if (header.type != byteType && header.type != floatType) {
+        field.type = TensorField::Type::Other;
+        return field;
+    }
     if (header.type == byteType) {
         const auto found = reader.next(header.count);
         if (!found) {
@@ -90,6 +99,16 @@ bool isTensorFile(std::string_view bytes) {
     return bytes.starts_with(magic);
 }
 
+std::string typeText(const TensorField& field) {
+    constexpr std::string_view names[] = {"uint8",   "int8",    "uint16", "int16",
+                                          "uint32",  "int32",   "uint64", "int64",
+                                          "float16", "float32", "float64"};
+    const int count = static_cast<int>(std::size(names));
+    return field.typeNumber >= 1 && field.typeNumber <= count
+               ? std::string(names[field.typeNumber - 1])
+               : fmt::format("the unknown type {}", field.typeNumber);
+}
+
 Result<TensorFields> tensorFields(std::string_view bytes) {
     ByteReader reader(bytes, magic.size());
     const auto major = reader.next<std::uint8_t>();
@@ -108,10 +127,9 @@ Result<TensorFields> tensorFields(std::string_view bytes) {
         if (!header) {
             return tl::unexpected(header.error());
         }
-        if (header->type != byteType && header->type != floatType) {
-            continue;
-        }
-        all += header->count * (header->type == floatType ? sizeof(float) : 1);
+        all += header->type == floatType  ? header->count * sizeof(float)
+               : header->type == byteType ? header->count
+                                          : 0;
         if (all > bytes.size()) {
             return wrongAt(header->offset, fmt::format("\"{}\" ends too early", header->name));
         }

@@ -220,7 +220,7 @@ TEST_F(Measured, DamagedFiles_EndInAMessageWithThePlace) {
     EXPECT_NE(problemOf("").find("byte 0"), std::string::npos);
     EXPECT_NE(problemOf(merl.substr(0, 6)).find("byte 6"), std::string::npos);
     EXPECT_NE(problemOf("plain text that is no file of numbers").find("byte 0"), std::string::npos);
-    EXPECT_NE(problemOf(merl.substr(0, 1000)).find("has 1000 bytes"), std::string::npos);
+    EXPECT_NE(problemOf(merl.substr(0, 1000)).find("byte 1000: "), std::string::npos);
     std::string broken = merl;
     const double none = std::numeric_limits<double>::quiet_NaN();
     std::memcpy(broken.data() + 12 + 8 * 5, &none, sizeof none);
@@ -245,7 +245,7 @@ TEST_F(Measured, WrongNumberInAnRglFile_IsToldWithItsByte) {
     };
     for (const auto& [name, value] :
          {std::pair{"vndf", -1.0f}, std::pair{"ndf", -0.5f}, std::pair{"theta_i", 9.0f},
-          std::pair{"rgb", std::numeric_limits<float>::quiet_NaN()}}) {
+          std::pair{"rgb", -5.0f}, std::pair{"rgb", std::numeric_limits<float>::quiet_NaN()}}) {
         std::string broken = rgl;
         const std::size_t place = placeOf(name);
         std::memcpy(broken.data() + place, &value, sizeof value);
@@ -253,6 +253,27 @@ TEST_F(Measured, WrongNumberInAnRglFile_IsToldWithItsByte) {
                   std::string::npos)
             << name << ": " << problemOf(broken);
     }
+}
+
+TEST_F(Measured, RglArrayOfNothingOrOfAnotherType_IsToldWithItsByte) {
+    const std::string rgl = RglFile{}.bytes(smooth);
+    const std::size_t type = rgl.find("ndf") + 3 + sizeof(std::uint16_t);
+    std::string doubles = rgl;
+    doubles[type] = 11;
+    EXPECT_NE(problemOf(doubles).find(fmt::format("byte {}: \"ndf\" is of float64", type)),
+              std::string::npos)
+        << problemOf(doubles);
+    std::uint64_t offset = 0;
+    std::memcpy(&offset, rgl.data() + type + 1, sizeof offset);
+    std::uint64_t rows = 0;
+    std::uint64_t columns = 0;
+    std::memcpy(&rows, rgl.data() + type + 9, sizeof rows);
+    std::memcpy(&columns, rgl.data() + type + 17, sizeof columns);
+    std::string empty = rgl;
+    std::memset(empty.data() + offset, 0, rows * columns * sizeof(float));
+    EXPECT_NE(problemOf(empty).find(fmt::format("byte {}: \"ndf\" is 0 everywhere", offset)),
+              std::string::npos)
+        << problemOf(empty);
 }
 
 TEST_F(Measured, FileOfTenGigabytesOfNothing_IsRefused) {
