@@ -107,8 +107,9 @@ void fill(ReflectanceTable& table, const LobeModel& model) {
     };
     for (int row = 0; row < table.size; ++row) {
         for (int column = 0; column < table.size; ++column) {
-            table.values.push_back(
-                tabled(model, table.hasCosine, direction(row), direction(column)));
+            // The file holds floats, and what they lose is lost to who reads it.
+            table.values.emplace_back(
+                glm::vec3(tabled(model, table.hasCosine, direction(row), direction(column))));
         }
     }
 }
