@@ -131,6 +131,10 @@ void addLegend(std::vector<PlotShape>& shapes, const std::vector<DrawnLine>& lin
     constexpr std::size_t longest = 30; ///< letters of a name that have room
     const double left = size.x - edgeRight + 30.0;
     double y = edgeTop;
+    if (subjects.size() == 1) { // of several the lines have the names
+        addText(shapes, {left, y}, subjects.front().name.substr(0, longest));
+        y += 1.5 * textHeight;
+    }
     for (const DrawnLine& line : lines) {
         if (line.name.empty()) {
             continue;
@@ -303,6 +307,30 @@ double axisEnd(double largest) {
     return 10.0 * magnitude;
 }
 
+/// Says what a polar plot is of: "f in 1/sr", or a factor by its name.
+std::string valueText(const std::vector<LobeSubject>& subjects) {
+    const LobeLine& line = subjects.front().lines.lines.front();
+    const std::string name = line.name == "reflectance" ? "f" : line.name;
+    return line.isShare ? name + ", of 1" : name + " in 1/sr";
+}
+
+/// Adds what is transmitted at the right, where lines are what an interface reflects; returns
+/// whether they are.
+bool addTransmitted(std::vector<PlotShape>& shapes, const std::vector<LobeSubject>& subjects,
+                    const AngleAxes& axes) {
+    const bool hasInterface = std::ranges::any_of(subjects, [](const LobeSubject& subject) {
+        return std::ranges::any_of(subject.lines.lines, [](const LobeLine& line) {
+            return transmittedLine(line).has_value();
+        });
+    });
+    for (int i = 0; hasInterface && i <= 5; ++i) {
+        const double reflected = axes.top * i / 5.0;
+        addText(shapes, axes.place(90.0, reflected) + glm::dvec2(4.0, -8.0),
+                fmt::format("{:.3g}", 1.0 - reflected));
+    }
+    return hasInterface;
+}
+
 } // namespace
 
 std::vector<PlotShape> polarDrawing(const std::vector<LobeSubject>& subjects, LobeScale scale,
@@ -317,7 +345,8 @@ std::vector<PlotShape> polarDrawing(const std::vector<LobeSubject>& subjects, Lo
     addDiscGrid(shapes, disc, scale, largest);
     addLine(shapes, disc.center, disc.place(-lightDegrees, 1.0), plot_colors::ink, true);
     addText(shapes, {8.0, 8.0},
-            fmt::format("f in 1/sr, {}, light at {:g} degrees", wordOf(scale), lightDegrees));
+            fmt::format("{}, {}, light at {:g} degrees", valueText(subjects), wordOf(scale),
+                        lightDegrees));
     for (const DrawnLine& line : lines) {
         std::vector<glm::dvec2> places;
         for (const glm::dvec2& point : line.points) {
@@ -345,7 +374,11 @@ std::vector<PlotShape> shareDrawing(const std::vector<LobeSubject>& subjects, gl
                     {0.5, 0.5, 0.5}, true);
         }
     }
-    addText(shapes, {8.0, 8.0}, "share of the light over its angle from the normal in degrees");
+    const bool hasTransmitted = addTransmitted(shapes, subjects, axes);
+    addText(shapes, {8.0, 8.0},
+            hasTransmitted ? "reflected R (at the left) and transmitted T (at the right), of the "
+                             "light, over its angle from the normal in degrees"
+                           : "share of the light over its angle from the normal in degrees");
     addLines(shapes, lines, axes);
     addLegend(shapes, lines, subjects, size);
     return shapes;

@@ -136,7 +136,16 @@ TEST(LobeCommand, Drawing_HasAFormByItsName) {
         EXPECT_TRUE(text.starts_with("<svg")) << plot;
         EXPECT_EQ(text.find("nan"), std::string::npos) << plot;
         EXPECT_EQ(text.find("inf"), std::string::npos) << plot;
+        EXPECT_NE(text.find("cook-torrance"), std::string::npos) << plot;
+        EXPECT_EQ(text.find("transmitted T") != std::string::npos,
+                  std::string_view(plot) == "fresnel");
     }
+    const std::string masking = (folder / "masking.svg").string();
+    ASSERT_EQ(
+        patina({"lobe", "--model", "cook-torrance", "--term", "masking", "-o", masking}).exitCode,
+        0);
+    EXPECT_NE(readFile(masking).find("masking, of 1"), std::string::npos);
+    EXPECT_EQ(readFile(masking).find("1/sr"), std::string::npos);
     ASSERT_EQ(patina({"lobe", gold, gold, "-o", (folder / "a.png").string()}).exitCode, 0);
     EXPECT_TRUE(readFile(folder / "a.png").starts_with("\x89PNG"));
 }
