@@ -2,6 +2,7 @@
 #include "parameters/texture_line.h"
 
 #include <QCheckBox>
+#include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -94,7 +95,17 @@ void TextureLine::present(const std::optional<TextureUse>& use, const TexturePre
         name_->setEnabled(use->enabled);
         showName(*use, preview.problem);
     }
-    showPreview(preview.image, isBound_ && !preview.problem.isEmpty(), !use || use->enabled);
+    image_ = preview.image;
+    isMissing_ = isBound_ && !preview.problem.isEmpty();
+    counts_ = !use || use->enabled;
+    showPreview();
+}
+
+void TextureLine::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) {
+        showPreview();
+    }
 }
 
 void TextureLine::showName(const TextureUse& use, const QString& problem) {
@@ -105,18 +116,18 @@ void TextureLine::showName(const TextureUse& use, const QString& problem) {
     name_->setAccessibleDescription(problem);
 }
 
-void TextureLine::showPreview(const QImage& image, bool isMissing, bool isEnabled) {
-    const bool shows = isBound_ && !image.isNull() && !isMissing;
+void TextureLine::showPreview() {
+    const bool shows = isBound_ && !image_.isNull() && !isMissing_;
     QColor quiet = palette().color(QPalette::WindowText);
     quiet.setAlphaF(0.35f);
     if (shows) {
-        const QPixmap small = QPixmap::fromImage(image.scaled(thumbnailSide, thumbnailSide,
-                                                              Qt::KeepAspectRatioByExpanding,
-                                                              Qt::SmoothTransformation));
-        choose_->setIcon(isEnabled ? small : faded(small, fadedShare));
+        const QPixmap small = QPixmap::fromImage(image_.scaled(thumbnailSide, thumbnailSide,
+                                                               Qt::KeepAspectRatioByExpanding,
+                                                               Qt::SmoothTransformation));
+        choose_->setIcon(counts_ ? small : faded(small, fadedShare));
     } else {
-        choose_->setIcon(isMissing && isEnabled ? checker(QColor(255, 0, 255), QColor(40, 0, 40))
-                                                : checker(quiet, Qt::transparent));
+        choose_->setIcon(isMissing_ && counts_ ? checker(QColor(255, 0, 255), QColor(40, 0, 40))
+                                               : checker(quiet, Qt::transparent));
     }
     const int side = isBound_ ? thumbnailSide : thumbnailSide / 2;
     choose_->setIconSize({side, side});

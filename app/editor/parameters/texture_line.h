@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QImage>
 #include <QWidget>
 
 #include "parameters/parameter_source.h"
@@ -32,10 +33,14 @@ class TextureLine : public QWidget {
     void enabledWished(bool enabled);
     void allowWished();
 
+  protected:
+    /// Draws the icon again, which has the palette's colour.
+    void changeEvent(QEvent* event) override;
+
   private:
     QToolButton* button(const QString& text, const QString& toolTip);
     void showName(const TextureUse& use, const QString& problem);
-    void showPreview(const QImage& image, bool isMissing, bool isEnabled);
+    void showPreview();
 
     QString valueName_;
     QToolButton* choose_;
@@ -45,6 +50,9 @@ class TextureLine : public QWidget {
     QToolButton* settings_;
     QToolButton* remove_;
     bool isBound_ = false;
+    QImage image_;
+    bool isMissing_ = false;
+    bool counts_ = true;
 };
 
 } // namespace patina
