@@ -130,7 +130,7 @@ MeasureEnd fit(const MatchTask& task, Worker::Control& control, const TakeMatche
 
 MatchPage::MatchPage(const DockContext& context, std::shared_ptr<MeasureTurn> turn)
     : MeasurePage(context, std::move(turn), tr("Find the values that look like what is chosen"),
-                  {"csv", "json"}),
+                  {"csv", "json"}, std::make_unique<KeptResults>(), tr("Matching")),
       aim_(new QComboBox(this)), error_(new QComboBox(this)),
       all_(new QCheckBox(tr("All models"), this)), list_(new QTreeWidget(this)),
       plot_(new MatchPlot([this](int match) { select(match); }, this)) {

@@ -25,12 +25,12 @@ constexpr int settleMs = 100;
 
 MeasurePage::MeasurePage(const DockContext& context, std::shared_ptr<MeasureTurn> turn,
                          const QString& what, const QStringList& endings,
-                         std::unique_ptr<KeptResults> results)
+                         std::unique_ptr<KeptResults> results, const QString& task)
     : document_(context.document), documentFiles_(context.documentFiles), meshes_(context.meshes),
       textures_(context.textures), environments_(context.environments), messages_(context.messages),
       turn_(std::move(turn)), results_(std::move(results)),
       bar_(new MeasureBar(what, endings, this)), rows_(new QVBoxLayout(this)),
-      worker_({.name = tr("Measuring accuracy"), .canCancel = true}) {
+      worker_({.name = task, .canCancel = true}) {
     rows_->setContentsMargins(6, 4, 6, 0);
     rows_->setSpacing(4);
     rows_->addWidget(bar_);
@@ -86,6 +86,8 @@ void MeasurePage::refresh() {
     const MeasuredSubject now = subject();
     shown_ = running_ ? &*running_ : results_->find(now, file());
     stale_ = shown_ != nullptr && !(shown_->subject == now);
+    isOfOtherBlocks_ =
+        stale_ && shown_->subject.scene == now.scene && shown_->subject.object == now.object;
     showNumbers(stale_);
     showState();
 }
@@ -160,7 +162,8 @@ QString MeasurePage::runningText() const {
 }
 
 QString MeasurePage::outOfDateText() const {
-    return tr("Out of date: the scene has changed since.");
+    return isOfOtherBlocks_ ? tr("Out of date: other shaders have been read since.")
+                            : tr("Out of date: the scene has changed since.");
 }
 
 QString MeasurePage::measuredText() const {

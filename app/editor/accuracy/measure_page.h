@@ -41,10 +41,12 @@ class MeasurePage : public QWidget {
     void exportTo(const QString& file);
 
   protected:
-    /// See MeasureBar for `what` and `endings`.
+    /// See MeasureBar for `what` and `endings`; `task` is the name among what is done beside the
+    /// window.
     MeasurePage(const DockContext& context, std::shared_ptr<MeasureTurn> turn, const QString& what,
                 const QStringList& endings,
-                std::unique_ptr<KeptResults> results = std::make_unique<KeptResults>());
+                std::unique_ptr<KeptResults> results = std::make_unique<KeptResults>(),
+                const QString& task = tr("Measuring accuracy"));
 
     virtual void startMeasuring() = 0;
     /// Ends a measurement with what it has by then.
@@ -115,7 +117,8 @@ class MeasurePage : public QWidget {
     QString doing_;                     ///< says what the running measurement does
     const PageResult* shown_ = nullptr;
     bool stale_ = false;
-    QTimer settle_; ///< gathers changes of the document
+    bool isOfOtherBlocks_ = false; ///< says that numbers are stale by what was read alone
+    QTimer settle_;                ///< gathers changes of the document
     MeasureBar* bar_;
     QVBoxLayout* rows_;
     Worker worker_;

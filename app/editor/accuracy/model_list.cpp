@@ -11,6 +11,7 @@
 #include "accuracy/cost_text.h"
 #include "accuracy/number_row.h"
 #include "docks/prediction_text.h"
+#include "measure/lobe/lobe_model.h"
 #include "text/as_text.h"
 
 namespace patina {
@@ -90,6 +91,10 @@ void fillModel(NumberRow& row, const Block& model) {
                             asText(model.source).toHtmlEscaped(),
                             ModelList::tr("Enter or a double click gives the selected "
                                           "object this model.")));
+    if (const std::string why = whyNoReflectance(model); !why.empty()) {
+        row.setNumber(Loss, QString(), 2.0);
+        row.setToolTip(Loss, asText(why));
+    }
     row.setText(EnergyClaim, claimText(model, "energy_conserving"));
     row.setText(ReciprocityClaim, claimText(model, "reciprocal"));
     row.setNumber(ValueCount, numberLocale().toString(qulonglong(model.parameters.size())),
