@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QMimeData>
+#include <QRegularExpression>
 #include <QTabWidget>
 #include <QTest>
 #include <QToolButton>
@@ -191,9 +192,10 @@ TEST_F(LobePanel, MaterialWithoutAnAnswer_LeavesTheOthersTheirColoursAndTheBarIt
     ASSERT_EQ(albedo().subjects().size(), 3u);
     EXPECT_TRUE(albedo().subjects().front().lines.lines.empty());
     EXPECT_EQ(albedo().subjects()[1].name, "Gold, satin");
-    const QByteArray drawing = albedo().svg();
-    const auto isDrawnIn = [&](std::size_t place) {
-        return drawing.contains("stroke=\"" + lobeColor(place, albedo().palette()).name().toUtf8());
+    const QString drawing = albedo().svg();
+    const auto isDrawnIn = [&](std::size_t place) { // other than as a text
+        return drawing.contains(QRegularExpression(
+            "stroke=\"" + lobeColor(place, albedo().palette()).name() + "\"[^>]*>\\s*<(?!text)"));
     };
     EXPECT_FALSE(isDrawnIn(0));
     EXPECT_TRUE(isDrawnIn(1));
