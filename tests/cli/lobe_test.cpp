@@ -136,7 +136,7 @@ TEST(LobeCommand, Drawing_HasAFormByItsName) {
         EXPECT_TRUE(text.starts_with("<svg")) << plot;
         EXPECT_EQ(text.find("nan"), std::string::npos) << plot;
         EXPECT_EQ(text.find("inf"), std::string::npos) << plot;
-        EXPECT_NE(text.find("cook-torrance"), std::string::npos) << plot;
+        EXPECT_NE(text.find("Cook-Torrance"), std::string::npos) << plot;
         EXPECT_EQ(text.find("transmitted T") != std::string::npos,
                   std::string_view(plot) == "fresnel");
     }

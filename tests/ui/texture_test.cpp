@@ -42,6 +42,20 @@ TEST_F(TextureForm, ValueThatTakesNoImage_HasNoLine) {
     EXPECT_NE(row(color).textureLine(), nullptr);
 }
 
+TEST_F(TextureForm, OtherLook_DrawsTheIconInItsColour) {
+    const auto* choose = line().findChild<QToolButton*>();
+    const auto lightness = [choose] {
+        return choose->icon().pixmap(choose->iconSize()).toImage().pixelColor(1, 1).lightness();
+    };
+    QPalette look = line().palette();
+    look.setColor(QPalette::WindowText, Qt::black);
+    line().setPalette(look);
+    EXPECT_LT(lightness(), 20);
+    look.setColor(QPalette::WindowText, Qt::white);
+    line().setPalette(look);
+    EXPECT_GT(lightness(), 235);
+}
+
 TEST_F(TextureForm, ChosenFile_IsOneStepAndShowsItsName) {
     lay(image());
     ASSERT_NE(use(), nullptr);
