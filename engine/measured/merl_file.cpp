@@ -162,8 +162,8 @@ Result<std::array<std::size_t, 3>> binsOf(std::string_view bytes) {
         return failure(bytes.size() < wanted
                            ? fmt::format("byte {}: the file ends too early", bytes.size())
                            : fmt::format("byte {}: the file goes on behind its last value", wanted),
-                       fmt::format("{} for {} x {} x {} values of three colours", wanted, bins[0],
-                                   bins[1], bins[2]));
+                       fmt::format("{} bytes for {} x {} x {} values of three colours", wanted,
+                                   bins[0], bins[1], bins[2]));
     }
     return bins;
 }
