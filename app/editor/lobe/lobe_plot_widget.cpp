@@ -193,19 +193,52 @@ void LobePlotWidget::addLegend() {
         name->setColor(lobeColor(i, palette()));
         legend_.push_back(name);
     }
+    makeRoomForLegend();
 }
 
-/// Moves the legend to where it lies on as little as may be: a corner, or between two.
+void LobePlotWidget::setLegendBeside() {
+    beside_ = new QCPLayoutElement(plot_);
+    plot_->plotLayout()->addElement(0, 1, beside_);
+    makeRoomForLegend();
+}
+
+/// Gives the legend a column of the layout, where the plot has at least as much left of it.
+void LobePlotWidget::makeRoomForLegend() {
+    if (beside_ == nullptr) {
+        return;
+    }
+    const int wanted = static_cast<int>(std::ceil(legendSize().width()));
+    const int width = 2 * wanted > plot_->width() ? 0 : wanted;
+    beside_->setMinimumSize(width, 0);
+    beside_->setMaximumSize(width, QWIDGETSIZE_MAX);
+}
+
+QSizeF LobePlotWidget::legendSize() const {
+    const QFontMetricsF metrics(plot_->font());
+    double width = 0.0;
+    for (const QCPItemText* name : legend_) {
+        width = std::max(width, metrics.horizontalAdvance(name->text()) + 2.0);
+    }
+    return {width, metrics.lineSpacing() * static_cast<double>(legend_.size())};
+}
+
+/// Moves the legend beside the plot, or else to where it lies on as little as may be: a corner, or
+/// between two.
 void LobePlotWidget::placeLegend() {
     if (legend_.empty()) {
         return;
     }
-    const QFontMetricsF metrics(plot_->font());
-    const double rowHeight = metrics.lineSpacing();
-    QSizeF size(0.0, rowHeight * static_cast<double>(legend_.size()));
-    for (const QCPItemText* name : legend_) {
-        size.setWidth(std::max(size.width(), metrics.horizontalAdvance(name->text()) + 2.0));
+    const bool isBeside = beside_ != nullptr && beside_->rect().width() > 0;
+    QPointF place = isBeside ? QPointF(beside_->rect().topLeft()) : emptyPlace();
+    for (QCPItemText* name : legend_) {
+        name->position->setCoords(place);
+        name->setClipToAxisRect(!isBeside);
+        place.ry() += QFontMetricsF(plot_->font()).lineSpacing();
     }
+}
+
+QPointF LobePlotWidget::emptyPlace() const {
+    const QSizeF size = legendSize();
     const QRectF room =
         QRectF(plot_->axisRect()->rect()).adjusted(legendGap, legendGap, -legendGap, -legendGap);
     const std::vector<QPointF> inked = inkedPlaces(*plot_, legend_);
@@ -225,13 +258,13 @@ void LobePlotWidget::placeLegend() {
             place = tried.topLeft();
         }
     }
-    for (QCPItemText* name : legend_) {
-        name->position->setCoords(place);
-        place.ry() += rowHeight;
-    }
+    return place;
 }
 
 bool LobePlotWidget::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == plot_ && event->type() == QEvent::Resize) {
+        makeRoomForLegend();
+    }
     if (watched == plot_ && event->type() == QEvent::MouseMove) {
         const auto* move = static_cast<QMouseEvent*>(event);
         const QPointF place = plot_->mapTo(this, move->position());

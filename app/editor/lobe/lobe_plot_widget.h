@@ -10,6 +10,7 @@
 #include "measure/lobe/lobe_lines.h"
 
 class QCPItemText;
+class QCPLayoutElement;
 class QCustomPlot;
 
 namespace patina {
@@ -61,6 +62,9 @@ class LobePlotWidget : public PlotWidget {
     /// Returns what a value is called in a reading: "1/sr"; empty for a share.
     virtual QString unit() const = 0;
 
+    /// Keeps room for the legend beside the plot, where that is wide enough.
+    void setLegendBeside();
+
     /// Adds the names of materials in their colours, where there are several or one has details.
     void addLegend();
 
@@ -68,12 +72,16 @@ class LobePlotWidget : public PlotWidget {
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
+    void makeRoomForLegend();
     void placeLegend();
+    QSizeF legendSize() const;
+    QPointF emptyPlace() const; ///< is where the legend lies on as little as may be
 
     std::vector<LobeSubject> subjects_;
     std::vector<QCPItemText*> legend_; ///< are the plot's, a name in each
     QStringList details_;
     QCustomPlot* plot_;
+    QCPLayoutElement* beside_ = nullptr; ///< holds the room of a legend beside the plot
 };
 
 } // namespace patina

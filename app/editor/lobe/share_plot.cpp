@@ -25,6 +25,7 @@ constexpr double usualLast = 780.0;
 } // namespace
 
 SharePlot::SharePlot(LobePlot kind, QWidget* parent) : LobePlotWidget(parent), kind_(kind) {
+    setLegendBeside();
     plot().xAxis->setRange(0.0, 90.0);
     plot().xAxis->setLabel(tr("degrees from the normal"));
     QSharedPointer<QCPAxisTickerFixed> ticks(new QCPAxisTickerFixed);

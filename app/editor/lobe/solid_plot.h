@@ -58,8 +58,7 @@ class SolidPlot final : public PaintedPlot {
 
     /// Returns the pieces of all surfaces, the farthest first.
     std::vector<Facet> facets(const Projection& projection) const;
-    static void drawFacets(QPainter& painter, const std::vector<Facet>& facets,
-                           const QSizeF& size);
+    static void drawFacets(QPainter& painter, const std::vector<Facet>& facets, const QSizeF& size);
     void addFacets(std::vector<Facet>& all, std::size_t material, double largest,
                    const Projection& projection) const;
     void turnBy(double turn, double tilt);
