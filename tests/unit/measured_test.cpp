@@ -245,7 +245,7 @@ TEST_F(Measured, WrongNumberInAnRglFile_IsToldWithItsByte) {
     };
     for (const auto& [name, value] :
          {std::pair{"vndf", -1.0f}, std::pair{"ndf", -0.5f}, std::pair{"theta_i", 9.0f},
-          std::pair{"rgb", -5.0f}, std::pair{"rgb", std::numeric_limits<float>::quiet_NaN()}}) {
+          std::pair{"rgb", -500.0f}, std::pair{"rgb", std::numeric_limits<float>::quiet_NaN()}}) {
         std::string broken = rgl;
         const std::size_t place = placeOf(name);
         std::memcpy(broken.data() + place, &value, sizeof value);

@@ -243,7 +243,7 @@ QPointF LobePlotWidget::emptyPlace() const {
         QRectF(plot_->axisRect()->rect()).adjusted(legendGap, legendGap, -legendGap, -legendGap);
     const std::vector<QPointF> inked = inkedPlaces(*plot_, legend_);
     QPointF place = room.topLeft();
-    auto fewest = std::numeric_limits<std::ptrdiff_t>::max();
+    auto minCovered = std::numeric_limits<std::ptrdiff_t>::max();
     for (const QPointF share :
          {QPointF(0, 0), QPointF(1, 0), QPointF(0, 1), QPointF(1, 1), QPointF(0.5, 0),
           QPointF(0, 0.5), QPointF(1, 0.5), QPointF(0.5, 1), QPointF(0.5, 0.5)}) {
@@ -253,8 +253,8 @@ QPointF LobePlotWidget::emptyPlace() const {
             size);
         const auto covered = std::ranges::count_if(
             inked, [&tried](const QPointF& each) { return tried.contains(each); });
-        if (covered < fewest) {
-            fewest = covered;
+        if (covered < minCovered) {
+            minCovered = covered;
             place = tried.topLeft();
         }
     }
