@@ -103,6 +103,13 @@ TEST_F(ModelsPanel, LightLost_IsWrittenAsTheFieldsWriteNumbers) {
     EXPECT_EQ(nothing, "0.0 %");
 }
 
+TEST_F(ModelsPanel, LightLostByADrawing_IsEmptyAndSaysWhy) {
+    models().setCatalog(document().sharedCatalog());
+    models().setCosts({{"toon", "Toon", {}, std::nullopt, 0.2}}, false);
+    EXPECT_EQ(models().topLevelItem(0)->text(10), "");
+    EXPECT_TRUE(models().topLevelItem(0)->toolTip(10).contains("no share of the light"));
+}
+
 TEST_F(ModelsPanel, SceneThatIsBack_HasItsNumbersAgain) {
     measureSome();
     const std::string first = page().costs().front().model;
