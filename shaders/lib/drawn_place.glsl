@@ -12,6 +12,16 @@ struct DrawnPlace {
     float pixel; // how wide a pixel of the picture is there
 };
 
+// From what the engine gives a model of it; vectors may have any length.
+DrawnPlace drawnPlace(vec3 x, vec3 n, vec3 v, float pixel) {
+    DrawnPlace at;
+    at.x = x;
+    at.n = unitVector(n, vec3(0.0, 0.0, 1.0));
+    at.v = unitVector(v, at.n);
+    at.pixel = pixel;
+    return at;
+}
+
 // A scale of two: how much larger a lattice is, as a power of two, and how far it is on the way to
 // the next finer one, 0 .. 1.
 struct DrawnScale {

@@ -1,15 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 #include "lib/drawn_place.glsl"
 
-DrawnPlace engravingPlace(Engraving p) {
-    DrawnPlace at;
-    at.x = p.place;
-    at.n = unitVector(p.placeNormal, vec3(0.0, 0.0, 1.0));
-    at.v = unitVector(p.placeView, at.n);
-    at.pixel = p.placePixel;
-    return at;
-}
-
 // One layer of lines that swell with the tone: where planes across `way` cut the surface, between
 // one and two spacings apart, with new ones that grow between them as it comes nearer. All of them
 // together cover the share tone.x and leave tone.y.
@@ -37,7 +28,7 @@ float darkerThan(float from, float dark) {
 // from a middle tone on, the third in the dark. What the earlier ones leave of a tone is shared by
 // those that are there.
 vec3 engraving(Directions d, Engraving p) {
-    DrawnPlace at = engravingPlace(p);
+    DrawnPlace at = drawnPlace(p.place, p.placeNormal, p.placeView, p.placePixel);
     vec2 tone = tones(d, p.toneDark, p.toneLight);
     float dark = tone.x;
     float layers = float(p.layers);

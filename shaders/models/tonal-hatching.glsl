@@ -1,15 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 #include "lib/drawn_place.glsl"
 
-DrawnPlace tonalHatchingPlace(TonalHatching p) {
-    DrawnPlace at;
-    at.x = p.place;
-    at.n = unitVector(p.placeNormal, vec3(0.0, 0.0, 1.0));
-    at.v = unitVector(p.placeView, at.n);
-    at.pixel = p.placePixel;
-    return at;
-}
-
 // The darkness from which on the rows of a depth are drawn: those of the first set before those of
 // the second, each halving later than the last. Six tones: 0, 1/6 and 4/6; 2/6, 3/6 and 5/6.
 float hatchingOrder(float depth, bool isSecond) {
@@ -48,7 +39,7 @@ vec2 hatchingSet(DrawnPlace at, vec3 way, bool isSecond, float dark, TonalHatchi
 // Webb and A. Finkelstein, Real-Time Hatching, SIGGRAPH 2001), worked out in place of stored: a
 // tone has the strokes of all lighter ones, a scale those of all coarser ones.
 vec3 tonalHatching(Directions d, TonalHatching p) {
-    DrawnPlace at = tonalHatchingPlace(p);
+    DrawnPlace at = drawnPlace(p.place, p.placeNormal, p.placeView, p.placePixel);
     float dark = tones(d, p.toneDark, p.toneLight).x;
     vec3 first = unitVector(p.lineDirection, vec3(0.0, 1.0, 0.0));
     vec3 second = unitVector(p.crossDirection, vec3(1.0, 0.0, 0.0));
