@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The reflectance of what is on screen, as plots.
+#include <algorithm>
 #include <numbers>
+#include <regex>
+#include <sstream>
 
 #include <QAction>
 #include <QApplication>
@@ -404,6 +407,36 @@ TEST_F(LobePanel, DrawingModel_SaysThatThePlotMeansNothing) {
     openTab(Float16);
     ASSERT_TRUE(wait());
     EXPECT_TRUE(note().contains("of 16 bits mean nothing")) << note().toStdString();
+}
+
+/// Returns the width over the height of the widest line of a drawing that is not straight.
+double widestForm(const std::string& svg) {
+    double widest = 0.0;
+    double form = 0.0;
+    static const std::regex line("points=\"([^\"]*)\"");
+    for (std::sregex_iterator each(svg.begin(), svg.end(), line), end; each != end; ++each) {
+        std::string numbers = (*each)[1].str();
+        std::ranges::replace(numbers, ',', ' ');
+        std::istringstream in(numbers);
+        QRectF box;
+        double x = 0.0;
+        double y = 0.0;
+        while (in >> x >> y) {
+            box = box.isNull() ? QRectF(x, y, 1e-6, 1e-6) : box.united({x, y, 1e-6, 1e-6});
+        }
+        if (box.height() > 1.0 && box.width() > widest) {
+            widest = box.width();
+            form = box.width() / box.height();
+        }
+    }
+    return form;
+}
+
+TEST_F(LobePanel, ExportedDisc_IsRoundInADockOfAnyForm) {
+    ASSERT_TRUE(wait());
+    polar().resize(900, 200);
+    dock().exportTo(QString::fromStdString(home("disc.svg").string()));
+    EXPECT_NEAR(widestForm(readFile(home("disc.svg"))), 2.0, 0.02);
 }
 
 TEST_F(LobePanel, Export_WritesEachForm) {

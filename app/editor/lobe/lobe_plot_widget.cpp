@@ -110,7 +110,10 @@ LobePlotWidget::LobePlotWidget(QWidget* parent) : PlotWidget(parent), plot_(new 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(1, 1, 1, 1); // leaves room for the focus frame
     layout->addWidget(plot_);
-    connect(plot_, &QCustomPlot::afterLayout, this, &LobePlotWidget::placeLegend);
+    connect(plot_, &QCustomPlot::afterLayout, this, [this] {
+        fitRanges();
+        placeLegend();
+    });
 }
 
 void LobePlotWidget::setSubjects(std::vector<LobeSubject> subjects) {
@@ -274,12 +277,16 @@ bool LobePlotWidget::eventFilter(QObject* watched, QEvent* event) {
 }
 
 QByteArray LobePlotWidget::png() const {
-    return asPng(
-        plot_->toPixmap(plotFileSize.width(), plotFileSize.height(), plotFileScale).toImage());
+    const QPixmap drawn =
+        plot_->toPixmap(plotFileSize.width(), plotFileSize.height(), plotFileScale);
+    plot_->replot(); // lays the widget out again
+    return asPng(drawn.toImage());
 }
 
 QByteArray LobePlotWidget::svg() const {
-    return plotSvg(*plot_, plotFileSize);
+    QByteArray drawn = plotSvg(*plot_, plotFileSize);
+    plot_->replot(); // lays the widget out again
+    return drawn;
 }
 
 } // namespace patina

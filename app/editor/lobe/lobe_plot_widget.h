@@ -62,6 +62,9 @@ class LobePlotWidget : public PlotWidget {
     /// Returns what a value is called in a reading: "1/sr"; empty for a share.
     virtual QString unit() const = 0;
 
+    /// Sets the axes to the size that is drawn, the widget's or a file's.
+    virtual void fitRanges() {}
+
     /// Keeps room for the legend beside the plot, where that is wide enough.
     void setLegendBeside();
 

@@ -63,9 +63,9 @@ QString PolarPlot::unit() const {
 }
 
 /// Gives the disc all the room there is, without stretching it.
-void PolarPlot::fitDisc() {
-    const double width = std::max(plot().width(), 1);
-    const double height = std::max(plot().height(), 1);
+void PolarPlot::fitRanges() {
+    const double width = std::max(plot().viewport().width(), 1);
+    const double height = std::max(plot().viewport().height(), 1);
     const double pixels = std::min(width / (2.0 * reach), height / (reach + below));
     plot().xAxis->setRange(-0.5 * width / pixels, 0.5 * width / pixels);
     plot().yAxis->setRange(-below, height / pixels - below);
@@ -139,7 +139,6 @@ void PolarPlot::draw() {
     plot().clearPlottables();
     plot().clearItems();
     colourPlot(plot(), palette(), false);
-    fitDisc();
     const std::vector<Stroke> lines = strokes();
     double largest = 0.0;
     for (const Stroke& line : lines) {
@@ -197,8 +196,6 @@ bool PolarPlot::eventFilter(QObject* watched, QEvent* event) {
             setFocus(Qt::MouseFocusReason);
             turnTo(std::round(2.0 * std::abs(degrees)) / 2.0);
         }
-    } else if (watched == &plot() && event->type() == QEvent::Resize) {
-        fitDisc();
     }
     return LobePlotWidget::eventFilter(watched, event);
 }

@@ -40,7 +40,7 @@ class PolarPlot final : public LobePlotWidget {
     void addDisc(double largest);
     void addViewer();
     void turnTo(double degrees);
-    void fitDisc();
+    void fitRanges() override;
 
     LobeScale scale_ = LobeScale::Linear;
     double light_ = 45.0; ///< degrees from the normal

@@ -60,7 +60,7 @@ std::vector<DockEntry> dockList() {
         {"shader", tr("Shader"), DockPlace::Bottom, make<ShaderDock>,
          tr("GLSL, program, source, registers")},
         {"accuracy", tr("Accuracy"), DockPlace::Bottom, make<AccuracyDock>,
-         tr("cost, error, match, scaling, cheaper ways, predicted times")},
+         tr("cost, error, match, all models, scaling, cheaper ways, predicted times")},
         {"lobe", tr("Lobe"), DockPlace::Bottom, make<LobeDock>,
          tr("reflectance, albedo, Fresnel plot, float32, float16")},
         {"histogram", tr("Histogram"), DockPlace::Bottom, make<HistogramDock>},
