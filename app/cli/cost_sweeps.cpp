@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/command.h"
 #include "cli/mapped_point.h"
 #include "cli/picture.h"
 #include "measure/choice/picture_choices.h"
@@ -214,13 +215,12 @@ Checked<std::vector<ModelCost>> ranked(CostSweep::Subject subject, const CostReq
         work.report(fmt::format("{:3.0f} %  model {} of {}: {}", 100.0 * (*ranking)->progress(),
                                 turn.number, turn.of, turn.label));
     }
-    if (!(*ranking)->problems().empty()) {
-        return tl::unexpected((*ranking)->problems());
-    }
     std::vector<ModelCost> costs = (*ranking)->costs();
     if (costs.empty()) {
-        return nothingYet();
+        return (*ranking)->problems().empty() ? nothingYet()
+                                              : tl::unexpected((*ranking)->problems());
     }
+    report((*ranking)->problems()); // of models that are left out
     return costs;
 }
 

@@ -13,7 +13,7 @@ struct DrawnPlace {
 };
 
 // From what the engine gives a model of it; vectors may have any length.
-DrawnPlace drawnPlace(vec3 x, vec3 n, vec3 v, float pixel) {
+DrawnPlace drawnAt(vec3 x, vec3 n, vec3 v, float pixel) {
     DrawnPlace at;
     at.x = x;
     at.n = unitVector(n, vec3(0.0, 0.0, 1.0));

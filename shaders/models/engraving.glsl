@@ -28,7 +28,7 @@ float darkerThan(float from, float dark) {
 // from a middle tone on, the third in the dark. What the earlier ones leave of a tone is shared by
 // those that are there.
 vec3 engraving(Directions d, Engraving p) {
-    DrawnPlace at = drawnPlace(p.place, p.placeNormal, p.placeView, p.placePixel);
+    DrawnPlace at = drawnAt(p.place, p.placeNormal, p.placeView, p.placePixel);
     vec2 tone = tones(d, p.toneDark, p.toneLight);
     float dark = tone.x;
     float layers = float(p.layers);

@@ -73,7 +73,7 @@ vec2 stableDots(DotLattice lattice, vec2 tone) {
 }
 
 vec3 surfaceHalftone(Directions d, SurfaceHalftone p) {
-    DrawnPlace at = drawnPlace(p.place, p.placeNormal, p.placeView, p.placePixel);
+    DrawnPlace at = drawnAt(p.place, p.placeNormal, p.placeView, p.placePixel);
     vec2 drawn = stableDots(dotLattice(at, p.cell), tones(d, p.toneDark, p.toneLight));
     return drawn.y * p.diffuseColor + drawn.x * p.inkColor;
 }

@@ -39,7 +39,7 @@ vec2 hatchingSet(DrawnPlace at, vec3 way, bool isSecond, float dark, TonalHatchi
 // Webb and A. Finkelstein, Real-Time Hatching, SIGGRAPH 2001), worked out in place of stored: a
 // tone has the strokes of all lighter ones, a scale those of all coarser ones.
 vec3 tonalHatching(Directions d, TonalHatching p) {
-    DrawnPlace at = drawnPlace(p.place, p.placeNormal, p.placeView, p.placePixel);
+    DrawnPlace at = drawnAt(p.place, p.placeNormal, p.placeView, p.placePixel);
     float dark = tones(d, p.toneDark, p.toneLight).x;
     vec3 first = unitVector(p.lineDirection, vec3(0.0, 1.0, 0.0));
     vec3 second = unitVector(p.crossDirection, vec3(1.0, 0.0, 0.0));

@@ -3,9 +3,11 @@
 #include "measure/cost/model_ranking.h"
 
 #include <algorithm>
+#include <array>
 
 #include "gpu_fixture.h"
 #include "measure/cost/ranking_table.h"
+#include "support/program.h"
 
 namespace patina::model_ranking_test {
 namespace {
@@ -61,6 +63,38 @@ TEST_F(ModelRankingTest, GivenMaterials_AreRankedInsteadOfAllModels) {
     ASSERT_EQ(costs.size(), 2u);
     EXPECT_EQ(costs.front().model, "lambert");
     EXPECT_EQ(costs.back().model, "he-torrance");
+}
+
+TEST_F(ModelRankingTest, ModelThatDoesNotCompile_IsLeftOutAndTold) {
+    const tests::TemporaryFolder folder;
+    tests::writeFile(folder / "models/broken.json", R"({
+        "id": "broken", "version": 1, "label": "Broken", "summary": "A test.",
+        "applications": "None.", "source": "None.", "parameters": [],
+        "claims": ["finite", "non_negative"]})");
+    tests::writeFile(folder / "models/broken.glsl",
+                     "// SPDX-License-"
+                     "Identifier: MIT-0\n#include \"lib/directions.glsl\"\n"
+                     "vec3 broken(Directions d, Broken p) {\n    return nothing;\n}\n");
+    const std::array roots{BlockRoot{PATINA_SOURCE_DIR "/shaders", true},
+                           BlockRoot{folder.path(), false}};
+    const auto extended = std::make_shared<const Catalog>(loadCatalog(roots));
+    const Scene scene = simpleScene();
+    CostSweep::Options options;
+    options.size = {16, 16};
+    options.pairs.max = 7;
+    std::vector<Material> materials;
+    for (const char* id : {"broken", "lambert", "phong"}) {
+        materials.push_back(defaultMaterial(*extended->find("models", id)));
+    }
+    auto ranking =
+        ModelRanking::create({scene, 0, scene.camera, meshSource(), extended}, options, materials);
+    ASSERT_TRUE(ranking);
+    while (!(*ranking)->finished()) {
+        (*ranking)->step();
+    }
+    EXPECT_EQ((*ranking)->costs().size(), 2u);
+    ASSERT_FALSE((*ranking)->problems().empty());
+    EXPECT_TRUE((*ranking)->problems().front().file.ends_with("broken.glsl"));
 }
 
 TEST(RankingTable, Lines_HaveTheLossOfLight) {

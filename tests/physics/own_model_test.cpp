@@ -27,7 +27,10 @@ double formula(double color, double wrap, double nl) {
 
 class OwnModel : public testing::Test {
   protected:
-    OwnModel() {
+    OwnModel() { write("p.diffuseColor * ((d.nl + p.wrap) / (1.0 + p.wrap))"); }
+
+    /// Writes the two files of a model that returns `value` after `before`.
+    void write(const std::string& value, const std::string& before = {}) {
         tests::writeFile(folder_ / "models/creeping.json", R"({
             "id": "creeping", "version": 1, "label": "Creeping", "summary": "A test.",
             "applications": "None.", "source": "None.",
@@ -40,8 +43,8 @@ class OwnModel : public testing::Test {
         tests::writeFile(folder_ / "models/creeping.glsl",
                          "// SPDX-License-"
                          "Identifier: MIT-0\n#include \"lib/directions.glsl\"\n"
-                         "vec3 creeping(Directions d, Creeping p) {\n"
-                         "    return p.diffuseColor * ((d.nl + p.wrap) / (1.0 + p.wrap));\n}\n");
+                         "vec3 creeping(Directions d, Creeping p) {\n" +
+                             before + "    return " + value + ";\n}\n");
         const std::array roots{BlockRoot{PATINA_SOURCE_DIR "/shaders", true},
                                BlockRoot{folder_.path(), false}};
         catalog_ = loadCatalog(roots);
@@ -88,6 +91,13 @@ TEST_F(OwnModel, HasEveryPlot) {
     const auto table = reflectanceTable(catalog_, material(), LobeTerm::Whole, 8);
     ASSERT_TRUE(table) << table.error().text();
     EXPECT_NEAR(table->read(0.9375, 0.5).x, formula(0.8, 0.3, 0.9375), 1e-6);
+}
+
+TEST_F(OwnModel, ThatDoesNotEnd_IsRefused) {
+    write("vec3(s)", "    float s = 0.0;\n    while (s < 1.0) {\n        s = s * d.nl;\n    }\n");
+    const auto values = ModelValues::of(*sweepVariant(catalog_, material()), catalog_);
+    ASSERT_FALSE(values);
+    EXPECT_NE(values.error().text().find("does not end"), std::string::npos);
 }
 
 TEST_F(OwnModel, IsMatchedToValuesOfItsOwn) {

@@ -105,7 +105,10 @@ class ModelRanking::Implementation {
     std::vector<ModelCost> costs() const {
         std::vector<ModelCost> costs;
         const double milliseconds = medianInterval(firstTimes_).median;
-        for (std::size_t i = 0; i < ranked_.size() && ranked_[i].turns > 0; ++i) {
+        for (std::size_t i = 0; i < ranked_.size(); ++i) {
+            if (ranked_[i].turns == 0 || ranked_[i].isRefused) {
+                continue;
+            }
             costs.push_back({models_[i]->id, models_[i]->label,
                              withTimes(ranked_[i].pairs.cost(), {milliseconds, empty_, pixels_}),
                              ranked_[i].instructions, ranked_[i].albedoLoss});
@@ -125,7 +128,8 @@ class ModelRanking::Implementation {
     /// Holds what has been measured of a model.
     struct Ranked {
         CostPairs pairs;
-        int turns = 0; ///< counts those that are done
+        int turns = 0;          ///< counts those that are done
+        bool isRefused = false; ///< its program is not drawn
         std::optional<InstructionCount> instructions{};
         std::optional<double> albedoLoss{};
     };
@@ -142,8 +146,7 @@ class ModelRanking::Implementation {
     }
 
     bool isOver() const {
-        return !problems_.empty() ||
-               std::ranges::all_of(ranked_, [this](const Ranked& each) { return isDone(each); });
+        return std::ranges::all_of(ranked_, [this](const Ranked& each) { return isDone(each); });
     }
 
     /// Times a few pairs of the model.
@@ -152,14 +155,20 @@ class ModelRanking::Implementation {
         const Scene scene = sceneOf(materials_[model_]);
         drawn_->timeOf(first_, view_); // these only warm up
         drawn_->timeOf(scene, view_);
+        refuseWhatFailed(model);
         for (int i = 0; i < pairsPerTurn && !(i > 0 && isDone(model)); ++i) {
             co_yield Steps::Pause();
             timePair(model, scene);
-            if (!problems_.empty()) {
-                co_return;
-            }
         }
         ++model.turns;
+    }
+
+    /// Leaves a model out whose frames have mistakes, such as one of the user's that does not
+    /// compile.
+    void refuseWhatFailed(Ranked& model) {
+        const Errors failed = drawn_->takeProblems();
+        model.isRefused = model.isRefused || !failed.empty();
+        problems_.insert(problems_.end(), failed.begin(), failed.end());
     }
 
     Scene sceneOf(const Material& material) const {
@@ -171,7 +180,11 @@ class ModelRanking::Implementation {
     /// Measures what is the same for all models: how many pixels are shaded, and the frame without
     /// them.
     void measureFrame() {
-        first_ = sceneOf(materials_.front());
+        const auto drawable = std::ranges::find_if(materials_, [this](const Material& material) {
+            drawn_->timeOf(sceneOf(material), view_);
+            return drawn_->takeProblems().empty();
+        });
+        first_ = sceneOf(drawable == materials_.end() ? materials_.front() : *drawable);
         const auto buffer = drawn_->renderer().surfaces().capture(first_, view_, drawn_->meshes());
         if (!buffer) {
             problems_.push_back(buffer.error());
@@ -199,6 +212,9 @@ class ModelRanking::Implementation {
     }
 
     bool isDone(const Ranked& model) const {
+        if (model.isRefused) {
+            return true;
+        }
         const bool isMeasured = model.turns >= minTurns && model.pairs.finished();
         return isMeasured || model.pairs.runs() >= options_.pairs.max || isLate(model);
     }
@@ -207,8 +223,8 @@ class ModelRanking::Implementation {
         const double first = drawn_->timeOf(first_, view_);
         model.pairs.add(first, drawn_->timeOf(scene, view_));
         firstTimes_.push_back(first);
-        problems_ = drawn_->problems();
-        if (model.pairs.runs() == 1 && problems_.empty()) {
+        refuseWhatFailed(model);
+        if (model.pairs.runs() == 1 && !model.isRefused) {
             model.instructions = surfaceInstructions(scene, subject_.object, view_.camera,
                                                      {subject_.catalog, subject_.meshes});
             model.albedoLoss = lossOf(*subject_.catalog, *models_[model_]);

@@ -63,6 +63,7 @@ class ModelRanking {
 
     std::string timer() const;
     std::size_t pixels() const; ///< counts those that are shaded
+    /// Are those of models that were left out, or why nothing could be measured.
     const Errors& problems() const;
 
   private:

@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <deque>
+#include <iterator>
+#include <limits>
 #include <string>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "measure/eval/eval_source.h"
 #include "measure/interpreter/shader_parser.h"
@@ -71,11 +75,31 @@ InterpretedModel::of(const EvalCase& model, const std::filesystem::path& shaders
     const std::string text = source->text;
     const std::shared_ptr<const InterpretedModel> made(
         new InterpretedModel(std::move(source), std::move(*syntax)));
+    if (!made->ends(model)) {
+        return failure(fmt::format("\"{}\" does not end", model.block.block->id),
+                       "loops of fewer rounds");
+    }
     parsedPrograms().keep(text, made);
     return made;
 }
 
+bool InterpretedModel::ends(EvalCase model) const {
+    for (const glm::dvec3& l : {glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(0.6, 0.0, 0.8)}) {
+        for (const glm::dvec3& v : {l, glm::dvec3(0.0, 0.8, 0.6)}) {
+            model.l = l;
+            model.v = v;
+            std::vector<double> numbers = placeNumbers(model);
+            std::ranges::copy(valueNumbers(model), std::back_inserter(numbers));
+            evaluate(numbers);
+        }
+    }
+    return !isEndless_;
+}
+
 glm::dvec3 InterpretedModel::evaluate(std::span<const double> numbers) const {
+    if (isEndless_) {
+        return glm::dvec3(std::numeric_limits<double>::quiet_NaN());
+    }
     std::unique_ptr<ShaderEvaluator> evaluator;
     {
         const std::scoped_lock lock(guard_);
@@ -90,6 +114,9 @@ glm::dvec3 InterpretedModel::evaluate(std::span<const double> numbers) const {
     constexpr double firstPart = 0.0;
     std::array<double, 3> result{};
     evaluator->call(function_, {&firstPart, 1}, numbers, result);
+    if (evaluator->gaveUp()) {
+        isEndless_ = true;
+    }
     const std::scoped_lock lock(guard_);
     idle_.push_back(std::move(evaluator));
     return {result[0], result[1], result[2]};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -18,19 +19,24 @@ namespace patina {
 class InterpretedModel {
   public:
     /// Reads and parses the program of a case; the last few that were parsed are kept. It is an
-    /// error where the text cannot be evaluated, at its place.
+    /// error where the text cannot be evaluated, at its place, and where it does not end.
     static Result<std::shared_ptr<const InterpretedModel>> of(const EvalCase& model,
                                                               const std::filesystem::path& shaders);
 
-    /// Returns what the model returns for the numbers of a case (placeNumbers(), valueNumbers()).
+    /// Returns what the model returns for the numbers of a case (placeNumbers(), valueNumbers());
+    /// NaN from the first case on that does not end.
     glm::dvec3 evaluate(std::span<const double> numbers) const;
 
   private:
+    /// Tells whether the model ends for light and viewer in some directions.
+    bool ends(EvalCase model) const;
+
     InterpretedModel(std::unique_ptr<const ShaderSource> source, ShaderSyntax syntax);
 
     std::unique_ptr<const ShaderSource> source_; ///< has the text to which the syntax refers
     ShaderSyntax syntax_;
     int function_ = -1;
+    mutable std::atomic<bool> isEndless_{false};
     mutable std::mutex guard_;
     /// Are those that no thread uses.
     mutable std::vector<std::unique_ptr<ShaderEvaluator>> idle_;

@@ -39,6 +39,9 @@ class ShaderEvaluator {
     void call(int function, std::span<const double> arguments, std::span<const double> data,
               std::span<double> result);
 
+    /// Says that the last call was given up, after so many rounds of loops and calls.
+    bool gaveUp() const { return isEndless_; }
+
     /// Rounds the values of these expressions, in the order of ShaderSyntax::expressions, to floats
     /// of 16 bits from now on, each operation by itself; null: no longer. It must outlive the
     /// calls.

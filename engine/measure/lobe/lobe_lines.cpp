@@ -110,9 +110,10 @@ std::string noteOf(const Block& model, const Material& material) {
     return note;
 }
 
-/// Returns the lines of a model that has no code in double precision.
+/// Returns the lines of a model that cannot be evaluated in double precision, for which the note
+/// has the reason.
 Result<LobeLines> deviceLines(const Catalog& catalog, const EvalCase& variant,
-                              const LobeRequest& request, EvalGpu& device) {
+                              const LobeRequest& request, EvalGpu& device, const Error& whyNot) {
     LobeLines all;
     LobeLine& line = all.lines.emplace_back();
     line.name = request.plot == LobePlot::Polar ? "reflectance" : "albedo";
@@ -135,8 +136,7 @@ Result<LobeLines> deviceLines(const Catalog& catalog, const EvalCase& variant,
             line.values.push_back(point.albedo);
         }
     }
-    all.note = "in single precision, by the device: the model cannot be evaluated in double "
-               "precision";
+    all.note = "in single precision, by the device: " + whyNot.text();
     return all;
 }
 
@@ -213,8 +213,10 @@ Result<LobeLines> modelLines(const Catalog& catalog, const Material& material,
                                  : Result<LobeLines>(failure("there is no device to compare with"));
     }
     const bool isWhole = request.term == LobeTerm::Whole;
-    if (device != nullptr && isWhole && !ModelValues::of(*variant, catalog)) {
-        return deviceLines(catalog, *variant, request, *device);
+    if (device != nullptr && isWhole) {
+        if (const auto values = ModelValues::of(*variant, catalog); !values) {
+            return deviceLines(catalog, *variant, request, *device, values.error());
+        }
     }
     LobeLines all;
     const auto add = [&](const Material& shown, LobeStroke stroke) -> Result<void> {

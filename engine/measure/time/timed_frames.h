@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "gl/framebuffer.h"
 #include "measure/time/frame_timer.h"
@@ -36,6 +37,9 @@ class TimedFrames {
 
     /// Returns what could not be drawn in the last frame that was not complete.
     const Errors& problems() const { return problems_; }
+
+    /// Returns them and forgets them.
+    Errors takeProblems() { return std::exchange(problems_, {}); }
 
   private:
     TimedFrames(Supplies supplies, glm::ivec2 size, std::unique_ptr<Renderer> renderer);
