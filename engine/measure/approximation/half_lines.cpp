@@ -37,8 +37,8 @@ std::string worstText(const LobeLine& line, std::size_t broken) {
         }
     }
     return fmt::format(
-        "at worst {:.3g} units in the last place of 16 bits, of which a value has 2048, {:.3g} "
-        "degrees from the normal{}",
+        "at worst {:.3g} units in the last place of 16 bits (a value has 2048), {:.3g} degrees "
+        "from the normal{}",
         worst, std::abs(at),
         broken > 0 ? fmt::format("; not finite at {} of {} angles", broken, line.at.size()) : "");
 }
