@@ -123,6 +123,10 @@ TEST_F(CheaperPanel, UseIt_GivesTheMaterialTheSelectedWayInOneStep) {
     const std::string level = "found-" + std::to_string(list().topLevelItemCount());
     EXPECT_EQ(document().material(Side::A)->accuracy.at("cheaper.plush"), level);
     EXPECT_EQ(document().material(Side::A)->model.parameters, before.model.parameters);
+    EXPECT_TRUE(QTest::qWaitFor(
+        [this] { return page().state().contains("has found ways already"); }, waitMs));
+    page().search();
+    EXPECT_FALSE(page().isMeasuring()) << "what it has found is not searched again";
     document().undoStack().undo();
     EXPECT_EQ(*document().material(Side::A), before);
 }

@@ -448,9 +448,18 @@ QByteArray CheaperPage::bytesFor(const QString& ending) const {
 
 QString CheaperPage::nothingText() const {
     const QString nothing = MeasurePage::nothingText();
-    return nothing.isEmpty() && chosenBlock() == nullptr
-               ? tr("Nothing of this material can be searched.")
-               : nothing;
+    if (!nothing.isEmpty()) {
+        return nothing;
+    }
+    const Block* block = chosenBlock();
+    if (block == nullptr) {
+        return tr("Nothing of this material can be searched.");
+    }
+    if (whyNotSearched(*block).empty()) {
+        return {};
+    }
+    const QString why = tr("%1 has found ways already.").arg(asText(block->label));
+    return isSaved() ? savedText() + ' ' + why : why;
 }
 
 QString CheaperPage::notYetText() const {

@@ -77,20 +77,21 @@ class WaySearch {
         if (!ways) {
             return tl::unexpected(ways.error());
         }
-        check(*ways);
+        const bool isChecked = check(*ways);
         if (control_.isCancelled()) {
             return endOf(false, {});
         }
-        show(*ways, true);
+        show(*ways, isChecked);
         return endOf(!ways->isStopped, {});
     }
 
   private:
     const std::filesystem::path& shaders() const { return wish_.catalog->roots.front().folder; }
 
-    void check(CheaperWays& ways) {
+    /// Returns whether the ways could be checked: what does not compile there is not.
+    bool check(CheaperWays& ways) {
         if (ways.ways.empty()) {
-            return;
+            return true;
         }
         control_.report(shareOfSearch, WaysText::tr("Checking on the graphics device"), true);
         const auto checked = checkedOnDevice(wish_.subject, ways, shaders(), wish_.options,
@@ -98,6 +99,7 @@ class WaySearch {
         if (!checked) {
             ways.notes.insert(ways.notes.end(), checked.error().begin(), checked.error().end());
         }
+        return checked.has_value();
     }
 
     void show(const CheaperWays& ways, bool isChecked) {

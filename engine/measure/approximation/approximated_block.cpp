@@ -19,6 +19,17 @@
 namespace patina {
 namespace {
 
+constexpr std::string_view foundPrefix = "cheaper."; ///< begins the id of a choice of found ways
+
+constexpr double statedMargin = 1.25; ///< is how much more is stated than was measured
+constexpr double minStated = 1e-7;    ///< is about the rounding of a float
+constexpr double roundingSlack = 1e-9;
+
+/// Returns what the second digit of a number counts: 0.01 for 0.25.
+double secondDigitOf(double number) {
+    return std::pow(10.0, std::floor(std::log10(number) + roundingSlack) - 1.0);
+}
+
 /// Returns the names with the right letter first: "blinn-phong" -> "BlinnPhong".
 std::string pascalCase(std::string_view id) {
     std::string name;
@@ -311,7 +322,18 @@ std::string wordsOf(const CheaperWay& way) {
 std::string foundChoiceId(const Block& block) {
     std::string name = pascalCase(block.id);
     name.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
-    return "cheaper." + name;
+    return std::string(foundPrefix) + name;
+}
+
+Errors whyNotSearched(const Block& block) {
+    const auto found = std::ranges::find_if(block.accuracy, [](const AccuracyChoice& choice) {
+        return choice.id.starts_with(foundPrefix);
+    });
+    return found == block.accuracy.end()
+               ? Errors()
+               : oneError({block.descriptorFile.string(), 0, 0,
+                           fmt::format("it has found ways already, \"{}\"", found->id),
+                           "the block without them"});
 }
 
 std::string foundLevelId(std::size_t way) {
@@ -319,9 +341,17 @@ std::string foundLevelId(std::size_t way) {
 }
 
 double statedError(const CheaperWay& way) {
-    const double error = std::max(1.25 * way.error, 1e-7);
-    const double digit = std::pow(10.0, std::floor(std::log10(error)) - 1.0);
-    return std::ceil(error / digit) * digit;
+    const double error = std::max(statedMargin * way.error, minStated);
+    const double digit = secondDigitOf(error);
+    return std::ceil(error / digit - roundingSlack) * digit;
+}
+
+double greatestErrorStatedAs(double stated) {
+    if (stated < minStated) {
+        return 0.0;
+    }
+    const double digit = secondDigitOf(stated);
+    return std::floor(stated / digit + roundingSlack) * digit / statedMargin;
 }
 
 std::string foundLevelDoc(const CheaperWays& ways, std::size_t index) {

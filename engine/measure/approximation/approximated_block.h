@@ -23,6 +23,10 @@ struct ApproximatedBlock {
 /// Returns the id of the choice that a block gets, "cheaper.blinnPhong".
 std::string foundChoiceId(const Block& block);
 
+/// Returns why a block cannot be searched: it has ways that were found already, under its own name
+/// or under that of the block that it is a copy of. Empty where it can be.
+Errors whyNotSearched(const Block& block);
+
 /// Returns the id of the level of a way, "found-1" for the first.
 std::string foundLevelId(std::size_t way);
 
@@ -32,6 +36,9 @@ std::string wordsOf(const CheaperWay& way);
 /// Returns an error that holds for the way also where it was not measured: rounded up to two
 /// digits, and a quarter more.
 double statedError(const CheaperWay& way);
+
+/// Returns the largest error of a way that is stated as `stated` at most.
+double greatestErrorStatedAs(double stated);
 
 /// Returns what a level is, in plain words, with its error and its cost.
 std::string foundLevelDoc(const CheaperWays& ways, std::size_t way);

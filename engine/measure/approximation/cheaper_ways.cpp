@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 
+#include "measure/approximation/approximated_block.h"
 #include "measure/approximation/cheap_moves.h"
 #include "measure/approximation/fitted_terms.h"
 #include "measure/approximation/shader_price.h"
@@ -50,7 +51,8 @@ class CheaperSearch {
     CheaperSearch(const EvalCase& subject, const CheaperSearchOptions& options,
                   const CheaperProgress& progress, std::shared_ptr<const MeasuredText> text)
         : subject_(subject), options_(options), progress_(progress), text_(std::move(text)),
-          price_(subject, text_->source(), text_->syntax(), *options.family) {
+          price_(subject, text_->source(), text_->syntax(), *options.family),
+          limit_(greatestErrorStatedAs(options.maxError)) {
         found_.text = text_;
     }
 
@@ -179,17 +181,16 @@ class CheaperSearch {
         inParallel(ways.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end && !options_.isAbandoned(); ++i) {
                 const std::vector<ShaderEdit> edits = editsFor(ways[i].moves);
-                ways[i].error = text_->error(edits, quick_, options_.maxError);
-                if (ways[i].error.isWithin(options_.maxError)) {
-                    ways[i].error = text_->error(edits, cases_, options_.maxError);
+                ways[i].error = text_->error(edits, quick_, limit_);
+                if (ways[i].error.isWithin(limit_)) {
+                    ways[i].error = text_->error(edits, cases_, limit_);
                 }
-                if (ways[i].error.isWithin(options_.maxError)) {
+                if (ways[i].error.isWithin(limit_)) {
                     ways[i].error.isSafe = text_->isSafe(edits, edgeCases_);
                 }
             }
         });
-        std::erase_if(
-            ways, [this](const TriedWay& way) { return !way.error.isWithin(options_.maxError); });
+        std::erase_if(ways, [this](const TriedWay& way) { return !way.error.isWithin(limit_); });
     }
 
     /// Compiles ways, puts them into the front, and returns those that have a cost.
@@ -333,8 +334,9 @@ class CheaperSearch {
         if (options_.isAbandoned()) {
             return;
         }
-        CaseWish wish{options_.heldOut, heldOutSeed, rowsOfSearch,
-                      std::max<std::size_t>(options_.heldOut / 32, 1), options_.ofValues};
+        CaseWish wish{options_.heldOut,  heldOutSeed,
+                      rowsOfSearch,      std::max<std::size_t>(options_.heldOut / 32, 1),
+                      options_.ofValues};
         const JudgedCases unseen = text_->judged(texelsOfCases(commonCases(subject_, wish)));
         const JudgedCases edge =
             text_->judged(texelsOfCases(edgeCases(subject_, lastEdgeCases, options_.ofValues)));
@@ -367,7 +369,7 @@ class CheaperSearch {
         inParallel(open.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end && !options_.isAbandoned(); ++i) {
                 const std::vector<ShaderEdit> edits = editsFor(open[i]->moves);
-                const TextError last = text_->error(edits, unseen, options_.maxError);
+                const TextError last = text_->error(edits, unseen, limit_);
                 TextError& error = open[i]->error;
                 error.isSafe = last.isSafe && text_->isSafe(edits, edge);
                 error.worst = std::max(error.worst, last.worst);
@@ -375,8 +377,7 @@ class CheaperSearch {
                 open[i]->isJudged = true;
             }
         });
-        std::erase_if(
-            tried_, [this](const TriedWay& way) { return !way.error.isWithin(options_.maxError); });
+        std::erase_if(tried_, [this](const TriedWay& way) { return !way.error.isWithin(limit_); });
         return !open.empty() && !options_.isAbandoned();
     }
 
@@ -404,6 +405,7 @@ class CheaperSearch {
     const CheaperProgress& progress_;
     std::shared_ptr<const MeasuredText> text_;
     ShaderPrice price_;
+    double limit_; ///< is the largest error that may be stated
     Clock::time_point began_ = Clock::now();
     JudgedCases cases_;
     JudgedCases quick_;
@@ -422,6 +424,9 @@ class CheaperSearch {
 Checked<CheaperWays> cheaperWays(const EvalCase& subject, const std::filesystem::path& shaders,
                                  const CheaperSearchOptions& options,
                                  const CheaperProgress& progress) {
+    if (Errors why = whyNotSearched(*subject.block.block); !why.empty()) {
+        return tl::unexpected(std::move(why));
+    }
     auto text = MeasuredText::of(subject, shaders);
     if (!text) {
         return tl::unexpected(text.error());

@@ -15,7 +15,7 @@ namespace patina {
 struct CheaperSearchOptions {
     const GpuFamily* family = nullptr; ///< is the one that costs are predicted for
     double seconds = 120.0;            ///< after so many nothing new is begun
-    double maxError = 0.25;            ///< leaves out what is farther off
+    double maxError = 0.25;            ///< leaves out what would be stated as farther off
     std::size_t cases = 1024;          ///< counts those that the search judges by
     std::size_t heldOut = 10000;       ///< counts those on which the found ways are judged at last
     std::size_t ways = 5;              ///< limits those that are kept of the front
@@ -54,7 +54,8 @@ using CheaperProgress = std::function<bool(double share, const CheaperWays& soFa
 /// then together, beginning with what is best so far. Errors are those of float against double
 /// precision, costs are predicted. Every way is finite and not negative in edge cases, and its
 /// error is the largest on cases that the search did not see. It is an error where the text does
-/// not compile or cannot be evaluated in double precision, or where the search is abandoned.
+/// not compile or cannot be evaluated in double precision, where the block has found ways already
+/// (whyNotSearched()), or where the search is abandoned.
 Checked<CheaperWays> cheaperWays(const EvalCase& subject, const std::filesystem::path& shaders,
                                  const CheaperSearchOptions& options,
                                  const CheaperProgress& progress);

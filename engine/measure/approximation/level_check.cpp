@@ -95,8 +95,9 @@ class DeviceCheck {
           isStopped_(isStopped) {}
 
     Checked<std::size_t> run() {
-        const CaseWish wish{options_.heldOut, seedOfDevice, firstRowOfDevice,
-                            std::max<std::size_t>(options_.heldOut / 32, 1), options_.ofValues};
+        const CaseWish wish{options_.heldOut,  seedOfDevice,
+                            firstRowOfDevice,  std::max<std::size_t>(options_.heldOut / 32, 1),
+                            options_.ofValues};
         cases_ = commonCases(subject_, wish);
         exact_ = ways_.text->judged(texelsOfCases(cases_));
         std::vector<CheaperWay> kept;
@@ -127,6 +128,11 @@ class DeviceCheck {
             return tl::unexpected(worst.error());
         }
         way.error = std::max(way.error, *worst);
+        if (way.error > greatestErrorStatedAs(options_.maxError)) {
+            leftOut(way,
+                    fmt::format("at most {:.2g} off on the graphics device", statedError(way)));
+            return std::nullopt;
+        }
         return isSwept(index) ? std::optional(way) : std::nullopt;
     }
 
@@ -176,6 +182,11 @@ class DeviceCheck {
         return all;
     }
 
+    void leftOut(const CheaperWay& way, const std::string& why) {
+        ways_.notes.push_back(
+            {{}, 0, 0, fmt::format("a way is left out, {}: {}", wordsOf(way), why), {}});
+    }
+
     /// Sweeps the programs of a level.
     bool isSwept(std::size_t index) {
         std::vector<EvalCase> variants;
@@ -202,14 +213,9 @@ class DeviceCheck {
         count_ += sweep.report().cases;
         const SweepTally* const broken = brokenIn(sweep.report());
         if (broken != nullptr) {
-            ways_.notes.push_back(
-                {{},
-                 0,
-                 0,
-                 fmt::format("a way is left out, {}: {} on the graphics device in {} cases, as {}",
-                             wordsOf(ways_.ways[index]), wordsFor(broken->worst.defect),
-                             broken->count, evalJson(broken->worst.request).dump()),
-                 {}});
+            leftOut(ways_.ways[index], fmt::format("{} on the graphics device in {} cases, as {}",
+                                                   wordsFor(broken->worst.defect), broken->count,
+                                                   evalJson(broken->worst.request).dump()));
         }
         return broken == nullptr;
     }
