@@ -62,6 +62,10 @@ Checked<ApproximateSubject> subjectOfShader(const std::filesystem::path& file) {
     std::vector<BlockRoot> roots = standardBlockRoots();
     const std::filesystem::path whole = std::filesystem::absolute(file).lexically_normal();
     const std::filesystem::path folder = whole.parent_path();
+    std::error_code ignored; // a file that cannot be examined is not there
+    if (!std::filesystem::is_regular_file(whole, ignored)) {
+        return tl::unexpected(oneError({file.string(), 0, 0, "there is no such file", {}}));
+    }
     if (findKind(folder.filename().string()) == nullptr) {
         return tl::unexpected(
             oneError({file.string(), 0, 0, "the folder is not named after a kind of block",
@@ -151,7 +155,8 @@ Checked<ApproximateSubject> subjectOf(const std::string& name) {
     return isFile ? subjectOfPreset(name) : subjectNamed(name);
 }
 
-nlohmann::json waysJson(const CheaperWays& ways, const ApproximateSubject& subject) {
+nlohmann::json waysJson(const CheaperWays& ways, const ApproximateSubject& subject,
+                        bool isChecked) {
     nlohmann::json json{{"block", subject.subject.block.block->id},
                         {"kind", subject.subject.block.block->kind},
                         {"unit", ways.unit},
@@ -160,6 +165,7 @@ nlohmann::json waysJson(const CheaperWays& ways, const ApproximateSubject& subje
                         {"changes", ways.moves},
                         {"tried", ways.tried},
                         {"unseenCases", ways.heldOut},
+                        {"checkedOnDevice", isChecked},
                         {"finished", !ways.isStopped}};
     for (std::size_t i = 0; i < ways.ways.size(); ++i) {
         const CheaperWay& way = ways.ways[i];
@@ -177,7 +183,7 @@ nlohmann::json waysJson(const CheaperWays& ways, const ApproximateSubject& subje
     return json;
 }
 
-std::string waysText(const CheaperWays& ways, const ApproximateSubject& subject) {
+std::string waysText(const CheaperWays& ways, const ApproximateSubject& subject, bool isChecked) {
     std::string text = fmt::format("{}: {:.0f} {} (predicted)\n", subject.subject.block.block->id,
                                    ways.exact.cost, ways.unit);
     if (ways.ways.empty()) {
@@ -193,8 +199,10 @@ std::string waysText(const CheaperWays& ways, const ApproximateSubject& subject)
         text += '\n';
     }
     return text + fmt::format("{} changes, {} texts compiled; errors where white is 1, on {} cases "
-                              "that the search did not see\n",
-                              ways.moves, ways.tried, ways.heldOut);
+                              "that the search did not see{}\n",
+                              ways.moves, ways.tried, ways.heldOut,
+                              isChecked ? " and on the graphics device"
+                                        : ", not checked on the graphics device");
 }
 
 nlohmann::json declaredJson(std::span<const DeclaredWay> ways) {
@@ -220,21 +228,27 @@ std::string declaredText(std::span<const DeclaredWay> ways) {
 
 /// Judges the levels that the block has on as many cases as found ways are.
 Checked<std::vector<DeclaredWay>> declaredOf(const ApproximateSubject& subject,
-                                             const CheaperSearchOptions& options, LongWork& work) {
+                                             const CheaperSearchOptions& options) {
+    LongWork work;
     work.report("judging its own levels ");
-    const CaseWish wish{options.heldOut, 3, 4096, std::max<std::size_t>(options.heldOut / 32, 1),
+    const CaseWish wish{options.heldOut,  3,   4096, std::max<std::size_t>(options.heldOut / 32, 1),
                         options.ofValues};
     return declaredWays(subject.subject, subject.catalog->roots.front().folder, *options.family,
                         wish, [&work] { return work.isStopped(); });
 }
 
-/// Tries the ways on the graphics device, where there is one.
-void checkOnDevice(const ApproximateSubject& subject, CheaperWays& ways,
-                   const CheaperSearchOptions& options, LongWork& work) {
+/// Says how a check on the graphics device ended.
+enum class DeviceCheckEnd { Done, NoDevice, Stopped };
+
+/// Tries the ways on the graphics device, where there is one. It is an error where their text does
+/// not compile there.
+Checked<DeviceCheckEnd> checkOnDevice(const ApproximateSubject& subject, CheaperWays& ways,
+                                      const CheaperSearchOptions& options) {
+    LongWork work; // a search that was stopped is checked, too
     const auto context = gl::HeadlessContext::create();
     if (!context) {
         ways.notes.push_back({{}, 0, 0, "not checked on the graphics device: there is none", {}});
-        return;
+        return DeviceCheckEnd::NoDevice;
     }
     const std::function<bool()> isStopped = [&work] {
         work.report("checking on the graphics device ");
@@ -243,21 +257,47 @@ void checkOnDevice(const ApproximateSubject& subject, CheaperWays& ways,
     const auto count = checkedOnDevice(subject.subject, ways, subject.catalog->roots.front().folder,
                                        options, isStopped);
     if (!count) {
-        ways.notes.insert(ways.notes.end(), count.error().begin(), count.error().end());
+        return tl::unexpected(count.error());
     }
+    return work.isStopped() ? DeviceCheckEnd::Stopped : DeviceCheckEnd::Done;
 }
 
 /// Returns why the block could not be written with what is found; empty where it can.
 Errors refusals(const ApproximateRequest& request, const Block& block) {
-    if (block.accuracyChoice(foundChoiceId(block)) != nullptr) {
-        return oneError({block.descriptorFile.string(), 0, 0,
-                         fmt::format("it has found ways already, \"{}\"", foundChoiceId(block)),
-                         "the block without them"});
+    if (Errors why = whyNotSearched(block); !why.empty()) {
+        return why;
     }
     if (!request.output.empty() && isSameFile(request.output, block.shaderFile.parent_path())) {
         return oneError({request.output, 0, 0, "the block's own files are there, and would be lost",
                          "another folder"});
     }
+    return {};
+}
+
+Checked<CheaperWays> searched(const ApproximateSubject& subject,
+                              const CheaperSearchOptions& options) {
+    LongWork work;
+    const auto progress = [&work](double share, const CheaperWays& soFar) {
+        work.report(fmt::format("{:3.0f} %  {} changes, {} tried, {} cheaper ways ", 100.0 * share,
+                                soFar.moves, soFar.tried, soFar.ways.size()));
+        return !work.isStopped();
+    };
+    return cheaperWays(subject.subject, subject.catalog->roots.front().folder, options, progress);
+}
+
+/// Writes the block with the ways, and says where.
+Result<void> writeWays(const ApproximateSubject& subject, const CheaperWays& ways,
+                       const std::filesystem::path& folder) {
+    const auto made =
+        approximatedBlock(subject.subject, ways, usualNaming(*subject.subject.block.block));
+    if (!made) {
+        return tl::unexpected(made.error());
+    }
+    if (auto done = writeApproximatedBlock(*made, folder); !done) {
+        return done;
+    }
+    std::cerr << fmt::format("written: {}, {}\n", (folder / (made->id + ".glsl")).string(),
+                             (folder / (made->id + ".json")).string());
     return {};
 }
 
@@ -270,6 +310,11 @@ Checked<int> approximate(const ApproximateRequest& request) {
     if (const Errors why = refusals(request, *subject->subject.block.block); !why.empty()) {
         return tl::unexpected(why);
     }
+    if (request.families.size() > 1) {
+        return tl::unexpected(oneError(
+            failure("costs are predicted for one family of graphics cards", "one name after --gpu")
+                .value()));
+    }
     CheaperSearchOptions options;
     options.family = request.families.empty() ? &gpuFamilies().front() : request.families.front();
     options.seconds = request.seconds;
@@ -277,49 +322,48 @@ Checked<int> approximate(const ApproximateRequest& request) {
     options.ways = request.levels;
     options.heldOut = request.cases;
     options.ofValues = subject->ofValues;
-    LongWork work;
-    const auto progress = [&work](double share, const CheaperWays& soFar) {
-        work.report(fmt::format("{:3.0f} %  {} changes, {} tried, {} cheaper ways ", 100.0 * share,
-                                soFar.moves, soFar.tried, soFar.ways.size()));
-        return !work.isStopped();
-    };
-    auto ways =
-        cheaperWays(subject->subject, subject->catalog->roots.front().folder, options, progress);
+    auto ways = searched(*subject, options);
     if (!ways) {
         return tl::unexpected(ways.error());
     }
+    auto end = DeviceCheckEnd::Done;
     if (!ways->ways.empty()) {
-        checkOnDevice(*subject, *ways, options, work);
+        const auto checked = checkOnDevice(*subject, *ways, options);
+        if (!checked) {
+            report(ways->notes);
+            return tl::unexpected(checked.error());
+        }
+        end = *checked;
     }
+    const bool isStopped = ways->isStopped || end == DeviceCheckEnd::Stopped;
     std::vector<DeclaredWay> declared;
-    if (request.declared) {
-        auto judged = declaredOf(*subject, options, work);
+    if (request.declared && end != DeviceCheckEnd::Stopped) {
+        auto judged = declaredOf(*subject, options);
         if (!judged) {
             return tl::unexpected(judged.error());
         }
         declared = std::move(*judged);
     }
-    work.report({});
     report(ways->notes);
+    const bool isChecked = end == DeviceCheckEnd::Done;
     if (request.json) {
-        nlohmann::json json = waysJson(*ways, *subject);
+        nlohmann::json json = waysJson(*ways, *subject, isChecked);
         if (request.declared) {
             json["declared"] = declaredJson(declared);
         }
         std::cout << writeJson(json);
     } else {
-        std::cout << waysText(*ways, *subject) << (request.declared ? declaredText(declared) : "");
+        std::cout << waysText(*ways, *subject, isChecked)
+                  << (request.declared ? declaredText(declared) : "");
     }
     if (!request.output.empty() && !ways->ways.empty()) {
-        const auto made =
-            approximatedBlock(subject->subject, *ways, usualNaming(*subject->subject.block.block));
-        const auto done = made ? writeApproximatedBlock(*made, request.output)
-                               : Result<void>(tl::unexpected(made.error()));
-        if (!done) {
+        if (end == DeviceCheckEnd::Stopped) {
+            report({{{}, 0, 0, "nothing is written: the check was stopped", {}}});
+        } else if (auto done = writeWays(*subject, *ways, request.output); !done) {
             return tl::unexpected(oneError(done.error()));
         }
     }
-    return ways->isStopped || work.isStopped() ? LongWork::stoppedStatus : 0;
+    return isStopped ? LongWork::stoppedStatus : 0;
 }
 
 } // namespace
@@ -331,7 +375,8 @@ void addApproximate(CLI::App& program, int& status) {
         "and angles by something simpler, terms of one number by polynomials. Each is finite in "
         "the\n"
         "edge cases, with its largest error on cases that the search did not see. Ctrl-C ends the\n"
-        "search with what it has found");
+        "search, and what it has found is checked; a second one leaves that out, and nothing is "
+        "written");
     auto options = std::make_shared<ApproximateRequest>();
     command
         ->add_option(

@@ -10,8 +10,8 @@
 
 #include "cli/patina_program.h"
 #include "measure/approximation/measured_text.h"
-#include "measure/interpreter/shader_parser.h"
 #include "measure/eval/eval_reference.h"
+#include "measure/interpreter/shader_parser.h"
 #include "measure/stability/edge_case_directions.h"
 #include "measure/stability/edge_case_fields.h"
 #include "measure/stability/sweep_cases.h"
@@ -156,6 +156,7 @@ TEST_P(OfAPaper, FrontHasTwoUsefulWaysThatKeepTheirErrorOnUnseenCases) {
         const TextError error = cheaper->error({}, same, 10.0);
         EXPECT_TRUE(error.isSafe) << way.dump();
         EXPECT_LE(error.worst, way.at("atMost").get<double>()) << way.dump();
+        EXPECT_LE(way.at("atMost").get<double>(), 0.25 + 1e-9) << "the budget is what is stated";
     }
     EXPECT_LT(ways.back().at("cost").get<double>(),
               0.95 * json.at("exact").at("cost").get<double>());
@@ -194,6 +195,27 @@ TEST(Approximate, WrittenBlock_IsValidAndPassesTheSweep) {
     }
 }
 
+// Its function is a copy's, whose choice has the name of the block that it is a copy of.
+TEST(Approximate, BlockWithFoundWays_IsRefusedBeforeTheSearch) {
+    const TemporaryFolder folder;
+    writePaper(banks, folder.path());
+    const std::filesystem::path file = folder / "models/banks.json";
+    nlohmann::json descriptor = nlohmann::json::parse(readFile(file));
+    descriptor["accuracy"] = {
+        {{"id", "cheaper.other"},
+         {"label", "Cheaper ways"},
+         {"doc", "Found."},
+         {"values",
+          {{{"id", "exact"}, {"label", "Exact"}, {"doc", "As it is."}, {"exact", true}},
+           {{"id", "found-1"}, {"label", "Found"}, {"doc", "Cheaper."}}}}}};
+    writeFile(file, descriptor.dump());
+    const Outcome outcome =
+        approximated({(folder / "models/banks.glsl").string(), "-o", folder / "after"});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.err.find("\"cheaper.other\""), std::string::npos) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "after"));
+}
+
 TEST(Approximate, FolderOfTheBlockItself_IsRefused) {
     const TemporaryFolder folder;
     writePaper(banks, folder.path());
@@ -210,6 +232,7 @@ TEST(Approximate, ShippedBlock_GetsAnIdOfItsOwn) {
         {"phong", "--seconds", "8", "--cases", "1000", "--declared", "-o", folder / "models"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("power=rational"), std::string::npos) << "its own level, judged too";
+    EXPECT_NE(outcome.err.find("models/phong-cheaper.glsl"), std::string::npos) << outcome.err;
     const Catalog catalog = catalogWith(folder.path());
     EXPECT_EQ(catalog.errors, Errors());
     EXPECT_NE(catalog.find(kinds::models, "phong-cheaper"), nullptr);
@@ -275,16 +298,21 @@ TEST(Approximate, WithoutSollyaAndDriver_SaysWhatToInstallAndCountsInstructions)
     EXPECT_GE(json.at("ways").size(), 2u) << outcome.out;
 }
 
-TEST(Approximate, Interrupted_PrintsWhatItHasFound) {
-    const Outcome outcome = interrupted({"approximate", "oren-nayar", "--json"});
+TEST(Approximate, Interrupted_ChecksAndPrintsWhatItHasFound) {
+    const Outcome outcome = interrupted({"approximate", "oren-nayar", "--cases", "1000", "--json"});
     EXPECT_EQ(outcome.exitCode, 130) << outcome.err;
-    EXPECT_EQ(nlohmann::json::parse(outcome.out).at("finished"), false);
+    const auto json = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(json.at("finished"), false);
+    EXPECT_EQ(json.at("checkedOnDevice"), true);
 }
 
 TEST(Approximate, UnknownName_SaysWhatIsExpected) {
     const Outcome outcome = approximated({"blinn-fong"});
     EXPECT_EQ(outcome.exitCode, 1);
     EXPECT_NE(outcome.err.find("blinn-phong"), std::string::npos) << outcome.err;
+    EXPECT_NE(approximated({"/nowhere/banks.glsl"}).err.find("no such file"), std::string::npos);
+    EXPECT_NE(approximated({"phong", "--gpu", "gcn,rdna2"}).err.find("one family"),
+              std::string::npos);
     const TemporaryFolder folder;
     writeFile(folder / "elsewhere/banks.glsl", banks.glsl);
     EXPECT_NE(approximated({(folder / "elsewhere/banks.glsl").string()}).err.find("models/"),
