@@ -232,7 +232,7 @@ Checked<std::vector<DeclaredWay>> declaredOf(const ApproximateSubject& subject,
     LongWork work;
     work.report("judging its own levels ");
     const CaseWish wish{options.heldOut,  3,   4096, std::max<std::size_t>(options.heldOut / 32, 1),
-                        options.ofValues};
+                        options.ofValues, true};
     return declaredWays(subject.subject, subject.catalog->roots.front().folder, *options.family,
                         wish, [&work] { return work.isStopped(); });
 }

@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "catalog/parameter_type.h"
 #include "measure/eval/eval_source.h"
 #include "measure/stability/edge_case_directions.h"
 #include "measure/stability/edge_case_fields.h"
@@ -90,6 +91,31 @@ std::vector<EvalPlace> edgeCasePlaces(const EvalCase& subject) {
                                                         : edgeCaseDirections(subject.subject);
 }
 
+/// Moves values of every other set, each with a chance of one half, to an end of their sliders:
+/// errors are often largest there, as with the largest exponent.
+void moveToEnds(std::vector<EvalCase>& rows) {
+    std::mt19937 random(20260204);
+    for (std::size_t row = 0; row < rows.size(); row += 2) {
+        for (const auto part : {&EvalCase::block, &EvalCase::slot}) {
+            EvalBlock& block = rows[row].*part;
+            if (block.block == nullptr) {
+                continue;
+            }
+            for (const Parameter& parameter : block.block->parameters) {
+                const ParameterTypeInfo& info = infoOf(parameter.type);
+                if (!info.hasRange || parameter.compiled != Compiled::No || random() % 2 == 0) {
+                    continue;
+                }
+                const auto end = [&] {
+                    return std::clamp(random() % 2 == 0 ? parameter.softMin : parameter.softMax,
+                                      parameter.min, parameter.max);
+                };
+                block.values[parameter.id] = info.ordinary(parameter, end);
+            }
+        }
+    }
+}
+
 } // namespace
 
 std::vector<EvalCase> commonCases(const EvalCase& subject, const CaseWish& wish) {
@@ -100,6 +126,9 @@ std::vector<EvalCase> commonCases(const EvalCase& subject, const CaseWish& wish)
             : ordinaryRows(subject, wish.firstRow + std::max<std::size_t>(wish.rows, 1));
     if (!wish.hasOwnValues) {
         rows.erase(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(wish.firstRow));
+    }
+    if (wish.reachesEnds && !wish.hasOwnValues) {
+        moveToEnds(rows);
     }
     std::vector<EvalCase> cases;
     cases.reserve(places.size());

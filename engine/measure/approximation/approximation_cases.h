@@ -19,6 +19,7 @@ struct CaseWish {
     std::size_t firstRow = 0;  ///< of the sets of values that a slider reaches (ordinaryRows())
     std::size_t rows = 32;     ///< counts these; every fourth case has the subject's own values
     bool hasOwnValues = false; ///< all cases have the subject's own values
+    bool reachesEnds = false;  ///< every other set of values is at ends of sliders in half of them
 };
 
 /// Returns cases with light and viewer anywhere above the surface, a third of them near the mirror

@@ -336,7 +336,7 @@ class CheaperSearch {
         }
         CaseWish wish{options_.heldOut,  heldOutSeed,
                       rowsOfSearch,      std::max<std::size_t>(options_.heldOut / 32, 1),
-                      options_.ofValues};
+                      options_.ofValues, true};
         const JudgedCases unseen = text_->judged(texelsOfCases(commonCases(subject_, wish)));
         const JudgedCases edge =
             text_->judged(texelsOfCases(edgeCases(subject_, lastEdgeCases, options_.ofValues)));

@@ -97,7 +97,7 @@ class DeviceCheck {
     Checked<std::size_t> run() {
         const CaseWish wish{options_.heldOut,  seedOfDevice,
                             firstRowOfDevice,  std::max<std::size_t>(options_.heldOut / 32, 1),
-                            options_.ofValues};
+                            options_.ofValues, true};
         cases_ = commonCases(subject_, wish);
         exact_ = ways_.text->judged(texelsOfCases(cases_));
         std::vector<CheaperWay> kept;
