@@ -87,6 +87,8 @@ Errors checkCombinations(const CostRequest& request) {
         Combination{isPredicted && (request.scaling || request.ofPicture),
                     "what is predicted is an object's shader: no --scaling, no --picture",
                     "--gpu or --card without them"},
+        Combination{request.card && !request.families.empty(),
+                    "--card predicts for the family of that card", "--gpu or --card, not both"},
         Combination{request.card && request.allModels,
                     "--card predicts the ways to compute one material", "--gpu for all models"},
         Combination{request.isPredictedOnly() && (isChart || request.csv),

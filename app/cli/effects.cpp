@@ -251,7 +251,7 @@ std::map<int, std::string> marginsOf(const PredictedFunctions& predicted, const 
     return margins;
 }
 
-/// Explains the margin, and names the function that takes most registers.
+/// Explains the margin, and names the function of a block that takes most registers.
 std::string marginLegend(const PredictedFunctions& predicted, const GpuFamily& family) {
     std::string text = fmt::format(
         "// predicted for {} by the compiler of {}: what a function takes, with what is computed "

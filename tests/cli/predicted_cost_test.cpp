@@ -128,6 +128,9 @@ TEST(PredictedCost, CardThatNobodyKnowsOrTwoHave_IsRefusedWithTheKnownOnes) {
     }
     const Outcome size = patina({"cost", gold, "--card", "deck", "--at", "large"});
     EXPECT_NE(size.err.find("1440p"), std::string::npos) << size.err;
+    const Outcome both = patina({"cost", gold, "--card", "deck", "--gpu", "rdna2"});
+    EXPECT_EQ(both.exitCode, 1);
+    EXPECT_NE(both.err.find("not both"), std::string::npos) << both.err;
 }
 
 /// The compiler does not unroll the loops over 8, 16 and 48 places of a soft shadow's search, and
@@ -204,10 +207,13 @@ TEST(PredictedCost, OfFunctions_IsWhatTheStageHasMoreWithThem) {
 
 TEST(PredictedCost, OfFunctions_StandsInAMarginBesideThem) {
     const Outcome shown = patina(
-        {"effects", "--model", "lambert", "--scene", threeLights, "--gpu", "rdna2", "--source"});
-    EXPECT_NE(shown.out.find("// most registers: "), std::string::npos);
+        {"effects", "--model", "phong", "--scene", threeLights, "--gpu", "rdna2", "--source"});
+    const std::size_t headline = shown.out.find("// most registers: ");
+    ASSERT_NE(headline, std::string::npos);
+    const std::string line = shown.out.substr(headline, shown.out.find('\n', headline) - headline);
+    EXPECT_TRUE(line.ends_with(" phong()")) << line << ", and not a pass without which all goes";
     EXPECT_NE(shown.out.find(" VGPRs "), std::string::npos);
-    EXPECT_NE(shown.out.find(" | vec3 lambert("), std::string::npos);
+    EXPECT_NE(shown.out.find(" | vec3 phong("), std::string::npos);
 }
 
 TEST(PredictedCost, UnknownFamily_IsRefusedWithTheKnownOnes) {

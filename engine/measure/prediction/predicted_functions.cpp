@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <map>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -43,6 +46,50 @@ std::string textWithout(const std::string& text, const Body& body, std::string_v
            text.substr(body.last);
 }
 
+/// Tells whether it is a block's own function, which takes the struct of the block's values:
+/// "cookTorrance(Directions d, CookTorrance p)".
+bool isBlocksOwn(const GlslFunction& function) {
+    std::string type(function.name.text);
+    type.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(type.front())));
+    return std::ranges::find(function.arguments, type, &GlslVariable::type) !=
+           function.arguments.end();
+}
+
+/// Returns the names of all functions that blocks consist of.
+std::set<std::string_view> functionsOfBlocks(std::string_view code,
+                                             const std::vector<GlslFunction>& functions) {
+    std::multimap<std::string_view, Body> bodies; // names may be overloaded
+    std::vector<std::string_view> open;
+    for (const GlslFunction& function : functions) {
+        const auto name = static_cast<std::size_t>(function.name.text.data() - code.data());
+        bodies.emplace(function.name.text, bodyOf(code, name));
+        if (isBlocksOwn(function)) {
+            open.push_back(function.name.text);
+        }
+    }
+    std::set<std::string_view> found;
+    while (!open.empty()) {
+        const std::string_view name = open.back();
+        open.pop_back();
+        if (!found.insert(name).second) {
+            continue;
+        }
+        const auto [begin, end] = bodies.equal_range(name);
+        for (auto each = begin; each != end; ++each) {
+            const Body& body = each->second;
+            const std::string_view text = code.substr(body.first, body.last - body.first);
+            const GlslTokens tokens = glslTokens(text);
+            for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
+                const auto called = bodies.find(tokens[i].text);
+                if (called != bodies.end() && tokens[i + 1].text == "(") {
+                    open.push_back(called->first);
+                }
+            }
+        }
+    }
+    return found;
+}
+
 const StageStatistics* stageOf(const Result<FamilyStatistics>& statistics,
                                const std::string& family) {
     const bool isThere = statistics && statistics->contains(family);
@@ -67,7 +114,8 @@ const PredictedFunction* PredictedFunctions::widest(const std::string& family) c
     int registers = 0;
     for (const PredictedFunction& function : functions) {
         const auto saving = savingOf(function, family);
-        if (saving && saving->registers > registers) {
+        if (function.isOfBlock && saving && saving->registers > 0 &&
+            saving->registers >= registers) {
             registers = saving->registers;
             most = &function;
         }
@@ -81,7 +129,9 @@ Result<PredictedFunctions> predictedFunctions(const ProgramText& program,
     const std::string code = withoutComments(program.fragment);
     std::vector<ProgramText> texts{program};
     PredictedFunctions predicted;
-    for (const GlslFunction& function : functionsIn(glslTokens(code))) {
+    const std::vector<GlslFunction> functions = functionsIn(glslTokens(code));
+    const std::set<std::string_view> ofBlocks = functionsOfBlocks(code, functions);
+    for (const GlslFunction& function : functions) {
         const auto name = static_cast<std::size_t>(function.name.text.data() - code.data());
         const Body body = bodyOf(code, name);
         const bool isOfNumbers =
@@ -90,8 +140,8 @@ Result<PredictedFunctions> predictedFunctions(const ProgramText& program,
             continue;
         }
         texts.push_back({program.vertex, textWithout(program.fragment, body, function.result)});
-        predicted.functions.push_back(
-            {std::string(function.name.text), function.name.line, FamilyStatistics()});
+        predicted.functions.push_back({std::string(function.name.text), function.name.line,
+                                       FamilyStatistics(), ofBlocks.contains(function.name.text)});
     }
     auto compiled = compileForFamilies(families, std::move(texts), options);
     if (!compiled) {

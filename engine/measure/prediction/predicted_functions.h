@@ -16,6 +16,9 @@ struct PredictedFunction {
     std::string name;
     int line = 0; ///< is that of its name in the stage's text, 1-based
     Result<FamilyStatistics> without;
+
+    /// It is a block's own, or called by one: not one of the passes, without which nothing is left.
+    bool isOfBlock = false;
 };
 
 struct PredictedFunctions {
@@ -34,8 +37,8 @@ struct PredictedFunctions {
     std::optional<Saving> savingOf(const PredictedFunction& function,
                                    const std::string& family) const;
 
-    /// Returns the function without which the stage has the fewest registers, the first of several;
-    /// null where none saves any.
+    /// Returns the function of a block without which the stage has the fewest registers, the last
+    /// of several, which calls the others; null where none saves any.
     const PredictedFunction* widest(const std::string& family) const;
 };
 
