@@ -59,8 +59,11 @@ std::string placesText(const HalfReport& report, const std::vector<std::size_t>&
 
 std::string priceText(const HalfPrice& price, const HalfReport& report) {
     const std::string family = price.family->label;
+    if (!price.note.empty()) {
+        return fmt::format("{}: not predicted: {}\n", family, price.note);
+    }
     if (!price.inFloat || !price.together) {
-        return fmt::format("{}: its compiler has no floats of 16 bits, or is missing\n", family);
+        return fmt::format("{}: its compiler has no floats of 16 bits\n", family);
     }
     const std::string best =
         price.lines.empty()
@@ -120,6 +123,8 @@ void addTo(nlohmann::json& json, const MixedForm& mixed) {
                                                 {"mixed", *price.together},
                                                 {"cheapest", *price.cheapest},
                                                 {"lines", price.lines}};
+        } else if (!price.note.empty()) {
+            json["cycles"][price.family->id] = {{"problem", price.note}};
         }
     }
     if (mixed.timing) {

@@ -81,6 +81,15 @@ TEST(HalfPrecision, OfAShippedPreset_NamesItsModelAndLines) {
     }
 }
 
+TEST(HalfPrecision, PriceWithoutTheDriver_SaysWhatToInstall) {
+    const Outcome outcome =
+        patina(Start{.arguments = {"check", "lambert", "--precision", "half", "--gpu", "rdna2"},
+                     .environment = {{"VK_DRIVER_FILES", "/nowhere.json"}},
+                     .input = {}});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("mesa-vulkan-drivers"), std::string::npos) << outcome.out;
+}
+
 // IEEE 754-2019, binary16: 11 digits, emin -14, ties to even.
 TEST(RoundedToHalf, TableOfBinary16_IsKept) {
     const double infinite = std::numeric_limits<double>::infinity();

@@ -29,6 +29,8 @@ class LinePrices {
         return price_.note().empty() ? prices : std::vector<std::optional<double>>(sets.size());
     }
 
+    const std::string& note() const { return price_.note(); }
+
   private:
     const HalfReport& report_;
     const std::function<bool()>& isStopped_;
@@ -53,6 +55,7 @@ HalfPrice halfPrice(const EvalCase& subject, const HalfReport& report, const Gpu
     HalfPrice found;
     found.family = &family;
     const auto first = prices.of({{}, report.together});
+    found.note = prices.note();
     found.inFloat = first[0];
     found.together = first[1];
     found.cheapest = found.inFloat;

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "measure/approximation/half_terms.h"
@@ -19,7 +20,8 @@ struct HalfPrice {
     /// Are those of them that are cheapest, as indices of lines; none where floats are.
     std::vector<std::size_t> lines;
     std::optional<double> cheapest;
-    TextError error; ///< is that of the cheapest
+    TextError error;  ///< is that of the cheapest
+    std::string note; ///< says why the compiler could not be asked; empty where it could
 };
 
 /// Predicts that for a family: beginning with all lines that hold at once, the one without which
