@@ -240,11 +240,14 @@ TEST_F(LobePanel, Albedo_HasAnEnergyBarThatKnowsTooMuchLight) {
     ASSERT_TRUE(wait());
     EXPECT_FALSE(energy().isAboveOne());
     EXPECT_TRUE(energy().text().contains("50 %")) << energy().text().toStdString();
+    const QString red = QColor(220, 70, 60).name(); // of the line of 1
+    EXPECT_FALSE(QString(albedo().svg()).contains(red));
     set("specular.color", glm::dvec3(1.0));
     set("diffuse.color", glm::dvec3(1.0));
     ASSERT_TRUE(wait());
     EXPECT_TRUE(energy().isAboveOne());
     EXPECT_TRUE(energy().text().contains("more than arrives"));
+    EXPECT_TRUE(QString(albedo().svg()).contains(red));
 }
 
 TEST_F(LobePanel, Fresnel_OfAMetalIsPlotted) {

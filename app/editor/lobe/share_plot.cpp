@@ -87,8 +87,15 @@ void SharePlot::addMarks(double top) {
         line->end->setCoords(to);
         line->setPen(pen);
     };
-    if (top > headroom && (kind_ == LobePlot::Albedo || kind_ == LobePlot::Fresnel)) {
-        addLine({0.0, 1.0}, {90.0, 1.0}, QPen(QColor(220, 70, 60), 1.0));
+    if (kind_ == LobePlot::Albedo) { // red where a material makes light, also beyond the axis' end
+        constexpr double rounding = 1e-3;
+        const std::vector<Stroke> lines = strokes();
+        const bool isAbove = std::ranges::any_of(lines, [](const Stroke& line) {
+            return std::ranges::any_of(line.values,
+                                       [](double value) { return value > 1.0 + rounding; });
+        });
+        addLine({0.0, 1.0}, {90.0, 1.0},
+                QPen(isAbove ? QColor(220, 70, 60) : mixed(base, text, 0.35), 1.0));
     }
     const double bottom = plot().yAxis->range().lower;
     double height = bottom + 0.9 * (top - bottom); // below the line of 1, which marks would lie on
