@@ -46,6 +46,10 @@ Result<Header> nextHeader(ByteReader& reader, std::size_t fileBytes) {
     if (!offset || *dimensions > maxDimensions) {
         return wrongAt(start, "the description of an array is damaged");
     }
+    if (*offset > fileBytes) {
+        return wrongAt(typePlace + sizeof(*type),
+                       fmt::format("\"{}\" begins behind the end of the file", *name));
+    }
     Header header{std::string(*name), *type, std::size_t(*offset), typePlace};
     for (std::uint16_t i = 0; i < *dimensions; ++i) {
         const auto size = reader.next<std::uint64_t>();

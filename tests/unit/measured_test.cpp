@@ -274,6 +274,11 @@ TEST_F(Measured, RglArrayOfNothingOrOfAnotherType_IsToldWithItsByte) {
     EXPECT_NE(problemOf(empty).find(fmt::format("byte {}: \"ndf\" is 0 everywhere", offset)),
               std::string::npos)
         << problemOf(empty);
+    std::string far = rgl;
+    std::memset(far.data() + type + 1, 0xff, sizeof offset);
+    EXPECT_NE(problemOf(far).find(fmt::format("byte {}: \"ndf\" begins behind the end", type + 1)),
+              std::string::npos)
+        << problemOf(far);
 }
 
 TEST_F(Measured, FileOfTenGigabytesOfNothing_IsRefused) {
