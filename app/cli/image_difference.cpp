@@ -8,23 +8,14 @@
 #include <vector>
 
 #include "measure/error/flip.h"
+#include "measure/error/picture_distance.h"
 
 namespace patina {
 namespace {
 
-std::vector<glm::dvec3> colorsOf(const Image& image) {
-    const auto channels = std::size_t(image.channels);
-    std::vector<glm::dvec3> colors(image.pixels.size() / channels);
-    for (std::size_t i = 0; i < colors.size(); ++i) {
-        const float* pixel = image.pixels.data() + channels * i;
-        colors[i] = {pixel[0], pixel[1], pixel[2]};
-    }
-    return colors;
-}
-
 double meanFlip(const Image& a, const Image& b) {
-    const Flip flip({a.width, a.height}, colorsOf(a));
-    const std::vector<double> map = flip.differences(colorsOf(b));
+    const Flip flip({a.width, a.height}, displayColors(a));
+    const std::vector<double> map = flip.differences(displayColors(b));
     return std::accumulate(map.begin(), map.end(), 0.0) / double(map.size());
 }
 

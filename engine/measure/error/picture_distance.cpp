@@ -17,16 +17,6 @@ namespace {
 constexpr std::chrono::milliseconds workSlice{20};
 constexpr glm::dvec3 luma{0.2126, 0.7152, 0.0722}; ///< ITU-R BT.709
 
-std::vector<glm::dvec3> colorsOf(const Image& image) {
-    const auto channels = std::size_t(image.channels);
-    std::vector<glm::dvec3> colors(image.pixels.size() / channels);
-    for (std::size_t i = 0; i < colors.size(); ++i) {
-        const float* pixel = image.pixels.data() + channels * i;
-        colors[i] = {pixel[0], pixel[1], pixel[2]};
-    }
-    return colors;
-}
-
 std::vector<double> greysOf(const std::vector<glm::dvec3>& colors) {
     std::vector<double> greys(colors.size());
     std::ranges::transform(colors, greys.begin(),
@@ -42,13 +32,23 @@ double meanOf(const auto& values) {
 
 } // namespace
 
+std::vector<glm::dvec3> displayColors(const Image& image) {
+    const auto channels = std::size_t(image.channels);
+    std::vector<glm::dvec3> colors(image.pixels.size() / channels);
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        const float* pixel = image.pixels.data() + channels * i;
+        colors[i] = {pixel[0], pixel[1], pixel[2]};
+    }
+    return colors;
+}
+
 std::optional<PictureDistance> pictureDistance(std::vector<float> relative, const Image& a,
                                                const Image& b,
                                                const std::function<bool()>& isNeedless) {
     assert(a.channels >= 3 && a.width == b.width && a.height == b.height);
     assert(relative.size() == std::size_t(a.width) * std::size_t(a.height));
-    const std::vector<glm::dvec3> right = colorsOf(a);
-    const std::vector<glm::dvec3> other = colorsOf(b);
+    const std::vector<glm::dvec3> right = displayColors(a);
+    const std::vector<glm::dvec3> other = displayColors(b);
     const glm::ivec2 size{a.width, a.height};
     ParallelJob work;
     const Flip flip(size, right, work);

@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 #include "core/image.h"
 
 namespace patina {
@@ -19,6 +21,9 @@ struct PictureDistance {
 
     friend bool operator==(const PictureDistance&, const PictureDistance&) = default;
 };
+
+/// Returns the first three channels of each pixel, row by row.
+std::vector<glm::dvec3> displayColors(const Image& image);
 
 /// Compares the display values 0 .. 1 of the right picture `a` and of `b`. `relative` is the error
 /// of each pixel in linear light, as in FrameDifference. Calls `isNeedless` every 20 milliseconds
