@@ -118,7 +118,7 @@ Checked<bool> rankModels(const CostRequest& options, const Tools& tools) {
     if (!subject) {
         return tl::unexpected(subject.error());
     }
-    const auto costs = withSubject(*subject, options, tools, ranked);
+    const auto costs = withSubject(*subject, options, tools, rankedModels);
     if (!costs) {
         return tl::unexpected(costs.error());
     }

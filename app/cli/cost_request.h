@@ -8,6 +8,7 @@
 #include "cli/job.h"
 #include "cli/picture_options.h"
 #include "core/error.h"
+#include "measure/time/choice_cost.h"
 #include "predict/gpu_family.h"
 
 namespace patina {
@@ -35,6 +36,7 @@ struct CostRequest {
     std::string errorMap;
     std::string errorMapOf; ///< names levels as levelsText() does; empty where not given
     double seconds = 60.0;
+    CostPairs::Options pairs{}; ///< are those of frames for a time
     JobOptions job;
 
     bool hasBudget() const { return budgetMilliseconds || budgetError; }

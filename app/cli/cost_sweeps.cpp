@@ -29,6 +29,7 @@ CostSweep::Options sweepOptions(const CostRequest& options) {
     wanted.scope = options.ofPicture ? Choice::Scope::Picture : Choice::Scope::Material;
     wanted.programCache = programCacheFolder();
     wanted.seconds = options.seconds;
+    wanted.pairs = options.pairs;
     wanted.combinations = !options.singles;
     return wanted;
 }
@@ -204,8 +205,9 @@ Checked<std::vector<ScalingCurve>> scaled(CostSweep::Subject subject, const Cost
 }
 
 Checked<std::vector<ModelCost>> ranked(CostSweep::Subject subject, const CostRequest& options,
-                                       LongWork& work) {
-    auto ranking = ModelRanking::create(std::move(subject), sweepOptions(options));
+                                       LongWork& work, std::vector<Material> materials) {
+    auto ranking =
+        ModelRanking::create(std::move(subject), sweepOptions(options), std::move(materials));
     if (!ranking) {
         return tl::unexpected(oneError(ranking.error()));
     }
@@ -222,6 +224,11 @@ Checked<std::vector<ModelCost>> ranked(CostSweep::Subject subject, const CostReq
     }
     report((*ranking)->problems()); // of models that are left out
     return costs;
+}
+
+Checked<std::vector<ModelCost>> rankedModels(CostSweep::Subject subject, const CostRequest& options,
+                                             LongWork& work) {
+    return ranked(std::move(subject), options, work, {});
 }
 
 } // namespace patina

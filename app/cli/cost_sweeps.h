@@ -23,7 +23,11 @@ struct Sweep {
 Checked<Sweep> swept(CostSweep::Subject subject, const CostRequest& options, LongWork& work);
 Checked<std::vector<ScalingCurve>> scaled(CostSweep::Subject subject, const CostRequest& options,
                                           LongWork& work);
+/// Ranks these materials.
 Checked<std::vector<ModelCost>> ranked(CostSweep::Subject subject, const CostRequest& options,
-                                       LongWork& work);
+                                       LongWork& work, std::vector<Material> materials);
+/// Ranks all models with their defaults.
+Checked<std::vector<ModelCost>> rankedModels(CostSweep::Subject subject, const CostRequest& options,
+                                             LongWork& work);
 
 } // namespace patina

@@ -19,7 +19,10 @@
 namespace patina {
 namespace {
 
-constexpr double timingSeconds = 15.0; ///< for all models together
+/// Are the seconds for all models together, and the fewest pairs of frames of each: a table of many
+/// fits needs no intervals.
+constexpr double timingSeconds = 10.0;
+constexpr int timingPairs = 3;
 
 struct MatchRequest {
     std::string preset;
@@ -86,9 +89,10 @@ Errors checkRequest(const MatchRequest& request) {
     return {};
 }
 
-/// Measures how long the models take per pixel, with their defaults. Without a graphics device the
-/// reason is reported, and nothing is returned.
-std::map<std::string, double> timesOf(const std::shared_ptr<const Catalog>& catalog,
+/// Measures how long the fitted materials take per pixel. Without a graphics device the reason is
+/// reported, and nothing is returned.
+std::map<std::string, double> timesOf(const ModelMatches& matches,
+                                      const std::shared_ptr<const Catalog>& catalog,
                                       LongWork& work) {
     const auto context = gl::HeadlessContext::create();
     if (!context) {
@@ -98,13 +102,22 @@ std::map<std::string, double> timesOf(const std::shared_ptr<const Catalog>& cata
     AssetClient files;
     CostRequest options;
     options.seconds = timingSeconds;
+    options.pairs.min = timingPairs;
     const Tools tools{catalog, files, work};
     const auto subject = prepared({}, options.picture, *catalog, files);
     if (!subject) {
         report(subject.error());
         return {};
     }
-    const auto costs = withSubject(*subject, options, tools, ranked);
+    std::vector<Material> materials;
+    for (const ModelMatch& row : matches.rows) {
+        materials.push_back(row.material);
+    }
+    const auto measure = [&materials](CostSweep::Subject measured, const CostRequest& how,
+                                      LongWork& during) {
+        return ranked(std::move(measured), how, during, materials);
+    };
+    const auto costs = withSubject(*subject, options, tools, measure);
     if (!costs) {
         report(costs.error());
         return {};
@@ -148,7 +161,7 @@ Checked<int> match(const MatchRequest& request) {
             return !work.isStopped();
         });
     if (!request.withoutTime && request.allModels && !work.isStopped()) {
-        addTimes(matches, timesOf(catalog, work));
+        addTimes(matches, timesOf(matches, catalog, work));
     }
     report(matches.problems);
     std::cout << (request.json ? writeJson(matchesJson(matches))

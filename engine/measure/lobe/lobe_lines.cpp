@@ -30,7 +30,7 @@ constexpr double stepDegrees = 2.5;
 constexpr double coarseSketch[] = {0.0, 45.0, 72.0, 89.5};
 /// Holds those between them, in degrees, of a sketch whose model is quick.
 constexpr double fineSketch[] = {25.0, 60.0, 80.0, 84.0, 88.0};
-constexpr std::chrono::milliseconds quickSketch{4}; ///< for the coarse part
+constexpr std::chrono::milliseconds quickSketch{2}; ///< for the coarse part
 constexpr IntegralAim sketchAim{.isSketch = true};
 
 /// Is the aim for a measured file, which is straight between its bins: every bin is a kink, and the

@@ -27,9 +27,9 @@ constexpr std::size_t triedDirections = 96;
 constexpr std::size_t roughDirections = 256;
 constexpr std::size_t fineDirections = 512;
 constexpr std::size_t lastDirections = 1024;
-constexpr int roughSteps = 12;
-constexpr int fineSteps = 30;
-constexpr int lastSteps = 40;
+constexpr int roughSteps = 16;
+constexpr int fineSteps = 50;
+constexpr int lastSteps = 80;
 constexpr int lastRounds = 4;
 /// Counts fits that are improved as far as they go: the best, and others with at most so many times
 /// its error.
@@ -317,6 +317,8 @@ void Fit::improve(int steps, const Progress& progress) {
     options.parameter_tolerance = 1e-9;
     options.logging_type = ceres::SILENT;
     options.num_threads = 1;
+    // The cubic one of Ceres asks for derivatives at each place that is tried between the bounds.
+    options.line_search_interpolation_type = ceres::BISECTION;
     options.callbacks.push_back(&canceller);
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem, &summary);
