@@ -3,13 +3,11 @@
 // written into docs/accuracy-cost.md, with the machine.
 #include <chrono>
 #include <cstdlib>
-#include <fstream>
 #include <string>
-#include <thread>
 
 #include "benchmarks.h"
-#include "gl/driver.h"
 #include "gl/headless_context.h"
+#include "machine_text.h"
 #include "measure/cost/cost_sweep.h"
 #include "primitive_meshes.h"
 #include "statistics.h"
@@ -190,29 +188,6 @@ std::string rowsOf(const Job& job, const std::shared_ptr<const Catalog>& catalog
     return rows;
 }
 
-std::string processor() {
-    std::ifstream file("/proc/cpuinfo");
-    for (std::string line; std::getline(file, line);) {
-        if (line.starts_with("model name")) {
-            return line.substr(line.find(':') + 2);
-        }
-    }
-    return "a processor without a name";
-}
-
-/// Processes that wanted to run in the last minute.
-double load() {
-    double minute = 0.0;
-    return getloadavg(&minute, 1) == 1 ? minute : 0.0;
-}
-
-std::string today() {
-    const std::time_t now = std::time(nullptr);
-    std::string text(sizeof "2026-11-22", '\0');
-    text.resize(std::strftime(text.data(), text.size(), "%Y-%m-%d", std::gmtime(&now)));
-    return text;
-}
-
 constexpr const char* head =
     "| | level | ns per pixel | of the exact time | error, 99 of 100 pixels | mean | worst | off "
     "by a step of 8 bits | instructions |\n"
@@ -252,7 +227,7 @@ bool accuracyCost() {
                                          catalog);
     const std::string text = fmt::format(
         "# What accuracy choices cost\n\n"
-        "Written by `./packaging/benchmark accuracy-cost` on {}: {}, {} cores,\n{}. The load was "
+        "Written by `./packaging/benchmark accuracy-cost` on {}: {}. The load was "
         "{:.1f} when it began and {:.1f} when it ended: above 1 other things\nwere at work, and "
         "intervals are wide.\n\n"
         "Each level by itself, beside the exact one with which it alternates, in pictures of\n"
@@ -263,14 +238,9 @@ bool accuracyCost() {
         "## Of materials\n\nAgainst the same frame in double precision.\n\n{}\n"
         "## Of the picture\n\nAgainst the finest picture that the device draws, over all pixels of "
         "objects.\n\n{}",
-        today(), processor(), std::thread::hardware_concurrency(), gl::driverText(), before, load(),
+        today(), machineText(), before, load(),
         usualSize.x, usualSize.y, materials, pictures);
-    const std::string file = PATINA_SOURCE_DIR "/docs/accuracy-cost.md";
-    std::ofstream written(file, std::ios::binary);
-    written << text;
-    const bool isWritten = bool(written.flush());
-    report("docs/accuracy-cost.md", isWritten ? "written" : "could not be written", isWritten, "");
-    return isWritten;
+    return writeDocument("accuracy-cost.md", text);
 }
 
 } // namespace patina::benchmarks

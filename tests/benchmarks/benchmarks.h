@@ -16,6 +16,7 @@ bool presetLibrary();
 bool programMaking();
 bool modelCost();
 bool accuracyCost();
+bool styleCost();
 bool predictedCost();
 bool foundFronts();
 bool sweepTime();

@@ -32,6 +32,7 @@ int main(int count, char** arguments) {
                                         {"program-making", patina::benchmarks::programMaking},
                                         {"model-cost", patina::benchmarks::modelCost},
                                         {"accuracy-cost", patina::benchmarks::accuracyCost},
+                                        {"style-cost", patina::benchmarks::styleCost},
                                         {"predicted-cost", patina::benchmarks::predictedCost},
                                         {"found-fronts", patina::benchmarks::foundFronts},
                                         {"sweep-time", patina::benchmarks::sweepTime},
