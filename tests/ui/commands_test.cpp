@@ -11,6 +11,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QTabWidget>
 #include <QTest>
 #include <QTreeWidget>
 #include <QWheelEvent>
@@ -113,6 +114,35 @@ TEST_F(Commands, CtrlK_BringsUpThePanelThatHasWhatIsSearched) {
     QTest::keyClicks(search, "picture passes");
     key(search, Qt::Key_Return);
     EXPECT_TRUE(QTest::qWaitFor([scene] { return !scene->visibleRegion().isEmpty(); }));
+}
+
+TEST_F(Commands, TabOfAPanel_IsFoundByItsName) {
+    const std::pair<const char*, const char*> tabs[] = {
+        {"match", "Match"}, {"all models", "All Models"}, {"spectrum", "Spectrum"}};
+    for (const auto& [words, title] : tabs) {
+        key(&view(), Qt::Key_K, Qt::ControlModifier);
+        QDialog* palette = dialog("commandPalette");
+        ASSERT_NE(palette, nullptr);
+        auto* search = palette->findChild<QLineEdit*>();
+        QTest::keyClicks(search, words);
+        key(search, Qt::Key_Return);
+        const QString shown = title;
+        EXPECT_TRUE(QTest::qWaitFor([this, &shown] {
+            const auto all = window().findChildren<QTabWidget*>();
+            return std::ranges::any_of(all, [&shown](const QTabWidget* each) {
+                return each->tabText(each->currentIndex()) == shown &&
+                       !each->currentWidget()->visibleRegion().isEmpty();
+            });
+        })) << title;
+        EXPECT_TRUE(QTest::qWaitFor([this] { return dialog("commandPalette") == nullptr; }));
+    }
+    key(&view(), Qt::Key_F1); // lists each of them
+    const auto* pages = window().dock("accuracy")->findChild<QTabWidget*>();
+    for (int i = 0; i < pages->count(); ++i) {
+        const QString row =
+            QStringLiteral("Panels \u203a Pages of Accuracy \u203a ") + pages->tabText(i);
+        EXPECT_NE(rowOf(dialog("shortcutSheet"), row), nullptr) << row.toStdString();
+    }
 }
 
 TEST_F(Commands, CtrlKWithoutAMatch_SaysSo) {

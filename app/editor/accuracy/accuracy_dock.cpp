@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "accuracy/accuracy_dock.h"
 
+#include <initializer_list>
 #include <memory>
 
 #include <QToolButton>
@@ -17,6 +18,18 @@
 
 namespace patina {
 
+std::vector<DockPage> AccuracyDock::pages() {
+    return {
+        {tr("This Material"), tr("Every way to compute the material: time against error")},
+        {tr("This Picture"), tr("Every way to draw the picture: time against error")},
+        {tr("All Models"), tr("Every model on this scene: time, instructions, lost light")},
+        {tr("Scaling"), tr("Time against pixels, lights and objects")},
+        {tr("Match"),
+         tr("Values with which a model looks like another material or a measured surface")},
+        {tr("Cheaper Ways"), tr("Search for cheaper ways to compute a model or another block")},
+    };
+}
+
 AccuracyDock::AccuracyDock(const DockContext& context) {
     setDocumentMode(true);
     const auto turn = std::make_shared<MeasureTurn>();
@@ -29,21 +42,14 @@ AccuracyDock::AccuracyDock(const DockContext& context) {
         std::make_unique<PictureTarget>(context.document, context.comparison, context.views), turn);
     material->setObjectName("material");
     picture->setObjectName("picture");
-    const auto add = [this](QWidget* page, const QString& title, const QString& what) {
-        page->setWindowTitle(title);
-        setTabToolTip(addTab(page, title), what);
-    };
-    add(material, tr("This Material"), tr("Every way to compute the material: time against error"));
-    add(picture, tr("This Picture"), tr("Every way to draw the picture: time against error"));
-    add(new ModelsPage(context, turn), tr("All Models"),
-        tr("Every model on this scene: time, instructions, lost light"));
-    add(new ScalingPage(context, turn), tr("Scaling"),
-        tr("Time against pixels, lights and objects"));
-    add(new MatchPage(context, turn), tr("Match"),
-        tr("Values with which a model looks like another material or a measured surface"));
     auto* cheaper = new CheaperPage(context, turn);
-    add(cheaper, tr("Cheaper Ways"),
-        tr("Search for cheaper ways to compute a model or another block"));
+    for (QWidget* page : std::initializer_list<QWidget*>{
+             material, picture, new ModelsPage(context, turn), new ScalingPage(context, turn),
+             new MatchPage(context, turn), cheaper}) {
+        const DockPage words = pages().at(static_cast<std::size_t>(count()));
+        page->setWindowTitle(words.title);
+        setTabToolTip(addTab(page, words.title), words.what);
+    }
     auto* find = textButton(tr("Find cheaper ways"),
                             tr("Search for cheaper ways to compute the model, also such as nobody "
                                "has declared"),

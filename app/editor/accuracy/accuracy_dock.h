@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include <QTabWidget>
 
 #include "docks/dock_context.h"
+#include "docks/dock_page.h"
 
 namespace patina {
 
@@ -16,6 +19,9 @@ class AccuracyDock : public QTabWidget {
 
   public:
     explicit AccuracyDock(const DockContext& context);
+
+    /// Returns its tabs from left to right, which also commands open by their names.
+    static std::vector<DockPage> pages();
 };
 
 } // namespace patina

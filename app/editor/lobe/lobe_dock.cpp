@@ -2,6 +2,7 @@
 #include "lobe/lobe_dock.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <numbers>
 
 #include <QAction>
@@ -94,6 +95,19 @@ std::vector<Plot> plotsOf(const std::vector<SharedAnswer>& answers) {
 } // namespace
 
 LobeDock::LobeDock(const DockContext& context)
+std::vector<DockPage> LobeDock::pages() {
+    return {
+        {tr("Lobe"), tr("Reflectance in the plane of incidence; drag to turn the light")},
+        {tr("3D"), tr("Reflectance over all viewers; drag to turn it")},
+        {tr("Albedo"), tr("What is reflected in all, over the angle of the light")},
+        {tr("Fresnel"), tr("What the surface mirrors, by polarisation and side")},
+        {tr("Spectrum"), tr("The index of refraction over the wavelength")},
+        {tr("Half angle"), tr("A slice over half and difference angle")},
+        {tr("Float32"), tr("How far the device is from double precision")},
+        {tr("Float16"), tr("How far floats of 16 bits are from double precision")},
+    };
+}
+
     : document_(context.document), tried_(context.tried), messages_(context.messages),
       views_(context.views), meshes_(context.meshes), textures_(context.textures),
       environments_(context.environments), pages_(new QTabWidget(this)),
@@ -131,17 +145,11 @@ void LobeDock::addPages() {
     rows->addWidget(energy_);
     rows->addWidget(albedo_, 1);
     pages_->setDocumentMode(true);
-    const auto add = [this](QWidget* page, const QString& title, const QString& what) {
-        pages_->setTabToolTip(pages_->addTab(page, title), what);
-    };
-    add(polar_, tr("Lobe"), tr("Reflectance in the plane of incidence; drag to turn the light"));
-    add(solid_, tr("3D"), tr("Reflectance over all viewers; drag to turn it"));
-    add(energy, tr("Albedo"), tr("What is reflected in all, over the angle of the light"));
-    add(fresnel_, tr("Fresnel"), tr("What the surface mirrors, by polarisation and side"));
-    add(spectrum_, tr("Spectrum"), tr("The index of refraction over the wavelength"));
-    add(slice_, tr("Half angle"), tr("A slice over half and difference angle"));
-    add(float32_, tr("Float32"), tr("How far the device is from double precision"));
-    add(float16_, tr("Float16"), tr("How far floats of 16 bits are from double precision"));
+    for (QWidget* page : std::initializer_list<QWidget*>{polar_, solid_, energy, fresnel_,
+                                                         spectrum_, slice_, float32_, float16_}) {
+        const DockPage words = pages().at(static_cast<std::size_t>(pages_->count()));
+        pages_->setTabToolTip(pages_->addTab(page, words.title), words.what);
+    }
 }
 
 QWidget* LobeDock::makeControls() {

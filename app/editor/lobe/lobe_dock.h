@@ -9,6 +9,7 @@
 
 #include "background/worker.h"
 #include "docks/dock_context.h"
+#include "docks/dock_page.h"
 #include "lobe/lobe_answer.h"
 #include "lobe/picked_incidence.h"
 #include "measure/cost/material_times.h"
@@ -36,6 +37,9 @@ class LobeDock : public QWidget {
 
   public:
     explicit LobeDock(const DockContext& context);
+
+    /// Returns its tabs in the order of LobePage, which also commands open by their names.
+    static std::vector<DockPage> pages();
 
     /// Says that what is shown is what is on screen, and no sketch.
     bool isUpToDate() const { return !isComputing() && !isStale_; }

@@ -60,9 +60,9 @@ std::vector<DockEntry> dockList() {
         {"shader", tr("Shader"), DockPlace::Bottom, make<ShaderDock>,
          tr("GLSL, program, source, registers")},
         {"accuracy", tr("Accuracy"), DockPlace::Bottom, make<AccuracyDock>,
-         tr("cost, error, match, all models, scaling, cheaper ways, predicted times")},
+         tr("cost, error, predicted times"), AccuracyDock::pages()},
         {"lobe", tr("Lobe"), DockPlace::Bottom, make<LobeDock>,
-         tr("reflectance, albedo, Fresnel plot, float32, float16")},
+         tr("reflectance, plots"), LobeDock::pages()},
         {"histogram", tr("Histogram"), DockPlace::Bottom, make<HistogramDock>},
         {"sheets", tr("Contact Sheet"), DockPlace::Bottom, make<SheetsDock>},
     };

@@ -7,6 +7,7 @@
 #include <QString>
 
 #include "docks/dock_context.h"
+#include "docks/dock_page.h"
 
 class QWidget;
 
@@ -16,13 +17,15 @@ namespace patina {
 enum class DockPlace { LeftTop, LeftBottom, RightTop, RightBottom, Bottom };
 
 /// Describes a dock: its name in saved layouts, its title, its place, how its widget is made, which
-/// happens when it is first seen, and words by which it is found besides its title.
+/// happens when it is first seen, words by which it is found besides its title, and its tabs where
+/// each of them has a command.
 struct DockEntry {
     QString name;
     QString title;
     DockPlace place;
     std::function<QWidget*(const DockContext&)> make;
     QString contents = {};
+    std::vector<DockPage> pages = {};
 };
 
 /// Returns every dock there is, in the order of the View menu.

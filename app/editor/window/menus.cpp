@@ -246,16 +246,30 @@ void Menus::makeViewMenu() {
     makeTurntable(menu->addMenu(tr("Turnta&ble")));
     menu->addSeparator();
     makeLookMenu(menu->addMenu(tr("L&ook")));
-    QMenu* panels = menu->addMenu(tr("&Panels"));
-    for (QAction* dock : parts_.layout.dockActions()) {
-        panels->addAction(dock);
-    }
-    panels->addSeparator();
-    add(panels, tr("Reset Layout"), {}, [this] { parts_.layout.reset(); });
+    makePanelMenu(menu->addMenu(tr("&Panels")));
     QAction* full = add(menu, tr("F&ull Screen"), QKeySequence(Qt::Key_F11), [this] {
         parts_.window.setWindowState(parts_.window.windowState() ^ Qt::WindowFullScreen);
     });
     full->setCheckable(true);
+}
+
+void Menus::makePanelMenu(QMenu* menu) {
+    for (QAction* dock : parts_.layout.dockActions()) {
+        menu->addAction(dock);
+    }
+    menu->addSeparator();
+    for (const DockEntry& entry : parts_.layout.entries()) {
+        QMenu* pages =
+            entry.pages.empty() ? nullptr : menu->addMenu(tr("Pages of %1").arg(entry.title));
+        for (std::size_t i = 0; i < entry.pages.size(); ++i) {
+            QAction* page = add(pages, entry.pages[i].title, {}, [this, name = entry.name, i] {
+                parts_.layout.openPage(name, static_cast<int>(i));
+            });
+            page->setWhatsThis(entry.pages[i].what);
+        }
+    }
+    menu->addSeparator();
+    add(menu, tr("Reset Layout"), {}, [this] { parts_.layout.reset(); });
 }
 
 /// Adds an action for each thing that can turn; choosing it once more stops it.

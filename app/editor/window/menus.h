@@ -67,6 +67,7 @@ class Menus : public QObject {
     void makeCameraMoves(QMenu* menu);
     void makeTurntable(QMenu* menu);
     void makeLibrarySteps(QMenu* menu);
+    void makePanelMenu(QMenu* menu);
     void makeLookMenu(QMenu* menu);
     void makeHelpMenu();
     void makeToolBar();

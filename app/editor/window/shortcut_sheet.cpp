@@ -92,6 +92,7 @@ void ShortcutSheet::fill() {
             menu,
             {QString(command.id.section('/', 1)).replace('/', QStringLiteral(" \u203a ")), keys});
         item->setData(0, Qt::UserRole, static_cast<int>(i));
+        item->setToolTip(0, command.action->whatsThis());
         QFont font = item->font(1);
         font.setBold(keys_.isChanged(command));
         item->setFont(1, font);
@@ -110,8 +111,10 @@ void ShortcutSheet::search(const QString& words) {
         bool any = false;
         for (int k = 0; k < group->childCount(); ++k) {
             QTreeWidgetItem* item = group->child(k);
-            const bool isFound =
-                hasAllWords(group->text(0) + ' ' + item->text(0) + ' ' + item->text(1), words);
+            const QString text =
+                QStringList{group->text(0), item->text(0), item->text(1), item->toolTip(0)}.join(
+                    ' ');
+            const bool isFound = hasAllWords(text, words);
             item->setHidden(!isFound);
             any |= isFound;
         }

@@ -3,6 +3,7 @@
 
 #include <QMainWindow>
 #include <QScreen>
+#include <QTabWidget>
 
 #include "session/message_log.h"
 #include "session/session.h"
@@ -76,6 +77,15 @@ std::vector<QAction*> WindowLayout::dockActions() const {
 void WindowLayout::bringToFront(const QString& name) const {
     dock(name)->show();
     dock(name)->raise();
+}
+
+void WindowLayout::openPage(const QString& name, int page) const {
+    LazyDock* dock = docks_.at(name);
+    dock->build(); // before it is seen, so that no other page begins its work
+    auto* tabs = qobject_cast<QTabWidget*>(dock->widget());
+    tabs = tabs != nullptr ? tabs : dock->widget()->findChild<QTabWidget*>();
+    tabs->setCurrentIndex(page);
+    bringToFront(name);
 }
 
 /// Applies the layout of a first start: the material's look on the left, its values on the right,

@@ -31,6 +31,9 @@ class WindowLayout {
     std::vector<QAction*> dockActions() const;
     /// Shows a dock, which may lie behind other tabs.
     void bringToFront(const QString& name) const;
+    /// Shows a tab of a dock by its place in the entry's pages.
+    void openPage(const QString& name, int page) const;
+    const std::vector<DockEntry>& entries() const { return entries_; }
 
     /// Restores the sizes and places that store() saved; a window that the session does not know
     /// gets a usual size.

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+namespace patina {
+
+/// Names a tab of a dock, and says what it shows.
+struct DockPage {
+    QString title;
+    QString what;
+};
+
+} // namespace patina
