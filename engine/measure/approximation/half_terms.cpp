@@ -2,7 +2,6 @@
 #include "measure/approximation/half_terms.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -11,6 +10,7 @@
 #include <utility>
 
 #include "measure/error/parallel.h"
+#include "shading/glsl/text_places.h"
 
 namespace patina {
 namespace {
@@ -18,52 +18,6 @@ namespace {
 constexpr std::size_t commonCount = 1024;
 constexpr std::size_t edgeCount = 2048;
 constexpr double endless = std::numeric_limits<double>::infinity();
-
-/// Is where a piece of a shader's text came from.
-struct TextPlace {
-    std::size_t file = 0; ///< is an index of ShaderSource::files
-    int line = 0;
-
-    friend auto operator<=>(const TextPlace&, const TextPlace&) = default;
-};
-
-/// Finds the places of a text by its lines "#line N S".
-class TextPlaces {
-  public:
-    explicit TextPlaces(std::string_view text) {
-        TextPlace place{0, 1};
-        for (std::size_t first = 0; first < text.size();) {
-            const std::size_t end = std::min(text.find('\n', first), text.size());
-            const std::string_view line = text.substr(first, end - first);
-            starts_.push_back(first);
-            places_.push_back(place);
-            ++place.line;
-            if (line.starts_with("#line ")) {
-                place = placeIn(line.substr(6)).value_or(place);
-            }
-            first = end + 1;
-        }
-    }
-
-    TextPlace at(std::size_t offset) const {
-        const auto next = std::ranges::upper_bound(starts_, offset);
-        return places_[static_cast<std::size_t>(next - starts_.begin()) - 1];
-    }
-
-  private:
-    static std::optional<TextPlace> placeIn(std::string_view numbers) {
-        int line = 0;
-        const auto read = std::from_chars(numbers.data(), numbers.data() + numbers.size(), line);
-        if (read.ec != std::errc() || line < 0) {
-            return std::nullopt;
-        }
-        return TextPlace{static_cast<std::size_t>(line / ShaderSource::linesPerFile),
-                         line % ShaderSource::linesPerFile};
-    }
-
-    std::vector<std::size_t> starts_;
-    std::vector<TextPlace> places_;
-};
 
 std::string lineAround(std::string_view text, std::size_t offset) {
     const std::size_t before = text.rfind('\n', offset);

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "shading/glsl/shader_source.h"
+#include "shading/glsl/text_places.h"
 #include "shading/glsl/tokens.h"
 
 namespace patina {
@@ -73,7 +73,7 @@ struct Macro {
 
 class Preprocessor {
   public:
-    explicit Preprocessor(std::string_view text) : text_(text) {}
+    explicit Preprocessor(const ShaderSource& source) : source_(source), text_(source.text) {}
 
     Result<Lexemes> run() {
         GlslTokens pending;
@@ -141,7 +141,8 @@ class Preprocessor {
         } else if (name == "undef") {
             macros_.erase(word);
         } else {
-            complain(fmt::format("#{} is not understood here", name));
+            complain(static_cast<std::size_t>(directive.text.data() - text_.data()),
+                     fmt::format("#{} is not understood here", name));
         }
     }
 
@@ -177,7 +178,7 @@ class Preprocessor {
             if (found == macros_.end() || (found->second.takesArguments && !isCalled)) {
                 out.push_back(in[i]);
             } else if (depth >= maxMacroDepth || out.size() > maxLexemes) {
-                complain("macros replace each other without an end");
+                complain(in[i].first, "macros replace each other without an end");
             } else if (!found->second.takesArguments) {
                 appendMade(out, found->second.body, in[i], depth);
             } else {
@@ -232,12 +233,13 @@ class Preprocessor {
         return body;
     }
 
-    void complain(std::string text) {
+    void complain(std::size_t place, std::string text) {
         if (!problem_) {
-            problem_ = Error{{}, 0, 0, std::move(text), {}};
+            problem_ = errorAt(source_, place, std::move(text));
         }
     }
 
+    const ShaderSource& source_;
     std::string_view text_;
     std::map<std::string_view, Macro> macros_;
     std::vector<bool> kept_;
@@ -249,8 +251,8 @@ class Preprocessor {
 
 } // namespace
 
-Result<std::vector<ShaderLexeme>> shaderLexemes(std::string_view text) {
-    return Preprocessor(text).run();
+Result<std::vector<ShaderLexeme>> shaderLexemes(const ShaderSource& source) {
+    return Preprocessor(source).run();
 }
 
 } // namespace patina

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "shading/glsl/shader_source.h"
 
 namespace patina {
 
@@ -20,7 +21,7 @@ struct ShaderLexeme {
 };
 
 /// Returns the lexemes of a shader without comments, as GLSL's preprocessor leaves them; they point
-/// into the text. It is an error where a directive is not understood.
-Result<std::vector<ShaderLexeme>> shaderLexemes(std::string_view text);
+/// into the text. It is an error, at its place, where a directive is not understood.
+Result<std::vector<ShaderLexeme>> shaderLexemes(const ShaderSource& source);
 
 } // namespace patina

@@ -11,6 +11,7 @@
 
 #include "measure/interpreter/shader_builtins.h"
 #include "measure/interpreter/shader_lexemes.h"
+#include "shading/glsl/text_places.h"
 #include "shading/glsl/tokens.h"
 
 namespace patina {
@@ -107,24 +108,33 @@ class Parser {
         if (problem_) {
             return;
         }
-        const auto file = static_cast<std::size_t>(here().file);
-        problem_ = Error{file > 0 && file < source_.files.size() ? source_.files[file] : "",
-                         0,
-                         0,
-                         std::move(problem),
-                         {}};
+        // The last lexeme is the end, which stands nowhere.
+        const std::size_t place =
+            isEnd() && at_ > 0 ? lexemes_[lexemes_.size() - 2].first : here().first;
+        problem_ = errorAt(source_, place, std::move(problem));
         at_ = lexemes_.size() - 1;
     }
 
     /// Moves behind the bracket that closes the one at the current place.
     void skipBrackets() {
-        int open = 0;
+        const std::size_t first = at_;
+        std::string closing; // those that close what is open
         do {
             const std::string_view text = word();
-            open += text == "(" || text == "{" || text == "[" ? 1 : 0;
-            open -= text == ")" || text == "}" || text == "]" ? 1 : 0;
+            if (text == "(" || text == "{" || text == "[") {
+                closing += text == "(" ? ')' : text == "{" ? '}' : ']';
+            } else if (!closing.empty() && (text == ")" || text == "}" || text == "]")) {
+                if (closing.back() != text.front()) {
+                    return expect(closing.substr(closing.size() - 1));
+                }
+                closing.pop_back();
+            }
             ++at_;
-        } while (open > 0 && !isEnd());
+        } while (!closing.empty() && !isEnd());
+        if (!closing.empty()) {
+            at_ = first;
+            complain(fmt::format("{} is not closed", word()));
+        }
     }
 
     // --- types and declarations
@@ -933,7 +943,7 @@ int ShaderSyntax::functionNamed(std::string_view name) const {
 }
 
 Result<ShaderSyntax> parsedShader(const ShaderSource& source, std::string_view root) {
-    auto lexemes = shaderLexemes(source.text);
+    auto lexemes = shaderLexemes(source);
     if (!lexemes) {
         return tl::unexpected(lexemes.error());
     }

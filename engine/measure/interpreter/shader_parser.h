@@ -7,8 +7,8 @@
 
 namespace patina {
 
-/// Parses the function `root` of a shader and all that it calls. It is an error, at its file and
-/// line where they are known, where one of these uses what the evaluator does not know: images,
+/// Parses the function `root` of a shader and all that it calls. It is an error, at its file, line
+/// and column, where one of these uses what the evaluator does not know: images,
 /// unsigned numbers, operators on bits. `source` must outlive the result.
 Result<ShaderSyntax> parsedShader(const ShaderSource& source, std::string_view root);
 
