@@ -102,6 +102,9 @@ Checked<void> plotSlice(const std::vector<Named>& materials, const LobeOptions& 
         return tl::unexpected(oneError(model.error()));
     }
     const HalfDifferenceSlice slice = halfDifferenceSlice(*model, sliceCells);
+    if (const auto ended = model->ending(); !ended) {
+        return tl::unexpected(oneError(ended.error()));
+    }
     return writeOut(options,
                     sliceDrawing(slice, shown.name, *lobeScaleOf(options.scale), lobePlotSize),
                     sliceCsv(slice));

@@ -39,13 +39,19 @@ decltype(LobeAnswer::plot) plotOf(const LobeMaterial& material, const LobeQuesti
     if (!model) {
         return tl::unexpected(model.error());
     }
+    std::variant<LobeSubject, NamedSolid, NamedSlice> plot;
     if (page == LobePage::Solid) {
-        return NamedSolid{material.name,
+        plot = NamedSolid{material.name,
                           lobeSolid(*model, request.incoming,
                                     request.isSketch ? sketchFineness : SolidFineness())};
+    } else {
+        plot = NamedSlice{material.name,
+                          halfDifferenceSlice(*model, request.isSketch ? sketchCells : sliceCells)};
     }
-    return NamedSlice{material.name,
-                      halfDifferenceSlice(*model, request.isSketch ? sketchCells : sliceCells)};
+    if (const auto ended = model->ending(); !ended) {
+        return tl::unexpected(ended.error());
+    }
+    return plot;
 }
 
 } // namespace

@@ -49,6 +49,10 @@ ParsedPrograms& parsedPrograms() {
 
 } // namespace
 
+Error endlessError(const Block& model) {
+    return failure(fmt::format("\"{}\" does not end", model.id), "loops of fewer rounds").value();
+}
+
 InterpretedModel::InterpretedModel(std::unique_ptr<const ShaderSource> source, ShaderSyntax syntax)
     : source_(std::move(source)), syntax_(std::move(syntax)),
       function_(syntax_.functionNamed(rootFunction)) {}
@@ -64,7 +68,7 @@ InterpretedModel::of(const EvalCase& model, const std::filesystem::path& shaders
         return tl::unexpected(written.error().front());
     }
     const auto known = parsedPrograms().find(written->text);
-    if (known != nullptr) {
+    if (known != nullptr && !known->isEndless()) { // other values may have made it so
         return known;
     }
     auto source = std::make_unique<const ShaderSource>(std::move(*written));
@@ -76,8 +80,7 @@ InterpretedModel::of(const EvalCase& model, const std::filesystem::path& shaders
     const std::shared_ptr<const InterpretedModel> made(
         new InterpretedModel(std::move(source), std::move(*syntax)));
     if (!made->ends(model)) {
-        return failure(fmt::format("\"{}\" does not end", model.block.block->id),
-                       "loops of fewer rounds");
+        return tl::unexpected(endlessError(*model.block.block));
     }
     parsedPrograms().keep(text, made);
     return made;

@@ -14,6 +14,9 @@
 
 namespace patina {
 
+/// Is the error of a model whose evaluation does not end.
+Error endlessError(const Block& model);
+
 /// Evaluates a model in double precision from the text of its program, so that a model needs no
 /// compiled code for it. It may be called by several threads.
 class InterpretedModel {
@@ -26,6 +29,9 @@ class InterpretedModel {
     /// Returns what the model returns for the numbers of a case (placeNumbers(), valueNumbers());
     /// NaN from the first case on that does not end.
     glm::dvec3 evaluate(std::span<const double> numbers) const;
+
+    /// Tells whether some case did not end.
+    bool isEndless() const { return isEndless_; }
 
   private:
     /// Tells whether the model ends for light and viewer in some directions.

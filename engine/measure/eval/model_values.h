@@ -25,6 +25,11 @@ class ModelValues {
     /// Returns pi f cos(theta_l), 0 or more, as lights are summed; 0 where it is not finite.
     glm::dvec3 at(const DirectionPair& pair) const;
 
+    bool isCompiled() const { return compiled_ != nullptr; }
+
+    /// Tells whether the evaluation did not end somewhere, so that its values mean nothing.
+    bool isEndless() const { return interpreted_ != nullptr && interpreted_->isEndless(); }
+
   private:
     ModelValues() = default;
 

@@ -185,16 +185,18 @@ Result<LobeLine> termLine(const Catalog& catalog, const Material& material,
     if (!model) {
         return tl::unexpected(model.error());
     }
-    return request.plot == LobePlot::Polar
-               ? polarLine([&model](const glm::dvec3& l,
-                                    const glm::dvec3& v) { return model->reflectance(l, v); },
-                           request)
-               : albedoLine(*model, request,
-                            tableParameter(*catalog.find(kinds::models, material.model.id)) !=
-                                    nullptr
-                                ? measuredAim
-                                : IntegralAim(),
-                            isWanted);
+    const bool isMeasured =
+        tableParameter(*catalog.find(kinds::models, material.model.id)) != nullptr;
+    LobeLine line =
+        request.plot == LobePlot::Polar
+            ? polarLine([&model](const glm::dvec3& l,
+                                 const glm::dvec3& v) { return model->reflectance(l, v); },
+                        request)
+            : albedoLine(*model, request, isMeasured ? measuredAim : IntegralAim(), isWanted);
+    if (const auto ended = model->ending(); !ended) {
+        return tl::unexpected(ended.error());
+    }
+    return line;
 }
 
 Result<LobeLines> modelLines(const Catalog& catalog, const Material& material,
@@ -214,7 +216,11 @@ Result<LobeLines> modelLines(const Catalog& catalog, const Material& material,
     }
     const bool isWhole = request.term == LobeTerm::Whole;
     if (device != nullptr && isWhole) {
-        if (const auto values = ModelValues::of(*variant, catalog); !values) {
+        const auto values = ModelValues::of(*variant, catalog);
+        if (!values && values.error() == endlessError(*block)) {
+            return tl::unexpected(values.error()); // a driver cuts it off, and returns anything
+        }
+        if (!values) {
             return deviceLines(catalog, *variant, request, *device, values.error());
         }
     }

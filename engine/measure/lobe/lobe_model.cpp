@@ -51,12 +51,16 @@ Result<LobeModel> LobeModel::create(const Catalog& catalog, const Material& mate
     if (!values) {
         return tl::unexpected(values.error());
     }
-    LobeModel model(std::move(*values));
+    LobeModel model(block, std::move(*values));
     model.isIsotropic_ = block.hasClaim("isotropic");
     if (term == LobeTerm::Diffuse) {
         model.subtracted_ = model.values_.with(withoutDiffuse(*request));
     }
     return model;
+}
+
+Result<void> LobeModel::ending() const {
+    return values_.isEndless() ? tl::unexpected(endlessError(*block_)) : Result<void>();
 }
 
 glm::dvec3 LobeModel::value(const glm::dvec3& l, const glm::dvec3& v) const {

@@ -41,12 +41,18 @@ class LobeModel {
     /// Returns f in 1/sr for unit directions; 0 where l is not above the surface.
     glm::dvec3 reflectance(const glm::dvec3& l, const glm::dvec3& v) const;
 
+    /// Is an error where the model did not end in some direction, so that what it returned means
+    /// nothing.
+    Result<void> ending() const;
+
     /// Says that the reflectance does not change where light and viewer turn about the normal.
     bool isIsotropic() const { return isIsotropic_; }
 
   private:
-    explicit LobeModel(ModelValues values) : values_(std::move(values)) {}
+    LobeModel(const Block& block, ModelValues values)
+        : block_(&block), values_(std::move(values)) {}
 
+    const Block* block_; ///< is the catalogue's
     ModelValues values_;
     std::optional<ModelValues> subtracted_; ///< is empty where nothing is taken away
     bool isIsotropic_ = false;

@@ -196,6 +196,9 @@ Result<ReflectanceTable> reflectanceTable(const Catalog& catalog, const Material
                 }
             }
         }
+        if (const auto ended = model->ending(); !ended) {
+            return tl::unexpected(ended.error());
+        }
         if (!possible.empty()) {
             return *std::ranges::min_element(possible, {}, &ReflectanceTable::maxError);
         }
