@@ -13,6 +13,7 @@
 #include "measure/lobe/reflectance_table.h"
 #include "measure/match/model_fit.h"
 #include "measure/stability/sweep_cases.h"
+#include "measure/stability/white_sky_albedo.h"
 #include "support/program.h"
 
 namespace patina::own_model_test {
@@ -98,6 +99,32 @@ TEST_F(OwnModel, ThatDoesNotEnd_IsRefused) {
     const auto values = ModelValues::of(*sweepVariant(catalog_, material()), catalog_);
     ASSERT_FALSE(values);
     EXPECT_NE(values.error().text().find("does not end"), std::string::npos);
+}
+
+TEST_F(OwnModel, ThatDoesNotEndInSomeDirections_HasNoPlotsOfThem) {
+    write("vec3(s)", "    float s = d.nv;\n    while (s < 0.2) {\n        s = s * d.nv;\n    }\n");
+    LobeRequest request;
+    request.isSketch = true;
+    const auto lines = lobeLines(catalog_, material(), request);
+    ASSERT_FALSE(lines);
+    EXPECT_NE(lines.error().text().find("does not end"), std::string::npos);
+    EXPECT_FALSE(whiteSkyAlbedo(catalog_, material()));
+}
+
+TEST_F(OwnModel, WithAMistake_IsRefusedAtItsLineAndColumn) {
+    write("p.diffuseColor * ((d.nl + p.wrap)) )");
+    const auto values = ModelValues::of(*sweepVariant(catalog_, material()), catalog_);
+    ASSERT_FALSE(values);
+    EXPECT_TRUE(values.error().file.ends_with("creeping.glsl")) << values.error().text();
+    EXPECT_EQ(values.error().line, 4);
+    EXPECT_EQ(values.error().column, 47);
+}
+
+TEST_F(OwnModel, ReflectsAShareOfAWhiteSky) {
+    write("p.diffuseColor * (d.nl * d.nv)"); // f = color n.v / pi, whose albedo is 2/3 color
+    const auto albedo = whiteSkyAlbedo(catalog_, material());
+    ASSERT_TRUE(albedo);
+    EXPECT_NEAR(*albedo, 0.8 * 2.0 / 3.0, 1e-4);
 }
 
 TEST_F(OwnModel, IsMatchedToValuesOfItsOwn) {
