@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 #include <glm/common.hpp>
 
-#include "core/color.h"
 
 namespace patina {
 namespace {
@@ -57,7 +56,7 @@ glm::dvec3 strokeColor(const LobeLine& line, const glm::dvec3& color) {
     return line.isFromInside ? 0.7 * own : own;
 }
 
-std::vector<DrawnLine> drawnLines(const std::vector<LobeSubject>& subjects) {
+std::vector<DrawnLine> drawnLines(const std::vector<LobeSubject>& subjects, LobePlot plot) {
     std::vector<DrawnLine> all;
     for (std::size_t i = 0; i < subjects.size(); ++i) {
         const LobeSubject& subject = subjects[i];
@@ -74,11 +73,18 @@ std::vector<DrawnLine> drawnLines(const std::vector<LobeSubject>& subjects) {
                 continue;
             }
             const glm::dvec3& own = subjectColors[i % std::size(subjectColors)];
-            all.push_back(drawnLine(line, isAlone ? strokeColor(line, own) : own, name,
-                                    [](const glm::dvec3& v) { return luminance(v); }));
+            all.push_back(
+                drawnLine(line, isAlone ? strokeColor(line, own) : own, name,
+                          [plot](const glm::dvec3& v) { return overlaidValue(plot, v); }));
         }
     }
     return all;
+}
+
+/// Returns a plot's title, and what it draws for channels that differ.
+std::string titleText(std::string title, const std::vector<LobeSubject>& subjects, LobePlot plot) {
+    const std::string_view word = overlaidWord(plot, subjects);
+    return word.empty() ? title : fmt::format("{} ({})", title, word);
 }
 
 /// Returns the largest value of all lines at places up to one.
@@ -335,7 +341,7 @@ bool addTransmitted(std::vector<PlotShape>& shapes, const std::vector<LobeSubjec
 
 std::vector<PlotShape> polarDrawing(const std::vector<LobeSubject>& subjects, LobeScale scale,
                                     double lightDegrees, glm::ivec2 size) {
-    const std::vector<DrawnLine> lines = drawnLines(subjects);
+    const std::vector<DrawnLine> lines = drawnLines(subjects, LobePlot::Polar);
     const double largest = std::max(largestOf(lines), 1e-300);
     const double width = size.x - edgeRight - edgeLeft;
     const double height = size.y - edgeTop - edgeBottom - 20.0;
@@ -345,8 +351,9 @@ std::vector<PlotShape> polarDrawing(const std::vector<LobeSubject>& subjects, Lo
     addDiscGrid(shapes, disc, scale, largest);
     addLine(shapes, disc.center, disc.place(-lightDegrees, 1.0), plot_colors::ink, true);
     addText(shapes, {8.0, 8.0},
-            fmt::format("{}, {}, light at {:g} degrees", valueText(subjects), wordOf(scale),
-                        lightDegrees));
+            titleText(fmt::format("{}, {}, light at {:g} degrees", valueText(subjects),
+                                  wordOf(scale), lightDegrees),
+                      subjects, LobePlot::Polar));
     for (const DrawnLine& line : lines) {
         std::vector<glm::dvec2> places;
         for (const glm::dvec2& point : line.points) {
@@ -359,7 +366,7 @@ std::vector<PlotShape> polarDrawing(const std::vector<LobeSubject>& subjects, Lo
 }
 
 std::vector<PlotShape> shareDrawing(const std::vector<LobeSubject>& subjects, glm::ivec2 size) {
-    const std::vector<DrawnLine> lines = drawnLines(subjects);
+    const std::vector<DrawnLine> lines = drawnLines(subjects, LobePlot::Albedo);
     const AngleAxes axes{size.x - edgeRight, size.y - edgeBottom,
                          axisEnd(largestOf(lines, roomyDegrees)), 0.0};
     std::vector<PlotShape> shapes;
@@ -376,16 +383,18 @@ std::vector<PlotShape> shareDrawing(const std::vector<LobeSubject>& subjects, gl
     }
     const bool hasTransmitted = addTransmitted(shapes, subjects, axes);
     addText(shapes, {8.0, 8.0},
-            hasTransmitted ? "reflected R (at the left) and transmitted T (at the right), of the "
-                             "light, over its angle from the normal in degrees"
-                           : "share of the light over its angle from the normal in degrees");
+            titleText(hasTransmitted
+                          ? "reflected R (at the left) and transmitted T (at the right), of the "
+                            "light, over its angle from the normal in degrees"
+                          : "share of the light over its angle from the normal in degrees",
+                      subjects, LobePlot::Albedo));
     addLines(shapes, lines, axes);
     addLegend(shapes, lines, subjects, size);
     return shapes;
 }
 
 std::vector<PlotShape> spectrumDrawing(const std::vector<LobeSubject>& subjects, glm::ivec2 size) {
-    std::vector<DrawnLine> lines = drawnLines(subjects);
+    std::vector<DrawnLine> lines = drawnLines(subjects, LobePlot::Spectrum);
     for (DrawnLine& line : lines) {
         if (line.isShare) {
             line.isDashed = true;
@@ -429,13 +438,15 @@ std::vector<PlotShape> spectrumDrawing(const std::vector<LobeSubject>& subjects,
 
 std::vector<PlotShape> errorDrawing(const std::vector<LobeSubject>& subjects, LobePlot plot,
                                     glm::ivec2 size) {
-    const std::vector<DrawnLine> lines = drawnLines(subjects);
+    const std::vector<DrawnLine> lines = drawnLines(subjects, plot);
     const AngleAxes axes{size.x - edgeRight, size.y - edgeBottom, axisEnd(largestOf(lines)), -90.0};
     std::vector<PlotShape> shapes;
     addAngleGrid(shapes, axes, 30);
     addText(shapes, {8.0, 8.0},
-            std::string(plot == LobePlot::Float16 ? "floats of 16 bits" : "float32 on the device") +
-                " against double, units in the last place over the viewer's angle");
+            titleText(std::string(plot == LobePlot::Float16 ? "floats of 16 bits"
+                                                            : "float32 on the device") +
+                          " against double, units in the last place over the viewer's angle",
+                      subjects, plot));
     addLines(shapes, lines, axes);
     addLegend(shapes, lines, subjects, size);
     return shapes;

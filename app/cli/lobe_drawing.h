@@ -12,7 +12,7 @@
 namespace patina {
 
 /// Returns the polar plot for light at an angle in degrees, which stands at the left; the light's
-/// mirror direction is at the right. Of several materials the luminance is drawn, of one its
+/// mirror direction is at the right. Of several materials the overlaidValue() is drawn, of one its
 /// channels where they differ.
 std::vector<PlotShape> polarDrawing(const std::vector<LobeSubject>& subjects, LobeScale scale,
                                     double lightDegrees, glm::ivec2 size);

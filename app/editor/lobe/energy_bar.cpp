@@ -31,8 +31,9 @@ EnergyBar::EnergyBar(QWidget* parent) : QWidget(parent) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
-void EnergyBar::setRange(const EnergyRange& range) {
+void EnergyBar::setRange(const EnergyRange& range, const std::optional<EnergyRange>& luminance) {
     range_ = range;
+    luminance_ = luminance;
     why_.clear();
     refresh();
 }
@@ -61,11 +62,29 @@ QString EnergyBar::text() const {
     if (!range_) {
         return named(why_);
     }
+    return named(isAboveOne() ? tr("%1: more than arrives").arg(rangeText()) : rangeText());
+}
+
+/// Says of what the numbers are where channels differ: of which one, or of the luminance.
+QString EnergyBar::rangeText() const {
+    const EnergyRange& range = shown();
+    const auto text = [](const glm::dvec3& v, double number) {
+        const bool isGrey = strongest(v) - weakest(v) < albedoNoise;
+        const QString channels[] = {tr("red"), tr("green"), tr("blue")};
+        const int channel = number == v.x ? 0 : number == v.y ? 1 : 2;
+        return isGrey ? shareText(number) : tr("%1 (%2)").arg(shareText(number), channels[channel]);
+    };
     const QString numbers =
-        named(tr("Reflects %1 at least, %2 of an even sky, %3 at most")
-                  .arg(shareText(weakest(range_->min)), shareText(luminance(range_->mean)),
-                       shareText(strongest(range_->max))));
-    return isAboveOne() ? tr("%1: more than arrives").arg(numbers) : numbers;
+        tr("Reflects %1 at least, %2 of an even sky, %3 at most")
+            .arg(text(range.min, weakest(range.min)), shareText(luminance(range.mean)),
+                 text(range.max, strongest(range.max)));
+    if (!luminance_) {
+        return numbers;
+    }
+    const QString inLuminance = tr("%1, in luminance").arg(numbers);
+    const bool isHidden = isAboveOne() && strongest(range.max) <= 1.0 + albedoNoise;
+    return isHidden ? tr("%1; %2").arg(inLuminance, text(range_->max, strongest(range_->max)))
+                    : inLuminance;
 }
 
 bool EnergyBar::isAboveOne() const {
@@ -92,19 +111,20 @@ void EnergyBar::paintEvent(QPaintEvent*) {
 }
 
 void EnergyBar::paintRange(QPainter& painter, const QRectF& bar) const {
+    const EnergyRange& range = shown();
     const double end = std::max(1.0, strongest(range_->max));
     const auto place = [&](double share) { return bar.left() + bar.width() * share / end; };
     const auto fill = [&](double from, double to, const QColor& color) {
         painter.fillRect(QRectF(place(from), bar.top(), place(to) - place(from), bar.height()),
                          color);
     };
-    fill(weakest(range_->min), std::min(strongest(range_->max), 1.0),
+    fill(weakest(range.min), std::min(strongest(range.max), 1.0),
          palette().color(QPalette::Highlight));
     if (isAboveOne()) {
         fill(1.0, strongest(range_->max), QColor(220, 70, 60));
     }
     painter.setPen(QPen(palette().color(QPalette::Text), 2.0));
-    const double mean = place(luminance(range_->mean));
+    const double mean = place(luminance(range.mean));
     painter.drawLine(QPointF(mean, bar.top()), QPointF(mean, bar.bottom()));
 }
 

@@ -17,7 +17,9 @@ class EnergyBar : public QWidget {
   public:
     explicit EnergyBar(QWidget* parent = nullptr);
 
-    void setRange(const EnergyRange& range);
+    /// Shows what is reflected, per channel. Where a luminance is given its numbers are shown, as
+    /// of curves that are the luminance.
+    void setRange(const EnergyRange& range, const std::optional<EnergyRange>& luminance = {});
 
     /// Empties the bar; the text says why.
     void setNothing(const QString& why);
@@ -40,7 +42,11 @@ class EnergyBar : public QWidget {
     void refresh();
     void paintRange(QPainter& painter, const QRectF& bar) const;
 
+    const EnergyRange& shown() const { return luminance_ ? *luminance_ : *range_; }
+    QString rangeText() const;
+
     std::optional<EnergyRange> range_;
+    std::optional<EnergyRange> luminance_;
     QString why_;
     QString name_;
 };

@@ -552,7 +552,9 @@ void LobeDock::showEnergy(const LobeAnswer& answer, bool isOneOfSeveral) {
     }
     const LobeLine& line = std::get<LobeSubject>(*answer.plot).lines.lines.front();
     if (line.values.size() > 1) {
-        energy_->setRange(energyRange(line));
+        const bool areLuminances = isOneOfSeveral && !isGrey(line);
+        energy_->setRange(energyRange(line),
+                          areLuminances ? std::optional(luminanceRange(line)) : std::nullopt);
     } else {
         energy_->setNothing({});
     }

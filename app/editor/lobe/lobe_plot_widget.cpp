@@ -11,7 +11,6 @@
 
 #include "accuracy/plot_library.h"
 #include "accuracy/plot_svg.h"
-#include "core/color.h"
 #include "lobe/lobe_subjects.h"
 #include "text/as_text.h"
 #include "text/display_number.h"
@@ -38,14 +37,6 @@ QPen penOf(const LobeLine& line, const QColor& color) {
         pen.setStyle(line.stroke == LobeStroke::Along ? Qt::DotLine : Qt::DashLine);
     }
     return pen;
-}
-
-QString numberText(const LobeLine& line, double at) {
-    const glm::dvec3 v = valueAt(line, at);
-    if (isGrey(line)) {
-        return line.digits > 0 ? numberLocale().toString(v.x, 'g', line.digits) : roundText(v.x);
-    }
-    return QStringLiteral("%1, %2, %3").arg(roundText(v.x), roundText(v.y), roundText(v.z));
 }
 
 /// Adds the places between two points, a few pixels apart.
@@ -89,7 +80,7 @@ std::vector<QPointF> inkedPlaces(QCustomPlot& plot, const std::vector<QCPItemTex
     }
     for (int i = 0; i < plot.itemCount(); ++i) {
         auto* text = qobject_cast<QCPItemText*>(plot.item(i));
-        if (text != nullptr && std::ranges::find(legend, text) == legend.end()) {
+        if (text != nullptr && text->visible() && std::ranges::find(legend, text) == legend.end()) {
             const QRectF area = areaOf(*text);
             for (const double share : {0.1, 0.5, 0.9}) { // a text counts as lines close together
                 const double y = area.top() + share * area.height();
@@ -102,7 +93,8 @@ std::vector<QPointF> inkedPlaces(QCustomPlot& plot, const std::vector<QCPItemTex
 
 } // namespace
 
-LobePlotWidget::LobePlotWidget(QWidget* parent) : PlotWidget(parent), plot_(new QCustomPlot(this)) {
+LobePlotWidget::LobePlotWidget(LobePlot kind, QWidget* parent)
+    : PlotWidget(parent), kind_(kind), plot_(new QCustomPlot(this)) {
     plot_->setFocusPolicy(Qt::NoFocus);
     plot_->setMouseTracking(true);
     plot_->setMinimumSize(minPlotSize);
@@ -138,7 +130,7 @@ std::vector<LobePlotWidget::Stroke> LobePlotWidget::strokes() const {
                 Stroke stroke{line.at, {}, penOf(line, color), line.isShare, line.isSampled};
                 stroke.values.reserve(line.values.size());
                 for (const glm::dvec3& v : line.values) {
-                    stroke.values.push_back(hasChannels ? v[channel] : luminance(v));
+                    stroke.values.push_back(hasChannels ? v[channel] : overlaidValue(kind_, v));
                 }
                 all.push_back(std::move(stroke));
             }
@@ -151,12 +143,31 @@ QString LobePlotWidget::abscissaText(double at) const {
     return tr("%1° from the normal").arg(roundText(std::abs(at)));
 }
 
+QString LobePlotWidget::axisText(const QString& what) const {
+    const std::string_view word = overlaidWord(kind_, subjects_);
+    return word.empty() ? what : tr("%1, %2").arg(what, asText(word));
+}
+
+QString LobePlotWidget::numberText(const LobeLine& line, double at) const {
+    const glm::dvec3 v = valueAt(line, at);
+    if (isGrey(line)) {
+        return line.digits > 0 ? numberLocale().toString(v.x, 'g', line.digits) : roundText(v.x);
+    }
+    const QString channels =
+        QStringLiteral("%1, %2, %3").arg(roundText(v.x), roundText(v.y), roundText(v.z));
+    return subjects_.size() < 2 ? channels
+                                : tr("%1 %2 (%3)")
+                                      .arg(asText(overlaidWord(kind_, subjects_)),
+                                           roundText(overlaidValue(kind_, v)), channels);
+}
+
 QString LobePlotWidget::readingAt(const QPointF& place) const {
     const double at = abscissaAt(place);
     if (!std::isfinite(at)) {
         return {};
     }
     QStringList lines{abscissaText(at)};
+    lines += marksAt(at);
     for (const LobeSubject& subject : subjects_) {
         for (const LobeLine& line : subject.lines.lines) {
             if (line.values.empty()) {

@@ -20,7 +20,7 @@ class LobePlotWidget : public PlotWidget {
     Q_OBJECT
 
   public:
-    explicit LobePlotWidget(QWidget* parent = nullptr);
+    explicit LobePlotWidget(LobePlot kind, QWidget* parent = nullptr);
 
     /// Takes all materials, so that each keeps its colour; one that has no lines has its name
     /// alone.
@@ -50,8 +50,8 @@ class LobePlotWidget : public PlotWidget {
         bool isSampled = false; ///< is known at its points alone
     };
 
-    /// Returns the lines to draw: of several materials the luminance, of one its channels where
-    /// they differ.
+    /// Returns the lines to draw: of several materials the overlaidValue(), of one its channels
+    /// where they differ.
     std::vector<Stroke> strokes() const;
 
     /// Returns the angle below a place of the plot, in degrees from the normal, or the wavelength
@@ -61,6 +61,9 @@ class LobePlotWidget : public PlotWidget {
     virtual QString abscissaText(double at) const;
     /// Returns what a value is called in a reading: "1/sr"; empty for a share.
     virtual QString unit() const = 0;
+
+    /// Returns the names of the marks at a place of the plot.
+    virtual QStringList marksAt(double) const { return {}; }
 
     /// Sets the axes to the size that is drawn, the widget's or a file's.
     virtual void fitRanges() {}
@@ -72,6 +75,9 @@ class LobePlotWidget : public PlotWidget {
     void addLegend();
 
     QCustomPlot& plot() const { return *plot_; }
+    LobePlot kind() const { return kind_; }
+    /// Returns what an axis is of, and what is drawn there for channels that differ.
+    QString axisText(const QString& what) const;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
@@ -80,6 +86,10 @@ class LobePlotWidget : public PlotWidget {
     QSizeF legendSize() const;
     QPointF emptyPlace() const; ///< is where the legend lies on as little as may be
 
+    /// Returns a line's value at a place as text, with what the plot draws for it in front.
+    QString numberText(const LobeLine& line, double at) const;
+
+    LobePlot kind_;
     std::vector<LobeSubject> subjects_;
     std::vector<QCPItemText*> legend_; ///< are the plot's, a name in each
     QStringList details_;

@@ -29,7 +29,7 @@ QPointF discPlace(double degrees, double length) {
 
 } // namespace
 
-PolarPlot::PolarPlot(QWidget* parent) : LobePlotWidget(parent) {
+PolarPlot::PolarPlot(QWidget* parent) : LobePlotWidget(LobePlot::Polar, parent) {
     setObjectName("polarPlot");
     setAccessibleName(tr("Reflectance in the plane of incidence"));
     setFocusPolicy(Qt::StrongFocus);

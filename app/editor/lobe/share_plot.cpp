@@ -2,11 +2,15 @@
 #include "lobe/share_plot.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 
+#include <QFontMetricsF>
+
 #include "accuracy/plot_colors.h"
 #include "accuracy/plot_library.h"
+#include "lobe/lobe_subjects.h"
 #include "text/as_text.h"
 #include "text/display_number.h"
 #include "text/mixed_color.h"
@@ -24,7 +28,7 @@ constexpr double usualLast = 780.0;
 
 } // namespace
 
-SharePlot::SharePlot(LobePlot kind, QWidget* parent) : LobePlotWidget(parent), kind_(kind) {
+SharePlot::SharePlot(LobePlot kind, QWidget* parent) : LobePlotWidget(kind, parent) {
     setLegendBeside();
     plot().xAxis->setRange(0.0, 90.0);
     plot().xAxis->setLabel(tr("degrees from the normal"));
@@ -35,7 +39,7 @@ SharePlot::SharePlot(LobePlot kind, QWidget* parent) : LobePlotWidget(parent), k
     case LobePlot::Fresnel:
         setObjectName("fresnelPlot");
         setAccessibleName(tr("Fresnel reflectance over the angle"));
-        plot().yAxis->setLabel(tr("reflected R"));
+        quantity_ = tr("reflected R");
         plot().yAxis2->setVisible(true);
         plot().yAxis2->setRangeReversed(true);
         plot().yAxis2->setLabel(tr("transmitted T"));
@@ -45,33 +49,33 @@ SharePlot::SharePlot(LobePlot kind, QWidget* parent) : LobePlotWidget(parent), k
         setAccessibleName(tr("Index of refraction over the wavelength"));
         plot().xAxis->setLabel(tr("wavelength in nm"));
         plot().xAxis->setTicker(QSharedPointer<QCPAxisTicker>(new QCPAxisTicker));
-        plot().yAxis->setLabel(tr("index n, extinction k (dashed)"));
+        quantity_ = tr("index n, extinction k (dashed)");
         plot().yAxis2->setVisible(true);
         plot().yAxis2->setLabel(tr("R facing the surface (dotted)"));
         break;
     case LobePlot::Float32:
         setObjectName("float32Plot");
         setAccessibleName(tr("Error of single precision over the viewer's angle"));
-        plot().yAxis->setLabel(tr("units in the last place"));
+        quantity_ = tr("units in the last place");
         plot().xAxis->setRange(-90.0, 90.0);
         break;
     case LobePlot::Float16:
         setObjectName("float16Plot");
         setAccessibleName(tr("Error of 16 bits over the viewer's angle"));
-        plot().yAxis->setLabel(tr("units in the last place of 16 bits"));
+        quantity_ = tr("units in the last place of 16 bits");
         plot().xAxis->setRange(-90.0, 90.0);
         break;
     default:
         setObjectName("albedoPlot");
         setAccessibleName(tr("Albedo over the angle of the light"));
-        plot().yAxis->setLabel(tr("albedo"));
+        quantity_ = tr("albedo");
     }
     draw();
 }
 
 QString SharePlot::abscissaText(double at) const {
-    return kind_ == LobePlot::Spectrum ? tr("%1 nm").arg(roundText(at))
-                                       : LobePlotWidget::abscissaText(at);
+    return kind() == LobePlot::Spectrum ? tr("%1 nm").arg(roundText(at))
+                                        : LobePlotWidget::abscissaText(at);
 }
 
 QString SharePlot::unit() const {
@@ -87,7 +91,7 @@ void SharePlot::addMarks(double top) {
         line->end->setCoords(to);
         line->setPen(pen);
     };
-    if (kind_ == LobePlot::Albedo) { // red where a material makes light, also beyond the axis' end
+    if (kind() == LobePlot::Albedo) { // red where a material makes light, also beyond the axis' end
         constexpr double rounding = 1e-3;
         const std::vector<Stroke> lines = strokes();
         const bool isAbove = std::ranges::any_of(lines, [](const Stroke& line) {
@@ -98,28 +102,73 @@ void SharePlot::addMarks(double top) {
                 QPen(isAbove ? QColor(220, 70, 60) : mixed(base, text, 0.35), 1.0));
     }
     const double bottom = plot().yAxis->range().lower;
-    double height = bottom + 0.9 * (top - bottom); // below the line of 1, which marks would lie on
-    std::set<QString> named;                       // several materials may have the same
-    for (const LobeSubject& subject : subjects()) {
-        for (const LobeMark& mark : subject.lines.marks) {
+    markNames_.clear();
+    std::set<QString> named; // several materials may have the same
+    for (std::size_t i = 0; i < subjects().size(); ++i) {
+        for (const LobeMark& mark : subjects()[i].lines.marks) {
             if (!named.insert(markText(mark)).second) {
                 continue;
             }
+            const QColor own = subjects().size() > 1 ? lobeColor(i, palette()) : text;
             addLine({mark.at, bottom}, {mark.at, top},
-                    QPen(mixed(base, text, 0.35), 1.0, Qt::DashLine));
+                    QPen(mixed(base, own, 0.35), 1.0, Qt::DashLine));
             auto* label = new QCPItemText(&plot());
-            label->position->setCoords(mark.at, height);
-            label->setPositionAlignment(Qt::AlignTop | Qt::AlignLeft);
+            label->position->setTypeX(QCPItemPosition::ptPlotCoords);
+            label->position->setTypeY(QCPItemPosition::ptAbsolute);
+            label->position->setCoords(mark.at, 0.0);
             label->setText(markText(mark));
             label->setFont(plot().font());
-            label->setColor(mixed(base, text, 0.7));
-            height -= 0.08 * (top - bottom);
+            label->setColor(mixed(base, own, 0.7));
+            markNames_.push_back(label);
         }
     }
 }
 
+void SharePlot::placeMarkNames() {
+    constexpr double gap = 3.0; ///< pixels between names
+    const QFontMetricsF metrics(plot().font());
+    const QRectF room = plot().axisRect()->rect();
+    const double first = room.top() + 0.1 * room.height(); // below the line of 1
+    std::vector<QRectF> taken;
+    const auto isFree = [&taken](const QRectF& area) {
+        return std::ranges::none_of(
+            taken, [&area](const QRectF& other) { return other.intersects(area); });
+    };
+    for (QCPItemText* name : markNames_) {
+        const double at = plot().xAxis->coordToPixel(name->position->key());
+        const double width = metrics.horizontalAdvance(name->text()) + gap;
+        const bool isRight = at + width <= room.right() || at - width < room.left();
+        QRectF area(isRight ? at : at - width, first, width, metrics.lineSpacing());
+        while (!isFree(area) && area.bottom() + area.height() <= room.bottom()) {
+            area.translate(0.0, area.height());
+        }
+        name->setVisible(isFree(area));
+        if (name->visible()) {
+            taken.push_back(area);
+        }
+        name->setPositionAlignment(Qt::AlignTop | (isRight ? Qt::AlignLeft : Qt::AlignRight));
+        name->position->setCoords(name->position->key(), area.top());
+    }
+}
+
+QStringList SharePlot::marksAt(double at) const {
+    constexpr double near = 5.0; ///< pixels
+    const double reach = near * plot().xAxis->range().size() / plot().axisRect()->width();
+    QStringList names;
+    for (const LobeSubject& subject : subjects()) {
+        for (const LobeMark& mark : subject.lines.marks) {
+            const QString text = markText(mark).trimmed();
+            if (std::abs(mark.at - at) <= reach) {
+                names << (subjects().size() > 1 ? tr("%1: %2").arg(asText(subject.name), text)
+                                                : text);
+            }
+        }
+    }
+    return names;
+}
+
 QString SharePlot::markText(const LobeMark& mark) const {
-    return kind_ == LobePlot::Spectrum
+    return kind() == LobePlot::Spectrum
                ? QStringLiteral(" %1 %2 nm").arg(asText(mark.name), roundText(mark.at))
                : QStringLiteral(" %1 %2°").arg(asText(mark.name)).arg(mark.at, 0, 'f', 2);
 }
@@ -139,7 +188,7 @@ double SharePlot::fitAxes() {
 }
 
 bool SharePlot::isOfErrors() const {
-    return kind_ == LobePlot::Float32 || kind_ == LobePlot::Float16;
+    return kind() == LobePlot::Float32 || kind() == LobePlot::Float16;
 }
 
 /// Tells whether one line's errors would leave another one flat on a linear axis.
@@ -191,6 +240,7 @@ double SharePlot::fitSpectrum() {
 void SharePlot::draw() {
     plot().clearGraphs();
     plot().clearItems();
+    plot().yAxis->setLabel(axisText(quantity_));
     colourPlot(plot(), palette(), false);
     const QColor text = palette().color(QPalette::Text);
     plot().yAxis2->setBasePen(plot().yAxis->basePen());
@@ -200,7 +250,7 @@ void SharePlot::draw() {
     plot().yAxis2->setTickLabelFont(plot().font());
     plot().yAxis2->setLabelFont(plot().font());
     plot().yAxis2->setLabelColor(plot().yAxis->labelColor());
-    const bool isSpectrum = kind_ == LobePlot::Spectrum;
+    const bool isSpectrum = kind() == LobePlot::Spectrum;
     const bool isLogarithmic = hasLogarithm();
     if (isOfErrors()) {
         plot().yAxis->setScaleType(isLogarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);

@@ -3,6 +3,8 @@
 
 #include "lobe/lobe_plot_widget.h"
 
+class QCPItemText;
+
 namespace patina {
 
 /// Draws shares of the light over its angle from the normal, with 1 marked where it is exceeded,
@@ -19,10 +21,15 @@ class SharePlot final : public LobePlotWidget {
     double abscissaAt(const QPointF& place) const override;
     QString abscissaText(double at) const override;
     QString unit() const override;
+    QStringList marksAt(double at) const override;
     void draw() override;
+    void fitRanges() override { placeMarkNames(); }
 
   private:
     void addMarks(double top);
+    /// Puts the names of marks beside their lines, each in the first row where it covers no other;
+    /// one without room is left out, and read under the pointer.
+    void placeMarkNames();
     QString markText(const LobeMark& mark) const;
     /// Set the axes' ranges, and return what the left one ends at.
     double fitAxes();
@@ -30,7 +37,8 @@ class SharePlot final : public LobePlotWidget {
     bool isOfErrors() const;
     bool hasLogarithm() const;
 
-    LobePlot kind_;
+    QString quantity_;                    ///< says what the left axis is of
+    std::vector<QCPItemText*> markNames_; ///< are the plot's
 };
 
 } // namespace patina

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <glm/common.hpp>
 
+#include "core/color.h"
 #include "material/blocks_in_use.h"
 #include "material/measured_preset.h"
 #include "measure/eval/model_values.h"
@@ -36,6 +37,10 @@ constexpr IntegralAim sketchAim{.isSketch = true};
 /// Is the aim for a measured file, which is straight between its bins: every bin is a kink, and the
 /// file itself is not known any better.
 constexpr IntegralAim measuredAim{.tolerance = 1e-3, .panels = 20, .ringPanels = 10};
+
+bool isOfErrors(LobePlot plot) {
+    return plot == LobePlot::Float32 || plot == LobePlot::Float16;
+}
 
 double inDegrees(double radians) {
     return radians * 180.0 / std::numbers::pi;
@@ -453,12 +458,33 @@ bool isGrey(const LobeLine& line) {
     });
 }
 
+double overlaidValue(LobePlot plot, const glm::dvec3& channels) {
+    return isOfErrors(plot) ? std::max({channels.x, channels.y, channels.z}) : luminance(channels);
+}
+
+std::string_view overlaidWord(LobePlot plot, const std::vector<LobeSubject>& subjects) {
+    const bool areGrey = std::ranges::all_of(subjects, [](const LobeSubject& subject) {
+        return std::ranges::all_of(subject.lines.lines, isGrey);
+    });
+    return subjects.size() < 2 || areGrey ? ""
+           : isOfErrors(plot)             ? "largest of the channels"
+                                          : "luminance";
+}
+
 EnergyRange energyRange(const LobeLine& albedo) {
     std::vector<AlbedoPoint> curve;
     for (std::size_t i = 0; i < albedo.values.size(); ++i) {
         curve.push_back({albedo.at[i] * std::numbers::pi / 180.0, albedo.values[i], 0.0});
     }
     return energyRange(curve);
+}
+
+EnergyRange luminanceRange(const LobeLine& albedo) {
+    LobeLine grey = albedo;
+    for (glm::dvec3& value : grey.values) {
+        value = glm::dvec3(luminance(value));
+    }
+    return energyRange(grey);
 }
 
 } // namespace patina

@@ -106,8 +106,18 @@ std::optional<LobeLine> transmittedLine(const LobeLine& line);
 /// Tells whether the three channels are the same.
 bool isGrey(const LobeLine& line);
 
-/// Returns the range of a line that is an albedo of two points or more.
+/// Returns the one number that a plot of several materials draws for three channels: the luminance,
+/// or of errors the largest.
+double overlaidValue(LobePlot plot, const glm::dvec3& channels);
+
+/// Says what a plot draws for three channels that differ, "luminance" or "largest of the channels";
+/// empty where it draws each, or none differ.
+std::string_view overlaidWord(LobePlot plot, const std::vector<LobeSubject>& subjects);
+
+/// Returns the range of a line that is an albedo of two points or more, per channel or of its
+/// luminance.
 EnergyRange energyRange(const LobeLine& albedo);
+EnergyRange luminanceRange(const LobeLine& albedo);
 
 /// Is how far above 1 an albedo has to be to count: it is known no better.
 inline constexpr double albedoNoise = 1e-4;
