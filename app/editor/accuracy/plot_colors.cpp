@@ -2,6 +2,7 @@
 #include "accuracy/plot_colors.h"
 
 #include "accuracy/plot_library.h"
+#include "text/display_number.h"
 #include "text/mixed_color.h"
 
 namespace patina {
@@ -11,6 +12,7 @@ void colourPlot(QCustomPlot& plot, const QPalette& palette, bool stale) {
     const QColor text = palette.color(QPalette::Text);
     const QColor faint = palette.color(QPalette::PlaceholderText);
     plot.setBackground(base);
+    plot.setLocale(numberLocale()); // of the ticks
     for (QCPAxis* axis : {plot.xAxis, plot.yAxis}) {
         axis->setBasePen(mixed(base, text, 0.4));
         axis->setTickPen(mixed(base, text, 0.4));
