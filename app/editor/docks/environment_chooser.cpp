@@ -152,7 +152,7 @@ void EnvironmentChooser::take(const QString& name, const QImage& picture) {
 
 void EnvironmentChooser::dragEnterEvent(QDragEnterEvent* event) {
     if (!panoramasIn(*event->mimeData()).isEmpty()) {
-        event->acceptProposedAction();
+        acceptCopy(*event);
     }
 }
 
@@ -162,7 +162,7 @@ void EnvironmentChooser::dropEvent(QDropEvent* event) {
     if (files.isEmpty()) {
         return;
     }
-    event->acceptProposedAction();
+    acceptCopy(*event);
     std::for_each(files.rbegin(), files.rend(),
                   [this](const QString& file) { session_.addEnvironment(file); });
     fill();

@@ -369,8 +369,8 @@ void LobeDock::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void LobeDock::dropEvent(QDropEvent* event) {
-    event->acceptProposedAction();
-    refused_.clear();
+    acceptCopy(*event);
+    QStringList refused;
     for (const auto& file : draggedFiles(*event->mimeData())) {
         addPreset(file.toStdString());
     }

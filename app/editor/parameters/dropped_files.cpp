@@ -17,9 +17,14 @@ QStringList draggedFiles(const QMimeData& data) {
     return files;
 }
 
+void acceptCopy(QDropEvent& event) {
+    event.setDropAction(Qt::CopyAction);
+    event.accept();
+}
+
 void acceptFiles(QDragEnterEvent& event) {
     if (event.mimeData()->hasUrls()) {
-        event.acceptProposedAction();
+        acceptCopy(event);
     }
 }
 

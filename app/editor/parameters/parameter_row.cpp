@@ -10,6 +10,7 @@
 #include <QToolButton>
 #include <QUrl>
 
+#include "parameters/dropped_files.h"
 #include "parameters/editor_factory.h"
 #include "parameters/parameter_text.h"
 #include "parameters/row_mark.h"
@@ -229,12 +230,12 @@ void ParameterRow::presentTexture(bool takes, const std::optional<TextureUse>& u
 void ParameterRow::dragEnterEvent(QDragEnterEvent* event) {
     const QList<QUrl> urls = event->mimeData()->urls();
     if (takesTextures_ && urls.size() == 1 && urls.front().isLocalFile()) {
-        event->acceptProposedAction();
+        acceptCopy(*event);
     }
 }
 
 void ParameterRow::dropEvent(QDropEvent* event) {
-    event->acceptProposedAction();
+    acceptCopy(*event);
     Q_EMIT imageDropped(event->mimeData()->urls().front().toLocalFile());
 }
 

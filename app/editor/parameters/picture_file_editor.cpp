@@ -84,13 +84,13 @@ void PictureFileEditor::take(const QString& file) {
 
 void PictureFileEditor::dragEnterEvent(QDragEnterEvent* event) {
     if (!fileIn(*event->mimeData()).isEmpty()) {
-        event->acceptProposedAction();
+        acceptCopy(*event);
     }
 }
 
 void PictureFileEditor::dropEvent(QDropEvent* event) {
     if (const QString file = fileIn(*event->mimeData()); !file.isEmpty()) {
-        event->acceptProposedAction();
+        acceptCopy(*event);
         take(file);
     }
 }

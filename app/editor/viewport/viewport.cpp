@@ -190,7 +190,7 @@ void Viewport::dragEnterEvent(QDragEnterEvent* event) {
 void Viewport::dropEvent(QDropEvent* event) {
     const QStringList files = draggedFiles(*event->mimeData());
     if (!files.isEmpty()) {
-        event->acceptProposedAction();
+        acceptCopy(*event);
         Q_EMIT filesDropped(files, event->position());
     }
 }

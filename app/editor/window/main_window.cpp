@@ -205,7 +205,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-    event->acceptProposedAction();
+    acceptCopy(*event);
     files_->drop(draggedFiles(*event->mimeData()), document_.selection().side());
 }
 
