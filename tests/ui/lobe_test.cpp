@@ -19,6 +19,8 @@
 #include <QToolButton>
 #include <QUrl>
 
+#include "accuracy/plot_library.h"
+#include "core/color.h"
 #include "document/compare_edits.h"
 #include "document/scene_edits.h"
 #include "document/snapshot_edits.h"
@@ -31,6 +33,7 @@
 #include "lobe/slice_plot.h"
 #include "lobe/solid_plot.h"
 #include "shading/effects/key_light.h"
+#include "text/display_number.h"
 #include "ui/fixtures.h"
 #include "ui/window_fixture.h"
 #include "viewport/frame_loop.h"
@@ -182,9 +185,25 @@ TEST_F(LobePanel, SixthMaterial_HasNoRoomAndTheNoteSaysSo) {
     ASSERT_TRUE(wait());
     EXPECT_EQ(polar().subjects().size(), 5u);
     EXPECT_TRUE(note().contains("No room for Frosted")) << note().toStdString();
-    dock().findChild<QToolButton*>("forget presets")->click();
+    set("specular.color", glm::dvec3(0.5)); // what came next
     ASSERT_TRUE(wait());
     EXPECT_FALSE(note().contains("No room")) << note().toStdString();
+}
+
+TEST_F(LobePanel, MaterialWithoutAnAnswer_LeavesTheOthersTheirSketches) {
+    drop({"toon/poster"});
+    ASSERT_TRUE(wait());
+    EXPECT_TRUE(note().contains("no share of the light")) << note().toStdString();
+    const double before = peakOf(polar().subjects().front());
+    double color = 0.1;
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] { // values that never rest
+            color += 0.001;
+            set("specular.color", glm::dvec3(color));
+            return peakOf(polar().subjects().front()) != before;
+        },
+        waitMs));
+    EXPECT_FALSE(dock().isUpToDate());
 }
 
 TEST_F(LobePanel, MaterialWithoutAnAnswer_LeavesTheOthersTheirColoursAndTheBarItsOwn) {
@@ -250,6 +269,33 @@ TEST_F(LobePanel, Albedo_HasAnEnergyBarThatKnowsTooMuchLight) {
     EXPECT_TRUE(QString(albedo().svg()).contains(red));
 }
 
+TEST_F(LobePanel, NumbersBesideAPlot_AreThoseOfItsCurves) {
+    document().setModel(Side::A, "lambert");
+    set("diffuse.color", glm::dvec3(0.8, 0.4, 0.2));
+    openTab(Albedo);
+    ASSERT_TRUE(wait());
+    EXPECT_TRUE(energy().text().contains("20 % (blue) at least")) << energy().text().toStdString();
+    EXPECT_TRUE(energy().text().contains("80 % (red) at most")) << energy().text().toStdString();
+    drop({"cook-torrance/gold"}); // now curves are luminances, of Rec. 709's weights
+    ASSERT_TRUE(wait());
+    const QString share = shareText(luminance(glm::dvec3(0.8, 0.4, 0.2)));
+    EXPECT_TRUE(energy().text().contains(share + " at least")) << energy().text().toStdString();
+    EXPECT_TRUE(energy().text().contains(share + " at most")) << energy().text().toStdString();
+    EXPECT_TRUE(energy().text().endsWith("in luminance")) << energy().text().toStdString();
+    EXPECT_TRUE(QString(albedo().svg()).contains("albedo, luminance"));
+    const QString reading = albedo().readingAt(QRectF(albedo().rect()).center());
+    EXPECT_TRUE(reading.contains("(0.8, 0.4, 0.2)")) << reading.toStdString();
+    EXPECT_TRUE(reading.contains("luminance 0.4")) << reading.toStdString();
+    EnergyBar bar;
+    EnergyRange channels; // above all light in blue alone, below it in luminance
+    channels.max = {0.1, 0.1, 1.2};
+    EnergyRange grey;
+    grey.max = glm::dvec3(luminance(channels.max));
+    bar.setRange(channels, grey);
+    EXPECT_TRUE(bar.isAboveOne());
+    EXPECT_TRUE(bar.text().endsWith("120 % (blue): more than arrives")) << bar.text().toStdString();
+}
+
 TEST_F(LobePanel, Fresnel_OfAMetalIsPlotted) {
     document().setModel(Side::A, "cook-torrance");
     document().setBlock(document().selection().currentPath(kinds::fresnel), "dielectric");
@@ -257,6 +303,38 @@ TEST_F(LobePanel, Fresnel_OfAMetalIsPlotted) {
     ASSERT_TRUE(wait());
     ASSERT_EQ(fresnel().subjects().size(), 1u);
     EXPECT_EQ(fresnel().subjects().front().lines.marks.size(), 3u);
+}
+
+TEST(FresnelPlot, NamesOfAngles_CoverEachOtherNowhere) {
+    std::vector<LobeSubject> subjects(5);
+    for (std::size_t i = 0; i < subjects.size(); ++i) {
+        const double shift = 0.4 * static_cast<double>(i);
+        subjects[i].lines.marks = {{"Brewster", 56.3 + shift},
+                                   {"Brewster from inside", 33.7 - shift},
+                                   {"critical from inside", 41.8 + shift}};
+    }
+    SharePlot plot(LobePlot::Fresnel);
+    plot.resize(480, 200); // has no room for all 15
+    plot.setSubjects(subjects);
+    plot.grab(); // lays it out
+    plot.svg();
+    const auto* canvas = plot.findChild<QCustomPlot*>();
+    std::vector<QRectF> areas;
+    for (int i = 0; i < canvas->itemCount(); ++i) {
+        const auto* name = qobject_cast<QCPItemText*>(canvas->item(i));
+        if (name != nullptr && name->visible() && name->text().contains(QChar(0x00b0))) {
+            areas.push_back(
+                QRectF(name->topLeft->pixelPosition(), name->bottomRight->pixelPosition())
+                    .adjusted(1.0, 1.0, -1.0, -1.0));
+        }
+    }
+    EXPECT_GE(areas.size(), 5u);
+    EXPECT_LT(areas.size(), 15u);
+    for (std::size_t i = 0; i < areas.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k) {
+            EXPECT_FALSE(areas[i].intersects(areas[k])) << i << " and " << k;
+        }
+    }
 }
 
 TEST_F(LobePanel, Spectrum_ReadsTheIndexByWavelength) {
@@ -325,6 +403,7 @@ TEST_F(LobePanel, Incidence_IsInTheFrameOfTheSurface) {
 TEST_F(LobePanel, Time_SaysNanosecondsAndWhatIsNotInTheProgram) {
     ASSERT_TRUE(wait());
     set("emissive.color", glm::dvec3(0.0));
+    drop({"toon/poster"}); // has a reason for no line, which stays
     ASSERT_TRUE(wait());
     auto* time = dock().findChild<QToolButton*>("time");
     time->click();
@@ -334,6 +413,7 @@ TEST_F(LobePanel, Time_SaysNanosecondsAndWhatIsNotInTheProgram) {
     EXPECT_TRUE(note().contains("ns/pixel") || note().contains("too quick"))
         << note().toStdString();
     EXPECT_TRUE(note().contains("program")) << note().toStdString();
+    EXPECT_TRUE(note().contains("no share of the light")) << note().toStdString();
     time->click();
     window().dock("lobe")->hide();
     EXPECT_FALSE(dock().isTiming());

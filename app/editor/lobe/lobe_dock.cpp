@@ -40,6 +40,7 @@
 namespace patina {
 namespace {
 
+constexpr int maxNoteLines = 2;
 constexpr int restMs = 200; ///< is how long values rest before the sketch becomes the plot
 
 /// Is what the worker found for materials of which nothing was known.
@@ -94,7 +95,6 @@ std::vector<Plot> plotsOf(const std::vector<SharedAnswer>& answers) {
 
 } // namespace
 
-LobeDock::LobeDock(const DockContext& context)
 std::vector<DockPage> LobeDock::pages() {
     return {
         {tr("Lobe"), tr("Reflectance in the plane of incidence; drag to turn the light")},
@@ -108,6 +108,7 @@ std::vector<DockPage> LobeDock::pages() {
     };
 }
 
+LobeDock::LobeDock(const DockContext& context)
     : document_(context.document), tried_(context.tried), messages_(context.messages),
       views_(context.views), meshes_(context.meshes), textures_(context.textures),
       environments_(context.environments), pages_(new QTabWidget(this)),
@@ -129,6 +130,7 @@ std::vector<DockPage> LobeDock::pages() {
     settle_.setInterval(restMs);
     addPages();
     note_->setObjectName("note");
+    note_->setMaxLines(maxNoteLines);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 4, 6, 2);
     layout->setSpacing(4);
@@ -223,7 +225,9 @@ void LobeDock::takePick(SideView& view, const Hit& hit) {
                     : std::nullopt;
     if (!picked_) {
         forgetPick();
-        say(tr("No light reaches that place."));
+        isStale_ = true;
+        follow();
+        say(&Note::event, tr("No light reaches that place."));
         return;
     }
     polar_->setLight(picked_->incoming().angle * 180.0 / std::numbers::pi);
@@ -296,12 +300,15 @@ void LobeDock::takeTimes(const std::vector<LobeMaterial>& materials,
                      .arg(asText(materials[i].name), times_[static_cast<qsizetype>(i)],
                           leftOutText(materials[i]));
     }
-    say(notes.join(' '));
+    say(&Note::times, notes.join(' '));
 }
 
-void LobeDock::say(const QString& text) {
-    note_->setElidedText(text);
-    note_->setAccessibleDescription(text);
+void LobeDock::say(QString Note::*part, const QString& text) {
+    said_.*part = text;
+    QStringList all{said_.event, said_.times, said_.answers};
+    all.removeAll(QString());
+    note_->setElidedText(all.join(' '));
+    note_->setAccessibleDescription(all.join(' '));
 }
 
 QString LobeDock::leftOutText(const LobeMaterial& material) const {
@@ -319,6 +326,7 @@ QString LobeDock::leftOutText(const LobeMaterial& material) const {
 
 void LobeDock::forgetTimes() {
     times_.clear();
+    say(&Note::times, {});
     polar_->setDetails({});
     albedo_->setDetails({});
 }
@@ -331,6 +339,7 @@ void LobeDock::connectParts(const DockContext& context) {
     };
     const auto anew = [this, again] {
         answers_.clear();
+        shown_.clear();
         again();
     };
     onChange(document_, DocumentChange::Drawn | DocumentChange::Current | DocumentChange::Snapshots,
@@ -340,7 +349,6 @@ void LobeDock::connectParts(const DockContext& context) {
     connect(snapshots_, &QAction::toggled, this, follow);
     connect(forget_, &QToolButton::clicked, this, [this] {
         dropped_.clear();
-        refused_.clear();
         forget_->hide();
         this->follow();
     });
@@ -372,28 +380,33 @@ void LobeDock::dropEvent(QDropEvent* event) {
     acceptCopy(*event);
     QStringList refused;
     for (const auto& file : draggedFiles(*event->mimeData())) {
-        addPreset(file.toStdString());
+        if (const auto name = addPreset(file.toStdString()); !name.isEmpty()) {
+            refused << name;
+        }
     }
-    isStale_ = isStale_ || !refused_.isEmpty(); // its note has to be written
     forget_->setVisible(!dropped_.empty());
     follow();
+    say(&Note::event, refused.isEmpty() ? QString()
+                                        : tr("No room for %1: the plot holds %2 materials.")
+                                              .arg(refused.join(QStringLiteral(", ")))
+                                              .arg(maxLobeSubjects));
 }
 
-void LobeDock::addPreset(const std::filesystem::path& file) {
+QString LobeDock::addPreset(const std::filesystem::path& file) {
     const auto reading = readPreset(file, document_.catalog());
     if (!reading) {
         for (const Error& error : reading.error()) {
             messages_.add(error);
         }
-        return;
+        return {};
     }
     const std::string& own = reading->material.name;
     const std::string name = own.empty() ? file.filename().string() : own;
-    if (shownMaterials().size() < maxLobeSubjects) {
-        dropped_.push_back({name, reading->material});
-    } else {
-        refused_ << asText(name);
+    if (shownMaterials().size() >= maxLobeSubjects) {
+        return asText(name);
     }
+    dropped_.push_back({name, reading->material});
+    return {};
 }
 
 void LobeDock::hideEvent(QHideEvent* event) {
@@ -429,6 +442,7 @@ void LobeDock::follow() {
     }
     materials_ = std::move(now);
     isStale_ = false;
+    say(&Note::event, {});
     ask(true);
     settle_.start();
 }
@@ -492,23 +506,36 @@ void LobeDock::ask(bool isSketch) {
 
 void LobeDock::show(const LobeQuestion& question, const std::vector<SharedAnswer>& answers) {
     answers_.keep(answers);
-    const bool isIncomplete =
-        question.lines.isSketch &&
-        std::ranges::any_of(answers, [](const SharedAnswer& each) { return !each->plot; });
-    if (question.page != shownPage() || isIncomplete || answers.empty()) {
+    const auto hasPlot = [](const SharedAnswer& each) { return each->plot.has_value(); };
+    const bool isWhole = !question.lines.isSketch || std::ranges::all_of(answers, hasPlot);
+    if (question.page != shownPage() || answers.empty() ||
+        (!isWhole && std::ranges::none_of(answers, hasPlot))) {
         return; // another one is on its way
     }
-    say(noteOf(answers));
-    showPlots(question, answers);
+    if (isWhole) {
+        say(&Note::answers, noteOf(answers));
+    }
+    shown_ = isWhole ? answers : withEarlier(answers);
+    showPlots(question, shown_);
+}
+
+/// Returns the answers, with what is shown of a material in place of a sketch that there is not:
+/// what needs the device waits until values rest.
+std::vector<SharedAnswer> LobeDock::withEarlier(std::vector<SharedAnswer> answers) const {
+    for (SharedAnswer& answer : answers) {
+        const auto earlier = std::ranges::find_if(shown_, [&answer](const SharedAnswer& each) {
+            return each->plot && each->question.page == answer->question.page &&
+                   each->material.name == answer->material.name;
+        });
+        if (!answer->plot && earlier != shown_.end()) {
+            answer = *earlier;
+        }
+    }
+    return answers;
 }
 
 QString LobeDock::noteOf(const std::vector<SharedAnswer>& answers) const {
     QStringList notes;
-    if (!refused_.isEmpty()) {
-        notes << tr("No room for %1: the plot holds %2 materials.")
-                     .arg(refused_.join(QStringLiteral(", ")))
-                     .arg(maxLobeSubjects);
-    }
     for (const SharedAnswer& each : answers) {
         if (!each->plot) {
             notes << tr("%1: %2.").arg(asText(each->material.name),

@@ -60,8 +60,8 @@ class LobeDock : public QWidget {
 
   private:
     void addPages();
-    /// Overlays a preset, or remembers that there is no room for it.
-    void addPreset(const std::filesystem::path& file);
+    /// Overlays a preset; returns its name where there is no room for it.
+    QString addPreset(const std::filesystem::path& file);
     /// Returns what is on screen and what is overlaid, as many as there is room for.
     std::vector<LobeMaterial> shownMaterials() const;
     QWidget* makeControls();
@@ -87,8 +87,17 @@ class LobeDock : public QWidget {
     /// Shows in the energy bar what was found of the first material.
     void showEnergy(const LobeAnswer& answer, bool isOneOfSeveral);
     QString noteOf(const std::vector<SharedAnswer>& answers) const;
-    /// Writes the note, all of it for a screen reader, too.
-    void say(const QString& text);
+    std::vector<SharedAnswer> withEarlier(std::vector<SharedAnswer> answers) const;
+
+    /// Holds what the note below the plots is made of.
+    struct Note {
+        QString event;   ///< is why what was just done did nothing; the next change takes it away
+        QString times;   ///< is what Time has found
+        QString answers; ///< is what the plots leave out, and why there are none
+    };
+    /// Changes a part of the note and writes it, all of it for a screen reader, too.
+    void say(QString Note::*part, const QString& text);
+
     LobePage shownPage() const;
     /// Return the widget of the tab that is seen: one of lines or a painted one.
     LobePlotWidget* linePlot() const;
@@ -117,13 +126,14 @@ class LobeDock : public QWidget {
     QAction* snapshots_;
     QToolButton* forget_;               ///< takes the dropped presets away
     std::vector<LobeMaterial> dropped_; ///< are presets that were dropped on the dock
-    QStringList refused_;               ///< names those of the last drop that had no room
     ElidedLabel* note_;
     QToolButton* time_ = nullptr;
     QStringList times_; ///< say the time of each material; empty where nobody measured them
     std::optional<PickedIncidence> picked_; ///< is empty where the light was turned by hand
     std::vector<LobeMaterial> materials_;   ///< are those that were asked for last
     LobeAnswers answers_;                   ///< are what is known of them
+    std::vector<SharedAnswer> shown_;       ///< are in the plot that is seen
+    Note said_;
     int computed_ = 0;
     bool isStale_ = true;
     QTimer settle_;
