@@ -226,16 +226,16 @@ TEST(Approximate, FolderOfTheBlockItself_IsRefused) {
     EXPECT_EQ(readFile(folder / "models/banks.glsl"), banks.glsl);
 }
 
-TEST(Approximate, ShippedBlock_GetsAnIdOfItsOwn) {
+TEST(Approximate, ShippedBlock_GetsAnIdOfItsOwnAndItsTables) {
     const TemporaryFolder folder;
     const Outcome outcome = approximated(
-        {"phong", "--seconds", "8", "--cases", "1000", "--declared", "-o", folder / "models"});
+        {"minnaert", "--seconds", "8", "--cases", "1000", "--declared", "-o", folder / "models"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
-    EXPECT_NE(outcome.out.find("power=rational"), std::string::npos) << "its own level, judged too";
-    EXPECT_NE(outcome.err.find("models/phong-cheaper.glsl"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.out.find("law=table"), std::string::npos) << "its own level, judged too";
+    EXPECT_NE(outcome.err.find("models/minnaert-cheaper.glsl"), std::string::npos) << outcome.err;
     const Catalog catalog = catalogWith(folder.path());
     EXPECT_EQ(catalog.errors, Errors());
-    EXPECT_NE(catalog.find(kinds::models, "phong-cheaper"), nullptr);
+    EXPECT_NE(catalog.find(kinds::models, "minnaert-cheaper"), nullptr);
 }
 
 TEST(Approximate, Preset_HasItsValuesFolded) {

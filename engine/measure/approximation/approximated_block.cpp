@@ -11,6 +11,7 @@
 #include "catalog/function_source.h"
 #include "catalog/json_text.h"
 #include "catalog/parameter_layout.h"
+#include "catalog/table_source.h"
 #include "core/text.h"
 #include "shading/glsl/glsl_declarations.h"
 #include "shading/glsl/shader_file.h"
@@ -266,6 +267,9 @@ std::map<std::string, std::string> ownNames(const Block& block, const Block& cop
         if (name.starts_with(functionName(block))) {
             names[name] = functionName(copy) + name.substr(functionName(block).size());
         }
+    }
+    for (std::size_t i = 0; i < block.tables.size(); ++i) { // their functions are not in the text
+        names[tableFunction(block, block.tables[i])] = tableFunction(copy, copy.tables[i]);
     }
     for (const ParameterField& field : layoutOf(copy).fields) {
         const auto& values =
