@@ -2,7 +2,9 @@
 #include "cost/compile_server.h"
 
 #include <cmath>
+#include <map>
 #include <optional>
+#include <span>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -39,7 +41,8 @@ StageStatistics stageStatistics(const NullDevice::Statistics& numbers) {
 constexpr double guessedRounds = 8.0;
 
 /// Corrects what a compiler guesses of loops whose rounds are constants. The program is compiled
-/// with one round of such a loop; what the guess has more than that are its other rounds.
+/// with one round of such loops; what the guess has more than that are their other rounds. Loops
+/// with as many rounds are taken together, since the guess is as far off in each.
 class KnownRounds {
   public:
     explicit KnownRounds(const SpirvProgram& program) : program_(program) {
@@ -50,35 +53,84 @@ class KnownRounds {
     }
 
     /// Corrects the cycles of a fragment stage. The loops that are left in it are those that are
-    /// still guessed.
-    void correct(StageStatistics& stage, const NullDevice& device) const {
-        const auto guessed = fragmentOf(program_, device);
-        for (const CountedLoop& loop : loops_) {
-            SpirvProgram once = program_;
-            once.fragment = loop.once;
-            const auto single = fragmentOf(once, device);
-            // The compiler may have counted the rounds itself, with no loop left.
-            if (!guessed || !single || single->loops != guessed->loops - 1) {
-                continue;
+    /// still guessed. Which loops the driver leaves is asked of the first device, as all chips have
+    /// that from the same passes, and telling it takes the driver long.
+    void correct(StageStatistics& stage, const NullDevice& device) {
+        if (!isGrouped_) {
+            group(device);
+        }
+        auto guessed = std::exchange(guessed_, std::nullopt);
+        if (!guessed && !groups_.empty()) {
+            guessed = fragmentOf(program_, device, false);
+        }
+        for (Group& each : groups_) {
+            auto single = std::exchange(each.single, std::nullopt);
+            if (!single) {
+                single = fragmentOf(each.once, device, false);
             }
-            const double more = (loop.rounds - guessedRounds) / (guessedRounds - 1.0);
-            stage.cycles += more * (guessed->cycles - single->cycles);
-            stage.latency += more * (guessed->latency - single->latency);
-            --stage.loops;
+            if (guessed && single) {
+                const double more = (each.rounds - guessedRounds) / (guessedRounds - 1.0);
+                stage.cycles += more * (guessed->cycles - single->cycles);
+                stage.latency += more * (guessed->latency - single->latency);
+                stage.loops -= each.loops;
+            }
         }
         stage.cycles = std::round(stage.cycles);
         stage.latency = std::round(stage.latency);
     }
 
   private:
+    /// Are loops of equally many rounds.
+    struct Group {
+        int rounds = 0;
+        int loops = 0;
+        SpirvProgram once;
+        std::optional<StageStatistics> single; ///< is `once` on the first device
+    };
+
+    void group(const NullDevice& device) {
+        isGrouped_ = true;
+        if (loops_.empty()) {
+            return;
+        }
+        guessed_ = fragmentOf(program_, device, true);
+        std::map<int, std::vector<CountedLoop>> byRounds;
+        for (const CountedLoop& loop : loops_) {
+            byRounds[loop.rounds].push_back(loop);
+        }
+        for (const auto& [rounds, loops] : byRounds) {
+            if (!isAdded(loops, device) && loops.size() > 1) {
+                for (const CountedLoop& loop : loops) {
+                    isAdded({&loop, 1}, device);
+                }
+            }
+        }
+    }
+
+    /// Adds loops that the driver leaves all: it may have counted the rounds itself, with no loop
+    /// left.
+    bool isAdded(std::span<const CountedLoop> loops, const NullDevice& device) {
+        Group made{loops.front().rounds, static_cast<int>(loops.size()), program_, std::nullopt};
+        made.once.fragment = withOneRound(program_.fragment, loops);
+        made.single = fragmentOf(made.once, device, true);
+        if (!guessed_ || !made.single || made.single->loops != guessed_->loops - made.loops) {
+            return false;
+        }
+        groups_.push_back(std::move(made));
+        return true;
+    }
+
     static std::optional<StageStatistics> fragmentOf(const SpirvProgram& program,
-                                                     const NullDevice& device) {
-        auto stages = device.compile(program);
+                                                     const NullDevice& device, bool countsLoops) {
+        auto stages = device.compile(program, countsLoops);
         return stages ? std::optional(stageStatistics((*stages)["fragment"])) : std::nullopt;
     }
 
     SpirvProgram program_;
     std::vector<CountedLoop> loops_;
+    bool isGrouped_ = false;
+    std::vector<Group> groups_;
+    std::optional<StageStatistics> guessed_; ///< is the program on the first device
 };
 
 /// Compiles for one family, with a null device or with malioc.

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "predict/family_compiler.h"
 
+#include <algorithm>
 #include <chrono>
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -16,6 +18,8 @@ using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
 constexpr auto watchEvery = 50ms;
+/// Is how many programs take a process about as long as starting it does.
+constexpr std::size_t programsWorthAProcess = 8;
 constexpr std::size_t stackBytes = std::size_t(8) << 20;
 
 /// Is how many times its CPU time a process may take on the clock, because others are at work too.
@@ -31,31 +35,35 @@ class Reader {
     Reader(LineProcess process, const FamilyCompilerOptions& options)
         : process_(std::move(process)), options_(options) {}
 
-    /// Returns the next line; an error says why there is none.
-    Result<std::string> line() {
-        const double workBefore = process_.workSeconds();
-        const auto began = Clock::now();
-        while (true) {
-            if (auto line = process_.line(watchEvery)) {
-                return std::move(*line);
-            }
-            if (options_.isStopped()) {
-                return tl::unexpected(stoppedError());
-            }
-            if (process_.hasEnded()) {
-                return failure("compiling it for other graphics cards ended the compiler");
-            }
-            const std::chrono::duration<double> waited = Clock::now() - began;
-            if (process_.workSeconds() - workBefore > options_.secondsEach ||
-                waited.count() > clockFactor * options_.secondsEach) {
-                return failure("compiling it for other graphics cards takes too long");
-            }
+    /// Returns the next line, for which it waits so long: nothing where there is none yet, and an
+    /// error, which says why, where none will come.
+    std::optional<Result<std::string>> line(std::chrono::milliseconds patience) {
+        if (auto line = process_.line(patience)) {
+            workBefore_ = process_.workSeconds();
+            began_ = Clock::now();
+            return Result<std::string>(std::move(*line));
         }
+        if (options_.isStopped()) {
+            return Result<std::string>(tl::unexpected(stoppedError()));
+        }
+        if (process_.hasEnded()) {
+            return Result<std::string>(
+                failure("compiling it for other graphics cards ended the compiler"));
+        }
+        const std::chrono::duration<double> waited = Clock::now() - began_;
+        if (process_.workSeconds() - workBefore_ > options_.secondsEach ||
+            waited.count() > clockFactor * options_.secondsEach) {
+            return Result<std::string>(
+                failure("compiling it for other graphics cards takes too long"));
+        }
+        return std::nullopt;
     }
 
   private:
     LineProcess process_;
     const FamilyCompilerOptions& options_;
+    double workBefore_ = 0.0; ///< is what the process had computed at its last line, in seconds
+    Clock::time_point began_ = Clock::now();
 };
 
 Result<std::string> driverIn(const std::string& line) {
@@ -100,45 +108,116 @@ DistinctPrograms distinct(std::vector<ProgramText> programs) {
 
 namespace {
 
-/// Compiles programs, of which no two are the same.
-Result<CompiledForFamilies> compiledNow(std::span<const GpuFamily* const> families,
-                                        std::vector<ProgramText> programs,
-                                        const FamilyCompilerOptions& options) {
-    CompileRequest request = requestFor(families);
-    request.programs = std::move(programs);
-    const std::size_t count = request.programs.size();
-    CompiledForFamilies compiled;
-    do {
+/// Has some of a command's programs compiled, one after the other, by processes of its own: a new
+/// one takes over behind a program that ended the one before.
+class CompilerQueue {
+  public:
+    CompilerQueue(CompileRequest families, const std::vector<ProgramText>& programs,
+                  std::vector<std::size_t> own, const FamilyCompilerOptions& options)
+        : families_(std::move(families)), programs_(programs), own_(std::move(own)),
+          options_(options) {}
+
+    bool isDone() const { return done_ == own_.size() && !driver_.empty(); }
+    std::size_t left() const { return own_.size() - done_; }
+    const std::string& driver() const { return driver_; }
+
+    /// Reads what is compiled by now into `answers`; waits a little where there is nothing. An
+    /// error is one of all programs.
+    Result<void> step(std::vector<Result<FamilyStatistics>>& answers) {
+        if (!reader_) {
+            if (auto started = start(); !started) {
+                return started;
+            }
+        }
+        for (auto line = reader_->line(watchEvery); line; line = reader_->line(0ms)) {
+            if (driver_.empty() || isNew_) {
+                const auto driver = line->and_then(driverIn);
+                if (!driver) {
+                    return tl::unexpected(driver.error());
+                }
+                driver_ = *driver;
+                isNew_ = false;
+            } else {
+                answers[own_[done_++]] =
+                    *line ? familyStatisticsIn(**line) : tl::unexpected(line->error());
+            }
+            if (!*line || isDone()) {
+                reader_.reset();
+                break;
+            }
+        }
+        return {};
+    }
+
+  private:
+    Result<void> start() {
+        CompileRequest request = families_;
+        for (std::size_t i = done_; i < own_.size(); ++i) {
+            request.programs.push_back(programs_[own_[i]]);
+        }
         auto process = LineProcess::start(
-            {.program = options.program.empty() ? siblingProgram("patina-cost") : options.program,
+            {.program = options_.program.empty() ? siblingProgram("patina-cost") : options_.program,
              .input =
                  toJson(request).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace),
-             .memoryBytes = options.memoryBytes,
+             .memoryBytes = options_.memoryBytes,
              .stackBytes = stackBytes});
         if (!process) {
             return tl::unexpected(process.error());
         }
-        Reader reader(std::move(*process), options);
-        const auto driver = reader.line().and_then(driverIn);
-        if (!driver) {
-            return tl::unexpected(driver.error());
-        }
-        compiled.driver = *driver;
-        const std::size_t before = compiled.programs.size();
-        bool isAlive = true;
-        while (isAlive && compiled.programs.size() < count) {
-            const auto line = reader.line();
-            isAlive = line.has_value();
-            compiled.programs.push_back(isAlive ? familyStatisticsIn(*line)
-                                                : tl::unexpected(line.error()));
-            options.onProgress(double(compiled.programs.size()) / double(count));
+        reader_.emplace(std::move(*process), options_);
+        isNew_ = true;
+        return {};
+    }
+
+    CompileRequest families_;
+    const std::vector<ProgramText>& programs_;
+    std::vector<std::size_t> own_; ///< are indices of its programs
+    const FamilyCompilerOptions& options_;
+    std::optional<Reader> reader_; ///< is of the process at work
+    bool isNew_ = true;            ///< the process has not told its driver yet
+    std::string driver_;
+    std::size_t done_ = 0;
+};
+
+/// Returns how many processes are worth their start.
+std::size_t processesFor(std::size_t programs, const FamilyCompilerOptions& options) {
+    return std::clamp<std::size_t>(programs / programsWorthAProcess, 1,
+                                   std::max<std::size_t>(options.processes, 1));
+}
+
+/// Compiles programs, of which no two are the same. Those that stand together are often of one
+/// model and take about equally long, so that they are dealt out in turn.
+Result<CompiledForFamilies> compiledNow(std::span<const GpuFamily* const> families,
+                                        const std::vector<ProgramText>& programs,
+                                        const FamilyCompilerOptions& options) {
+    std::vector<std::vector<std::size_t>> shares(processesFor(programs.size(), options));
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+        shares[i % shares.size()].push_back(i);
+    }
+    std::vector<std::unique_ptr<CompilerQueue>> open;
+    for (std::vector<std::size_t>& share : shares) {
+        open.push_back(std::make_unique<CompilerQueue>(requestFor(families), programs,
+                                                       std::move(share), options));
+    }
+    CompiledForFamilies compiled;
+    compiled.programs.assign(programs.size(), tl::unexpected(stoppedError()));
+    while (!open.empty()) {
+        for (const auto& queue : open) {
+            if (auto done = queue->step(compiled.programs); !done) {
+                return tl::unexpected(done.error());
+            }
+            compiled.driver = queue->driver();
         }
         if (options.isStopped()) {
             return tl::unexpected(stoppedError());
         }
-        const auto done = std::ptrdiff_t(compiled.programs.size() - before);
-        request.programs.erase(request.programs.begin(), request.programs.begin() + done);
-    } while (!request.programs.empty());
+        std::erase_if(open, [](const auto& queue) { return queue->isDone(); });
+        std::size_t left = 0;
+        for (const auto& queue : open) {
+            left += queue->left();
+        }
+        options.onProgress(1.0 - double(left) / double(std::max<std::size_t>(programs.size(), 1)));
+    }
     return compiled;
 }
 

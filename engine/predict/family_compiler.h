@@ -28,6 +28,7 @@ struct FamilyCompilerOptions {
     double secondsEach = 30.0;                      ///< limits its work on one program, CPU time
     std::function<bool()> isStopped = [] { return false; }; ///< ends it when that is true
     std::function<void(double)> onProgress = [](double) {}; ///< is told the share that is done
+    std::size_t processes = 1;        ///< are at work side by side, at most; not for few programs
     CompiledBefore* before = nullptr; ///< is not compiled again, and gets what is compiled now
 };
 

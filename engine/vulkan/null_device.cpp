@@ -243,7 +243,7 @@ class NullDevice::Implementation {
 
     const std::string& driver() const { return driver_; }
 
-    Result<StageStatistics> compile(const SpirvProgram& program) const {
+    Result<StageStatistics> compile(const SpirvProgram& program, bool countsLoops) const {
         const auto layout = setLayout(program);
         if (!layout) {
             return tl::unexpected(layout.error());
@@ -258,7 +258,8 @@ class NullDevice::Implementation {
             return tl::unexpected(vertex ? fragment.error() : vertex.error());
         }
         // Listings take the driver longer than all else, and say nothing but which loops are left.
-        const bool hasListings = hasLoops(program.vertex) || hasLoops(program.fragment);
+        const bool hasListings =
+            countsLoops && (hasLoops(program.vertex) || hasLoops(program.fragment));
         const auto built =
             pipeline(program, whole->handle, vertex->handle, fragment->handle, hasListings);
         return built ? Result<StageStatistics>(statisticsOf(built->handle, hasListings))
@@ -526,8 +527,9 @@ const std::string& NullDevice::driver() const {
     return implementation_->driver();
 }
 
-Result<NullDevice::StageStatistics> NullDevice::compile(const SpirvProgram& program) const {
-    return implementation_->compile(program);
+Result<NullDevice::StageStatistics> NullDevice::compile(const SpirvProgram& program,
+                                                        bool countsLoops) const {
+    return implementation_->compile(program, countsLoops);
 }
 
 } // namespace patina

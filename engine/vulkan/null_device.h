@@ -33,8 +33,9 @@ class NullDevice {
     /// Returns the driver's version, such as "Mesa 22.3.6".
     const std::string& driver() const;
 
-    /// Compiles a program for drawing triangles with a depth test into images of half floats.
-    Result<StageStatistics> compile(const SpirvProgram& program) const;
+    /// Compiles a program for drawing triangles with a depth test into images of half floats. Where
+    /// loops are not counted, which takes the driver long, "Loops" is 0.
+    Result<StageStatistics> compile(const SpirvProgram& program, bool countsLoops = true) const;
 
   private:
     class Implementation;

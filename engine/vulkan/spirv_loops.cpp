@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <unordered_map>
 
@@ -39,7 +40,7 @@ std::vector<Instruction> instructionsIn(Words module) {
 /// Finds the loops of a module. Blocks of a loop stand between its header and its merge block.
 class LoopFinder {
   public:
-    explicit LoopFinder(Words module) : module_(module), all_(instructionsIn(module)) {
+    explicit LoopFinder(Words module) : all_(instructionsIn(module)) {
         for (std::size_t i = 0; i < all_.size(); ++i) {
             const Words words = all_[i].words;
             switch (all_[i].op) {
@@ -143,25 +144,12 @@ class LoopFinder {
         if (!begin || !bound || *bound + inclusive <= *begin) {
             return std::nullopt;
         }
-        return CountedLoop{static_cast<int>(*bound + inclusive - *begin),
-                           withBound(comparison, *begin + 1 - inclusive)};
+        const Instruction& constant = *find(comparison.words[4], spv::OpConstant);
+        return CountedLoop{static_cast<int>(*bound + inclusive - *begin), comparison.at + 4,
+                           constant.at + constant.words.size(), constant.words[1],
+                           *begin + 1 - inclusive};
     }
 
-    /// Returns the module with another bound in a comparison: a constant of its own, which is
-    /// defined behind the old one.
-    std::vector<std::uint32_t> withBound(const Instruction& comparison, std::int64_t bound) const {
-        const Instruction& old = *find(comparison.words[4], spv::OpConstant);
-        std::vector<std::uint32_t> module(module_.begin(), module_.end());
-        const std::uint32_t id = module[idsOfHeader]++;
-        module[comparison.at + 4] = id;
-        const std::uint32_t constant[] = {(4u << 16) | spv::OpConstant, old.words[1], id,
-                                          static_cast<std::uint32_t>(bound)};
-        module.insert(module.begin() + std::ptrdiff_t(old.at + old.words.size()),
-                      std::begin(constant), std::end(constant));
-        return module;
-    }
-
-    Words module_;
     std::vector<Instruction> all_;
     std::vector<std::size_t> merges_; ///< are indices of OpLoopMerge
     std::unordered_map<std::uint32_t, std::size_t> byId_;
@@ -187,6 +175,26 @@ Result<std::vector<std::uint32_t>> optimisedSpirv(std::span<const std::uint32_t>
 
 std::vector<CountedLoop> countedLoops(std::span<const std::uint32_t> module) {
     return LoopFinder(module).loops();
+}
+
+std::vector<std::uint32_t> withOneRound(std::span<const std::uint32_t> module,
+                                        std::span<const CountedLoop> loops) {
+    std::vector<std::uint32_t> changed(module.begin(), module.end());
+    std::vector<CountedLoop> backwards(loops.begin(), loops.end());
+    std::ranges::sort(backwards, std::ranges::greater(), &CountedLoop::constantEnd);
+    std::vector<std::uint32_t> ids;
+    for (const CountedLoop& loop : backwards) {
+        ids.push_back(changed[idsOfHeader]++);
+        changed[loop.bound] = ids.back();
+    }
+    // Each bound is a constant of its own, which is defined behind the old one.
+    for (std::size_t i = 0; i < backwards.size(); ++i) {
+        const std::uint32_t constant[] = {(4u << 16) | spv::OpConstant, backwards[i].type, ids[i],
+                                          static_cast<std::uint32_t>(backwards[i].onceBound)};
+        changed.insert(changed.begin() + std::ptrdiff_t(backwards[i].constantEnd),
+                       std::begin(constant), std::end(constant));
+    }
+    return changed;
 }
 
 } // namespace patina

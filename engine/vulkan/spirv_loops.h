@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -12,7 +13,10 @@ namespace patina {
 /// Is a loop that counts by one from a constant to a constant, with no loop in it or around it.
 struct CountedLoop {
     int rounds = 0;
-    std::vector<std::uint32_t> once; ///< is the whole module, but with one round of this loop
+    std::size_t bound = 0;       ///< is the word of the module that names its bound
+    std::size_t constantEnd = 0; ///< is the word behind the definition of that bound
+    std::uint32_t type = 0;      ///< is the bound's type
+    std::int64_t onceBound = 0;  ///< is the bound that would leave one round
 };
 
 /// Tells whether a module has loops at all.
@@ -24,5 +28,9 @@ Result<std::vector<std::uint32_t>> optimisedSpirv(std::span<const std::uint32_t>
 
 /// Returns the counted loops of an optimised module.
 std::vector<CountedLoop> countedLoops(std::span<const std::uint32_t> module);
+
+/// Returns the module with one round of each of these loops of it.
+std::vector<std::uint32_t> withOneRound(std::span<const std::uint32_t> module,
+                                        std::span<const CountedLoop> loops);
 
 } // namespace patina
