@@ -3,6 +3,7 @@
 
 #include <iostream>
 #include <memory>
+#include <thread>
 
 #include "assets/asset_client.h"
 #include "catalog/json_text.h"
@@ -22,6 +23,7 @@ PredictedSubject subjectOf(const Prepared& subject, std::shared_ptr<const Catalo
 FamilyCompilerOptions compilerFor(const LongWork& work) {
     FamilyCompilerOptions options;
     options.isStopped = [&work] { return work.isStopped(); };
+    options.processes = std::thread::hardware_concurrency();
     return options;
 }
 
@@ -40,6 +42,8 @@ Checked<void> predictModels(const Prepared& subject, const CostRequest& options,
         nlohmann::json json = predictionNotes(predicted->driver, options.families);
         json["models"] = predictionJson(predicted->models, options.families);
         std::cout << writeJson(json);
+    } else if (options.csv) {
+        std::cout << predictionCsv(predicted->models, options.families);
     } else {
         std::cout << predictionText(predicted->models, options.families)
                   << predictionLegend(predicted->driver, options.families);
@@ -60,15 +64,18 @@ Checked<void> predictWays(const std::vector<Prepared>& subjects, const CostReque
     }
     nlohmann::json json = predictionNotes(predicted->driver, options.families);
     std::string text;
+    std::vector<NamedWays> named;
     for (std::size_t i = 0; i < shown.size(); ++i) {
         const std::string name = nameOf(subjects[i], options);
         const std::vector<PredictedWay>& ways = predicted->subjects[i];
+        named.push_back({name, ways});
         text += name + '\n' + predictionText(ways, options.families);
         json["presets"].push_back(
             {{"preset", name}, {"ways", predictionJson(ways, options.families)}});
     }
-    std::cout << (options.json ? writeJson(json)
-                               : text + predictionLegend(predicted->driver, options.families));
+    std::cout << (options.json  ? writeJson(json)
+                  : options.csv ? predictionCsv(named, options.families)
+                                : text + predictionLegend(predicted->driver, options.families));
     return {};
 }
 

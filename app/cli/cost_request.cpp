@@ -91,7 +91,7 @@ Errors checkCombinations(const CostRequest& request) {
                     "--card predicts for the family of that card", "--gpu or --card, not both"},
         Combination{request.card && request.allModels,
                     "--card predicts the ways to compute one material", "--gpu for all models"},
-        Combination{request.isPredictedOnly() && (isChart || request.csv),
+        Combination{request.isPredictedOnly() && isChart,
                     "a budget and a chart are for one graphics card", "--card NAME, such as 6600"},
         Combination{request.card && request.asItIs, "a chart has all levels",
                     "--as-it-is without --card"},

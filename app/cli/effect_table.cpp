@@ -122,20 +122,45 @@ double cyclesOf(const EffectTable& table, const GpuFamily& family) {
     return table.predicted->whole->at(family.id).fragment.cycles;
 }
 
-/// Returns what an effect is predicted to take of the shader, as "  123 instr.   456 cycles  7.8 %"
-/// for each family.
+/// Is the card of a family whose milliseconds stand in the table; JSON has those of all.
+const GraphicsCard& shownCard(const GpuFamily& family) {
+    return family.cards.front();
+}
+
+constexpr std::size_t predictedColumns = 50;
+
+/// Returns why nothing is predicted for a row.
+std::string unpredictedText(const EffectRow& row, const PredictedEffects& predicted) {
+    const Error* problem = predicted.problemOf(row.line.effect);
+    return !row.in              ? ""
+           : !row.removable     ? "cannot be left out"
+           : problem != nullptr ? "not compiled without it"
+                                : "";
+}
+
+/// Returns what an effect is predicted to take of the shader on a family, as
+/// "123 instr.   456 cycles   0.123 ms   7.8 %".
+std::string predictedText(const EffectRow& row, const EffectTable& table, const GpuFamily& family) {
+    const auto cycles = table.predicted->cyclesOf(row.line.effect, family.id);
+    const auto instructions = table.predicted->instructionsOf(row.line.effect, family.id);
+    if (!cycles) {
+        return unpredictedText(row, *table.predicted);
+    }
+    if (*cycles == 0.0 && *instructions == 0) {
+        return "not in this shader";
+    }
+    return fmt::format("{:>13} {:>6.0f} cycles {:>8.3f} ms {:>5.1f} %",
+                       family.isMali ? std::string() : fmt::format("{} instr.", *instructions),
+                       *cycles,
+                       predictedMilliseconds(*cycles, fullHdPixels, family, shownCard(family)),
+                       100.0 * *cycles / cyclesOf(table, family));
+}
+
 std::string predictedText(const EffectRow& row, const EffectTable& table) {
     std::string text;
     for (const GpuFamily* family : table.families) {
-        const auto cycles = table.predicted->cyclesOf(row.line.effect, family->id);
-        const auto instructions = table.predicted->instructionsOf(row.line.effect, family->id);
-        const bool isElsewhere = cycles && *cycles == 0.0 && *instructions == 0;
-        text += isElsewhere ? fmt::format("{:>34}  ", "not in this shader")
-                : cycles    ? fmt::format("{:>13} {:>6.0f} cycles {:>5.1f} %  ",
-                                       family->isMali ? std::string()
-                                                         : fmt::format("{} instr.", *instructions),
-                                          *cycles, 100.0 * *cycles / cyclesOf(table, *family))
-                            : fmt::format("{:36}", "");
+        text += fmt::format("{:>{}}  ", predictedText(row, table, *family), predictedColumns - 4) +
+                "  ";
     }
     return text;
 }
@@ -144,7 +169,9 @@ std::string predictedText(const EffectRow& row, const EffectTable& table) {
 std::string familiesText(const EffectTable& table) {
     std::string text;
     for (const GpuFamily* family : table.families) {
-        text += fmt::format("{:<36}", "predicted for " + family->label);
+        text += fmt::format(
+            "{:<{}}", fmt::format("predicted for {}, {}", family->label, shownCard(*family).name),
+            predictedColumns);
     }
     text.erase(text.find_last_not_of(' ') + 1);
     return text;
@@ -154,10 +181,10 @@ std::string predictedTotal(const EffectTable& table) {
     std::string text = "\n";
     for (const GpuFamily* family : table.families) {
         const StageStatistics& stage = table.predicted->whole->at(family->id).fragment;
-        text += fmt::format("the object's shader on {}: {}{:.0f} cycles\n", family->label,
-                            family->isMali ? std::string()
-                                           : fmt::format("{} instructions, ", stage.instructions),
-                            stage.cycles);
+        text += fmt::format(
+            "the object's shader on {}: {}{:.0f} cycles; at 1080p {}\n", family->label,
+            family->isMali ? std::string() : fmt::format("{} instructions, ", stage.instructions),
+            stage.cycles, cardsText(stage, *family));
     }
     return text + "an effect takes what the shader has more with it than without it\n" +
            predictionLegend(table.predicted->driver, table.families);
@@ -170,6 +197,10 @@ nlohmann::json predictedJson(const std::string& effect, const EffectTable& table
         if (const auto cycles = table.predicted->cyclesOf(effect, family->id)) {
             json[family->id] = {{"cycles", *cycles},
                                 {"percent", 100.0 * *cycles / cyclesOf(table, *family)}};
+            for (const GraphicsCard& card : family->cards) {
+                json[family->id]["milliseconds"][card.name] =
+                    predictedMilliseconds(*cycles, fullHdPixels, *family, card);
+            }
             if (!family->isMali) {
                 json[family->id]["instructions"] =
                     *table.predicted->instructionsOf(effect, family->id);

@@ -6,21 +6,12 @@
 #include <fmt/format.h>
 
 #include "catalog/json_text.h"
+#include "measure/cost/cost_table.h"
 
 namespace patina {
 namespace {
 
 using Families = std::span<const GpuFamily* const>;
-
-/// Returns "Steam Deck 5.10 ms, Radeon RX 6600 1.42 ms".
-std::string cardsText(const StageStatistics& stage, const GpuFamily& family) {
-    std::string text;
-    for (const GraphicsCard& card : family.cards) {
-        text += fmt::format("{}{} {:.2f} ms", text.empty() ? "" : ", ", card.name,
-                            predictedMilliseconds(stage.cycles, fullHdPixels, family, card));
-    }
-    return text;
-}
 
 /// Is a row of a table: something that was compiled.
 struct PredictedRow {
@@ -103,7 +94,72 @@ nlohmann::json withStatistics(nlohmann::json json, const Result<FamilyStatistics
     return json;
 }
 
+/// Returns a number that malioc does not tell, and nothing for Mali.
+std::string toldCsv(double number, const GpuFamily& family) {
+    return family.isMali ? std::string() : fmt::format("{}", number);
+}
+
+/// Returns a line for each card of a family, which begins with `name`.
+std::string stageCsv(const std::string& name, const StageStatistics& stage,
+                     const GpuFamily& family) {
+    std::string text;
+    for (const GraphicsCard& card : family.cards) {
+        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},\n", name, family.id,
+                            csvText(card.name), toldCsv(stage.instructions, family),
+                            stage.vectorRegisters, stage.scalarRegisters, stage.spilledRegisters,
+                            toldCsv(stage.waves, family), stage.loops, stage.cycles,
+                            toldCsv(stage.latency, family),
+                            predictedMilliseconds(stage.cycles, fullHdPixels, family, card));
+    }
+    return text;
+}
+
+constexpr const char* csvColumns = "family,card,instructions,vgprs,sgprs,spills,waves,loops,cycles,"
+                                   "latency,milliseconds,problem\n";
+
+/// Returns the lines of a row; the row that was not compiled has one, with the reason.
+std::string rowCsv(const std::string& name, const Result<FamilyStatistics>& statistics,
+                   Families families) {
+    if (!statistics) {
+        return name + std::string(12, ',') + csvText(statistics.error().problem) + '\n';
+    }
+    std::string text;
+    for (const GpuFamily* family : families) {
+        text += stageCsv(name, statistics->at(family->id).fragment, *family);
+    }
+    return text;
+}
+
 } // namespace
+
+std::string cardsText(const StageStatistics& stage, const GpuFamily& family) {
+    std::string text;
+    for (const GraphicsCard& card : family.cards) {
+        text += fmt::format("{}{} {:.2f} ms", text.empty() ? "" : ", ", card.name,
+                            predictedMilliseconds(stage.cycles, fullHdPixels, family, card));
+    }
+    return text;
+}
+
+std::string predictionCsv(std::span<const NamedWays> presets, Families families) {
+    std::string text = std::string("preset,levels,") + csvColumns;
+    for (const auto& [preset, ways] : presets) {
+        for (const PredictedWay& way : ways) {
+            text += rowCsv(csvText(preset) + ',' + csvText(levelsText(way.levels)), way.statistics,
+                           families);
+        }
+    }
+    return text;
+}
+
+std::string predictionCsv(std::span<const PredictedModel> models, Families families) {
+    std::string text = std::string("model,label,") + csvColumns;
+    for (const PredictedModel& model : models) {
+        text +=
+            rowCsv(csvText(model.model) + ',' + csvText(model.label), model.statistics, families);
+    }
+    return text;
+}
 
 std::string predictionText(std::span<const PredictedWay> ways, Families families) {
     return rowsText(rowsOf(ways), families);

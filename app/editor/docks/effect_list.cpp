@@ -159,10 +159,16 @@ void EffectList::fillCost(QTreeWidgetItem* item, const EffectRow& row) const {
 
 void EffectList::fillPrediction(QTreeWidgetItem* item, const EffectRow& row) const {
     const Result<PredictedEffects>* predicted = measurement_.predicted();
-    if (predicted == nullptr || !row.in || !row.removable) {
+    if (predicted == nullptr || !row.in) {
         return;
     }
     item->setForeground(Cycles, costsAreFresh_ ? palette().text() : palette().placeholderText());
+    if (!row.removable) {
+        item->setText(Cycles,
+                      row.within.empty() ? tr("always in") : tr("in %1").arg(labelOf(row.within)));
+        item->setToolTip(Cycles, reasonOf(row));
+        return;
+    }
     if (!*predicted) {
         item->setText(Cycles, QStringLiteral("–"));
         item->setToolTip(Cycles, asText(predicted->error().text()));
@@ -179,6 +185,9 @@ void EffectList::fillPrediction(QTreeWidgetItem* item, const EffectRow& row) con
                                     "it. Of the whole shader:\n%2")
                                      .arg(*instructions)
                                      .arg(predictionNote((*predicted)->whole, *family_)));
+    } else if (const Error* problem = (*predicted)->problemOf(row.line.effect)) {
+        item->setText(Cycles, QStringLiteral("–"));
+        item->setToolTip(Cycles, asText(problem->text()));
     }
 }
 

@@ -57,4 +57,9 @@ std::optional<int> PredictedEffects::instructionsOf(std::string_view effect,
                   : std::nullopt;
 }
 
+const Error* PredictedEffects::problemOf(std::string_view effect) const {
+    const auto found = std::ranges::find(effects, effect, &PredictedEffect::effect);
+    return found == effects.end() || found->without ? nullptr : &found->without.error();
+}
+
 } // namespace patina

@@ -27,6 +27,10 @@ struct PredictedEffects {
     /// nothing where that was not compiled.
     std::optional<double> cyclesOf(std::string_view effect, const std::string& family) const;
     std::optional<int> instructionsOf(std::string_view effect, const std::string& family) const;
+
+    /// Returns why the shader without an effect was not compiled; null where it was, and for what
+    /// cannot be left out.
+    const Error* problemOf(std::string_view effect) const;
 };
 
 /// Predicts what leaving out each effect that can be left out saves in the object's shader. Nothing
