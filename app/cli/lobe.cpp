@@ -9,9 +9,13 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cli/content_hash.h"
 #include "cli/cost_request.h"
+#include "cli/job.h"
 #include "cli/lobe_drawing.h"
+#include "cli/long_work.h"
 #include "cli/option_numbers.h"
+#include "cli/preset_folder.h"
 #include "cli/scene_setup.h"
 #include "core/atomic_file.h"
 #include "core/number_text.h"
@@ -25,6 +29,7 @@ namespace {
 constexpr glm::ivec2 lobePlotSize{960, 600};
 constexpr int sliceCells = 90;
 constexpr std::string_view halfPlot = "half";
+constexpr std::string_view plotSuffix = ".svg"; ///< of plots in a folder
 
 struct LobeOptions {
     std::vector<std::string> presets;
@@ -34,7 +39,10 @@ struct LobeOptions {
     std::string scale = "linear";
     double degrees = 45.0;
     double azimuthDegrees = 0.0;
-    std::string out = "-";
+    std::string out = "-"; ///< is a folder where there is a plot of each preset
+    JobOptions job;
+
+    bool isIntoFolder() const { return !presets.empty() && isFolder(out); }
 };
 
 /// Is a material that is plotted.
@@ -78,20 +86,26 @@ Checked<std::vector<Named>> materialsOf(const LobeOptions& options, const Catalo
 }
 
 /// Writes a plot in the form that the file's name asks for.
-Checked<void> writeOut(const LobeOptions& options, const std::vector<PlotShape>& shapes,
+Checked<void> writeOut(const std::string& file, const std::vector<PlotShape>& shapes,
                        const std::string& csv) {
-    if (options.out == "-") {
+    if (file == "-") {
         std::cout << csv;
         return {};
     }
-    const std::string ending = endingOf(options.out);
-    const Result<void> written = ending == ".csv" ? writeFileAtomically(options.out, csv)
-                                                  : writeDrawing(shapes, lobePlotSize, options.out);
+    const std::string ending = endingOf(file);
+    const Result<void> written = ending == ".csv" ? writeFileAtomically(file, csv)
+                                                  : writeDrawing(shapes, lobePlotSize, file);
     return written ? Checked<void>() : tl::unexpected(oneError(written.error()));
 }
 
-Checked<void> plotSlice(const std::vector<Named>& materials, const LobeOptions& options,
-                        const Catalog& catalog) {
+/// Is a plot of some materials: what is drawn, and its numbers as comma-separated values.
+struct LobePicture {
+    std::vector<PlotShape> shapes;
+    std::string csv;
+};
+
+Checked<LobePicture> slicePicture(const std::vector<Named>& materials, const LobeOptions& options,
+                                  const Catalog& catalog) {
     if (materials.size() > 1) {
         return tl::unexpected(
             oneError(failure("the slice is of one material", "a single preset").value()));
@@ -105,20 +119,18 @@ Checked<void> plotSlice(const std::vector<Named>& materials, const LobeOptions& 
     if (const auto ended = model->ending(); !ended) {
         return tl::unexpected(oneError(ended.error()));
     }
-    return writeOut(options,
-                    sliceDrawing(slice, shown.name, *lobeScaleOf(options.scale), lobePlotSize),
-                    sliceCsv(slice));
+    return LobePicture{sliceDrawing(slice, shown.name, *lobeScaleOf(options.scale), lobePlotSize),
+                       sliceCsv(slice)};
 }
 
-Checked<void> plotLines(const std::vector<Named>& materials, const LobeOptions& options,
-                        const Catalog& catalog) {
+Checked<LobePicture> linesPicture(const std::vector<Named>& materials, const LobeOptions& options,
+                                  const Catalog& catalog, EvalGpu& device) {
     constexpr double degree = std::numbers::pi / 180.0;
     LobeRequest request;
     request.plot = *lobePlotOf(options.plot);
     request.incoming = {options.degrees * degree, options.azimuthDegrees * degree};
     request.term = *lobeTermOf(options.term);
     std::vector<LobeSubject> subjects;
-    EvalGpu device; // opens a context only for what needs one
     for (const Named& named : materials) {
         auto lines = request.plot == LobePlot::Float16
                          ? halfLines(catalog, named.material, request, catalog.roots.front().folder)
@@ -133,25 +145,110 @@ Checked<void> plotLines(const std::vector<Named>& materials, const LobeOptions& 
         }
         subjects.push_back({named.name, std::move(*lines)});
     }
-    const auto shapes =
+    auto shapes =
         request.plot == LobePlot::Polar
             ? polarDrawing(subjects, *lobeScaleOf(options.scale), options.degrees, lobePlotSize)
         : request.plot == LobePlot::Float32 || request.plot == LobePlot::Float16
             ? errorDrawing(subjects, request.plot, lobePlotSize)
         : request.plot == LobePlot::Spectrum ? spectrumDrawing(subjects, lobePlotSize)
                                              : shareDrawing(subjects, lobePlotSize);
-    return writeOut(options, shapes, linesCsv(subjects, request.plot));
+    return LobePicture{std::move(shapes), linesCsv(subjects, request.plot)};
 }
 
-Checked<void> lobe(const LobeOptions& options) {
+Checked<LobePicture> pictureOf(const std::vector<Named>& materials, const LobeOptions& options,
+                               const Catalog& catalog, EvalGpu& device) {
+    return options.plot == halfPlot ? slicePicture(materials, options, catalog)
+                                    : linesPicture(materials, options, catalog, device);
+}
+
+/// Plots each preset by itself: into a file of a folder, or as numbers into the file of results.
+class LobeWork : public JobWork {
+  public:
+    LobeWork(const LobeOptions& options, const Catalog& catalog)
+        : options_(options), catalog_(catalog) {}
+
+    Checked<nlohmann::json> resultOf(const std::string& preset) override {
+        auto material = namedMaterial(preset, options_, catalog_);
+        if (!material) {
+            return tl::unexpected(material.error());
+        }
+        const auto picture = pictureOf({std::move(*material)}, options_, catalog_, device_);
+        if (!picture) {
+            return tl::unexpected(picture.error());
+        }
+        if (!options_.isIntoFolder()) {
+            return nlohmann::json{{"csv", picture->csv}};
+        }
+        const std::string name = nameInFolder(preset, plotSuffix);
+        if (auto written = writeOut(inFolder(name), picture->shapes, picture->csv); !written) {
+            return tl::unexpected(written.error());
+        }
+        return nlohmann::json{{"plot", name}, {"hash", fileHash(inFolder(name))}};
+    }
+
+    bool isThere(const nlohmann::json& result) const override {
+        const std::string name = result.value("plot", std::string());
+        return !options_.isIntoFolder() ||
+               fileHash(inFolder(name)) == result.value("hash", std::string());
+    }
+
+  private:
+    std::string inFolder(const std::string& name) const {
+        return (std::filesystem::path(options_.out) / name).string();
+    }
+
+    const LobeOptions& options_;
+    const Catalog& catalog_;
+    EvalGpu device_; ///< opens a context only for what needs one
+};
+
+/// Plots each preset, also where some fail; returns the exit status.
+Checked<int> plotEach(const CLI::App& command, const LobeOptions& options, const Catalog& catalog) {
+    if (options.isIntoFolder()) {
+        if (auto made = prepareFolder(options.out, options.presets, plotSuffix, "plot"); !made) {
+            return tl::unexpected(oneError(made.error()));
+        }
+    }
+    LobeWork work(options, catalog);
+    LongWork longWork;
+    if (options.job.isWanted()) {
+        return runJob({command, options.job, options.presets, catalog, false}, work, longWork);
+    }
+    int status = 0;
+    for (const std::string& preset : options.presets) {
+        if (longWork.isStopped()) {
+            return LongWork::stoppedStatus;
+        }
+        longWork.report(preset);
+        if (const auto plotted = work.resultOf(preset); !plotted) {
+            report(plotted.error());
+            status = 1;
+        }
+    }
+    return status;
+}
+
+/// Returns the exit status.
+Checked<int> lobe(const CLI::App& command, const LobeOptions& options) {
     const Catalog catalog = loadCatalog(standardBlockRoots());
     report(catalog.errors);
+    if (options.job.isWanted() && options.out != "-" && !options.isIntoFolder()) {
+        return tl::unexpected(oneError(
+            failure("--results are of each preset by itself", "-o FOLDER/, or no -o").value()));
+    }
+    if (options.isIntoFolder() || options.job.isWanted()) {
+        return plotEach(command, options, catalog);
+    }
     const auto materials = materialsOf(options, catalog);
     if (!materials) {
         return tl::unexpected(materials.error());
     }
-    return options.plot == halfPlot ? plotSlice(*materials, options, catalog)
-                                    : plotLines(*materials, options, catalog);
+    EvalGpu device; // opens a context only for what needs one
+    const auto picture = pictureOf(*materials, options, catalog, device);
+    if (!picture) {
+        return tl::unexpected(picture.error());
+    }
+    return writeOut(options.out, picture->shapes, picture->csv).map([] { return 0; });
 }
 
 void addAngle(CLI::App& command, const char* option, double& degrees, double max,
@@ -172,7 +269,9 @@ void addAngle(CLI::App& command, const char* option, double& degrees, double max
 std::string checkOut(const std::string& file) {
     const std::string ending = endingOf(file);
     const bool isKnown = file == "-" || ending == ".svg" || ending == ".png" || ending == ".csv";
-    return isKnown ? std::string() : "expected a file that ends in .svg, .png or .csv";
+    return isKnown || isFolder(file)
+               ? std::string()
+               : "expected a file that ends in .svg, .png or .csv, or FOLDER/";
 }
 
 } // namespace
@@ -210,14 +309,17 @@ void addLobe(CLI::App& program, int& status) {
     addAngle(*command, "--azimuth", options->azimuthDegrees, 360.0,
              "The light's angle from the tangent, which matters for a grain");
     command
-        ->add_option("-o,--output", options->out,
-                     "A file: .svg, .png or .csv; - writes .csv to standard output")
+        ->add_option(
+            "-o,--output", options->out,
+            "A file: .svg, .png or .csv; - writes .csv to standard output; FOLDER/ takes an "
+            ".svg of each preset, named after its file")
         ->check(checkOut);
-    command->callback([options, &status] {
-        const auto done = lobe(*options);
-        status = done ? 0 : 1;
-        if (!done) {
-            report(done.error());
+    addJobOptions(*command, options->job);
+    command->callback([command, options, &status] {
+        const Checked<int> ended = lobe(*command, *options);
+        status = ended.value_or(1);
+        if (!ended) {
+            report(ended.error());
         }
     });
 }

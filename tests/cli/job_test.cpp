@@ -192,6 +192,34 @@ TEST_F(Job, MergedPredictionsOfShards_AreThoseOfOneProcessAndWithoutAJob) {
               nlohmann::json::parse(alone.out).at("presets").at(0).at("ways"));
 }
 
+TEST_F(Job, MergedPlotsOfShards_AreThoseOfOneProcessAndWithoutAJob) {
+    const auto plotted = [this](const std::string& folder, const std::string& results,
+                                Arguments more) {
+        more.insert(more.end(), {"-o", file(folder) + "/", "--results", file(results)});
+        return patina(command("lobe", more));
+    };
+    const Outcome outcome = plotted("a", "whole", {});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    ASSERT_EQ(plotted("b", "1", {"--shard", "1/2"}).exitCode, 0);
+    ASSERT_EQ(plotted("b", "2", {"--shard", "2/2"}).exitCode, 0);
+    ASSERT_EQ(merge({"1", "2"}).exitCode, 0);
+    EXPECT_EQ(textOf("merged"), textOf("whole"));
+    ASSERT_EQ(patina({"lobe", preset(3), "-o", file("alone.svg")}).exitCode, 0);
+    EXPECT_EQ(textOf("b/preset3.svg"), textOf("alone.svg"));
+    fs::remove(folder_ / "a/preset3.svg");
+    EXPECT_NE(plotted("a", "whole", {}).out.find("1 done now, 5 before"), std::string::npos);
+}
+
+TEST_F(Job, NumbersOfPlots_AreThoseWithoutAJob) {
+    ASSERT_EQ(patina(command("lobe", {"--results", file("whole")})).exitCode, 0);
+    EXPECT_EQ(nlohmann::json::parse(linesOf("whole").at(2)).at("result").at("csv"),
+              patina({"lobe", preset(1)}).out);
+    const Outcome together =
+        patina(command("lobe", {"-o", file("all.svg"), "--results", file("other")}));
+    EXPECT_EQ(together.exitCode, 1);
+    EXPECT_NE(together.err.find("FOLDER/"), std::string::npos) << together.err;
+}
+
 TEST_F(Job, MergedMistakesOfShards_AreThoseOfOneProcess) {
     writeFile(preset(4), "{");
     const auto validated = [this](const std::string& results, Arguments more) {
