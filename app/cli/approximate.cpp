@@ -30,7 +30,7 @@ struct ApproximateRequest {
     double seconds = 120.0;
     double budgetError = 0.25;
     std::size_t levels = 5;
-    std::size_t cases = 10000;
+    std::size_t cases = 100000;
     bool json = false;
     bool declared = false; ///< judges the levels that the block has in the same way
     std::string output;
@@ -226,13 +226,14 @@ std::string declaredText(std::span<const DeclaredWay> ways) {
     return text;
 }
 
-/// Judges the levels that the block has on as many cases as found ways are.
+/// Judges the levels that the block has on as many cases as the whole front that is found.
 Checked<std::vector<DeclaredWay>> declaredOf(const ApproximateSubject& subject,
                                              const CheaperSearchOptions& options) {
     LongWork work;
     work.report("judging its own levels ");
-    const CaseWish wish{options.heldOut,  3,   4096, std::max<std::size_t>(options.heldOut / 32, 1),
-                        options.ofValues, true};
+    const std::size_t count = std::min(options.heldOut, casesOfFront);
+    const CaseWish wish{count, 3, 4096, std::max<std::size_t>(count / 32, 1), options.ofValues,
+                        true};
     return declaredWays(subject.subject, subject.catalog->roots.front().folder, *options.family,
                         wish, [&work] { return work.isStopped(); });
 }
@@ -262,12 +263,22 @@ Checked<DeviceCheckEnd> checkOnDevice(const ApproximateSubject& subject, Cheaper
     return work.isStopped() ? DeviceCheckEnd::Stopped : DeviceCheckEnd::Done;
 }
 
+/// Returns the folder that the block is written into: the one that is asked for, or one within it
+/// that has the name of the block's kind, without which nothing would find it.
+std::filesystem::path folderFor(const std::string& output, const Block& block) {
+    const std::filesystem::path whole =
+        std::filesystem::absolute(output + '/').lexically_normal().parent_path();
+    const std::filesystem::path folder(output);
+    return whole.filename() == block.kind ? folder : folder / block.kind;
+}
+
 /// Returns why the block could not be written with what is found; empty where it can.
 Errors refusals(const ApproximateRequest& request, const Block& block) {
     if (Errors why = whyNotSearched(block); !why.empty()) {
         return why;
     }
-    if (!request.output.empty() && isSameFile(request.output, block.shaderFile.parent_path())) {
+    if (!request.output.empty() &&
+        isSameFile(folderFor(request.output, block), block.shaderFile.parent_path())) {
         return oneError({request.output, 0, 0, "the block's own files are there, and would be lost",
                          "another folder"});
     }
@@ -278,8 +289,10 @@ Checked<CheaperWays> searched(const ApproximateSubject& subject,
                               const CheaperSearchOptions& options) {
     LongWork work;
     const auto progress = [&work](double share, const CheaperWays& soFar) {
-        work.report(fmt::format("{:3.0f} %  {} changes, {} tried, {} cheaper ways ", 100.0 * share,
-                                soFar.moves, soFar.tried, soFar.ways.size()));
+        work.report(fmt::format(
+            "{:3.0f} %  {} changes, {} tried, {} cheaper ways{} ", 100.0 * share, soFar.moves,
+            soFar.tried, soFar.ways.size(),
+            soFar.heldOut > 0 ? fmt::format(", judged on {} cases", soFar.heldOut) : ""));
         return !work.isStopped();
     };
     return cheaperWays(subject.subject, subject.catalog->roots.front().folder, options, progress);
@@ -288,8 +301,8 @@ Checked<CheaperWays> searched(const ApproximateSubject& subject,
 /// Writes the block with the ways, and says where.
 Result<void> writeWays(const ApproximateSubject& subject, const CheaperWays& ways,
                        const std::filesystem::path& folder) {
-    const auto made =
-        approximatedBlock(subject.subject, ways, usualNaming(*subject.subject.block.block));
+    const Block& block = *subject.subject.block.block;
+    const auto made = approximatedBlock(subject.subject, ways, usualNaming(block));
     if (!made) {
         return tl::unexpected(made.error());
     }
@@ -298,6 +311,11 @@ Result<void> writeWays(const ApproximateSubject& subject, const CheaperWays& way
     }
     std::cerr << fmt::format("written: {}, {}\n", (folder / (made->id + ".glsl")).string(),
                              (folder / (made->id + ".json")).string());
+    const BlockRoot own = standardBlockRoots().back();
+    if (!own.shipped && !isSameFile(folder, own.folder / block.kind)) {
+        std::cerr << fmt::format("to use it, put both files into {}\n",
+                                 (own.folder / block.kind).string());
+    }
     return {};
 }
 
@@ -359,7 +377,9 @@ Checked<int> approximate(const ApproximateRequest& request) {
     if (!request.output.empty() && !ways->ways.empty()) {
         if (end == DeviceCheckEnd::Stopped) {
             report({{{}, 0, 0, "nothing is written: the check was stopped", {}}});
-        } else if (auto done = writeWays(*subject, *ways, request.output); !done) {
+        } else if (auto done = writeWays(*subject, *ways,
+                                         folderFor(request.output, *subject->subject.block.block));
+                   !done) {
             return tl::unexpected(oneError(done.error()));
         }
     }
@@ -394,16 +414,19 @@ void addApproximate(CLI::App& program, int& status) {
     command->add_option("--levels", options->levels, "Keep at most so many ways; 5 without this")
         ->check(CLI::Range(1UL, 20UL));
     command
-        ->add_option("--cases", options->cases,
-                     "Judge the found ways on so many cases; 10000 without this")
+        ->add_option(
+            "--cases", options->cases,
+            "Judge the found ways on so many cases that the search did not see; 100000 without\n"
+            "this")
         ->check(CLI::Range(1000UL, 10000000UL));
     command->add_flag("--json", options->json, "Print JSON");
     command->add_flag("--declared", options->declared,
                       "Also judge the levels that the block has already, in the same way");
     command->add_option(
         "-o,--output", options->output,
-        "Write the block with the found ways as an accuracy choice into this folder:\n"
-        "its GLSL file and its descriptor, ready for your folder of shaders");
+        "Write the block with the found ways as an accuracy choice into this folder, or\n"
+        "into one in it that is named after the block's kind, as models/: its GLSL file\n"
+        "and its descriptor, ready for your folder of shaders");
     command->callback([options, &status] {
         const Checked<int> ended = approximate(*options);
         status = ended.value_or(1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measure/approximation/cheap_moves.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -95,41 +96,129 @@ void addOperand(Replacements& moves, const ObservedShader& shader, int index, st
     }
 }
 
+/// Returns an operand's code as it stands in words.
+std::string quoted(const ObservedShader& shader, int index) {
+    return '`' + shortCode(textOf(shader, index)) + '`';
+}
+
 void addDrops(Replacements& moves, const ObservedShader& shader, int index) {
     const ShaderExpression& expression = shader.at(index);
-    const auto without = [&](std::size_t kept, std::size_t dropped, std::string_view what) {
-        addOperand(moves, shader, index, kept,
-                   fmt::format("without the {} {}", what,
-                               shortCode(textOf(shader, expression.operands[dropped]))));
+    const auto operand = [&](std::size_t which) {
+        return quoted(shader, expression.operands[which]);
+    };
+    const auto keep = [&](std::size_t kept, const std::string& words) {
+        addOperand(moves, shader, index, kept, words);
     };
     if (expression.kind == NodeKind::Binary) {
         if (expression.sign == "+") {
-            without(0, 1, "summand");
-            without(1, 0, "summand");
+            keep(0, fmt::format("{} alone, without {} added", operand(0), operand(1)));
+            keep(1, fmt::format("{} alone, without {} added", operand(1), operand(0)));
         } else if (expression.sign == "-") {
-            without(0, 1, "summand");
+            keep(0, fmt::format("{} alone, without {} taken off", operand(0), operand(1)));
         } else if (expression.sign == "*") {
-            without(0, 1, "factor");
-            without(1, 0, "factor");
+            keep(0, fmt::format("{} alone, without the factor {}", operand(0), operand(1)));
+            keep(1, fmt::format("{} alone, without the factor {}", operand(1), operand(0)));
         } else if (expression.sign == "/") {
-            without(0, 1, "divisor");
+            keep(0, fmt::format("{} alone, not divided by {}", operand(0), operand(1)));
         }
     } else if (expression.kind == NodeKind::Builtin) {
         const std::string_view name = expression.builtin->name;
         if (name == "max" || name == "min") {
-            without(0, 1, "bound");
-            without(1, 0, "term");
+            const char* than = name == "max" ? "smaller" : "larger";
+            keep(0, fmt::format("{} also where it is {} than {}", operand(0), than, operand(1)));
+            keep(1, fmt::format("always {} in place of {}", operand(1), operand(0)));
         } else if (name == "clamp") {
-            addOperand(moves, shader, index, 0,
-                       "without the bounds of " +
-                           shortCode(textOf(shader, expression.operands[0])));
+            keep(0, fmt::format("{} also where it is below {} or above {}", operand(0), operand(1),
+                                operand(2)));
         } else if (name == "mix") {
-            without(0, 1, "share of");
-            without(1, 0, "share of");
+            keep(0, fmt::format("{} alone, without a share of {}", operand(0), operand(1)));
+            keep(1, fmt::format("{} alone, without a share of {}", operand(1), operand(0)));
         }
     } else if (expression.kind == NodeKind::Choice) {
-        without(1, 2, "case");
-        without(2, 1, "case");
+        keep(1, fmt::format("{} also where {} does not hold", operand(1), operand(0)));
+        keep(2, fmt::format("{} also where {} holds", operand(2), operand(0)));
+    }
+}
+
+/// Says where the text of a statement's expressions begins and ends.
+struct TextRange {
+    std::size_t first = std::string::npos;
+    std::size_t last = 0;
+
+    bool holds(const ShaderEdit& edit) const { return first <= edit.first && edit.last <= last; }
+};
+
+void addTo(TextRange& range, const ObservedShader& shader, int statement) {
+    const ShaderStatement& each = shader.syntax.statements[static_cast<std::size_t>(statement)];
+    if (each.expression >= 0 &&
+        shader.at(each.expression).first < shader.at(each.expression).last) {
+        range.first = std::min(range.first, shader.at(each.expression).first);
+        range.last = std::max(range.last, shader.at(each.expression).last);
+    }
+    for (const int inner : each.statements) {
+        addTo(range, shader, inner);
+    }
+}
+
+bool isLeft(const ObservedShader& shader, int statement) {
+    const ShaderStatement& each = shader.syntax.statements[static_cast<std::size_t>(statement)];
+    return each.kind == ShaderStatement::Kind::Return ||
+           std::ranges::any_of(each.statements,
+                               [&shader](int inner) { return isLeft(shader, inner); });
+}
+
+/// Adds a swap with another text in the place of a condition.
+void addUnder(std::vector<CheapMove>& moves, const CheapMove& swap, const ObservedShader& shader,
+              int condition, bool isAlways) {
+    const ShaderExpression& asked = shader.at(condition);
+    moves.push_back(swap);
+    moves.back().edits.insert(
+        moves.back().edits.begin(),
+        {asked.first, asked.last, isAlways ? "(true)" : "(false)", {}, asked.owner});
+    moves.back().words +=
+        fmt::format(", as if {} {} held", quoted(shader, condition), isAlways ? "always" : "never");
+}
+
+/// Does not ask a condition that keeps a power or a root from what it cannot take: what is swapped
+/// for it may take that. The swap stands in the branch, or behind one that leaves the function.
+void addUnasked(std::vector<CheapMove>& moves, const ObservedShader& shader,
+                const std::vector<int>& changeable) {
+    const std::vector<CheapMove> swaps = moves;
+    for (const ShaderStatement& statement : shader.syntax.statements) {
+        const int condition = statement.expression;
+        const bool isBranch = statement.kind == ShaderStatement::Kind::If &&
+                              std::ranges::find(changeable, condition) != changeable.end();
+        if (!isBranch) {
+            continue;
+        }
+        TextRange body;
+        addTo(body, shader, statement.statements.front());
+        const bool isLast = isLeft(shader, statement.statements.front());
+        for (const CheapMove& swap : swaps) {
+            const ShaderEdit& edit = swap.edits.front();
+            const bool isBehind = isLast && edit.function == shader.at(condition).owner &&
+                                  edit.first >= shader.at(condition).last;
+            if (body.holds(edit)) {
+                addUnder(moves, swap, shader, condition, true);
+            } else if (isBehind) {
+                addUnder(moves, swap, shader, condition, false);
+            }
+        }
+    }
+}
+
+/// Takes a branch in every case, or in none.
+void addBranches(Replacements& moves, const ObservedShader& shader,
+                 const std::vector<int>& changeable) {
+    for (const ShaderStatement& statement : shader.syntax.statements) {
+        const int condition = statement.expression;
+        if (statement.kind == ShaderStatement::Kind::If &&
+            std::ranges::find(changeable, condition) != changeable.end()) {
+            moves.add(condition, "true",
+                      fmt::format("as if {} always held", quoted(shader, condition)));
+            moves.add(condition, "false",
+                      fmt::format("as if {} never held", quoted(shader, condition)));
+        }
     }
 }
 
@@ -147,7 +236,7 @@ void addConstant(Replacements& moves, const ObservedShader& shader, int index) {
               fmt::format("{:.3g}", middle).find_first_of(".e") == std::string::npos
                   ? fmt::format("{:.3g}.0", middle)
                   : fmt::format("{:.3g}", middle),
-              fmt::format("{:.3g} for {}", middle, shortCode(textOf(shader, index))));
+              fmt::format("the number {:.3g} in place of {}", middle, quoted(shader, index)));
 }
 
 // --- known swaps
@@ -344,10 +433,10 @@ void addWholePower(Replacements& moves, const ObservedShader& shader, int index)
     if (const int exponent = wholeExponent(shader, expression.operands[1]); exponent != 0) {
         const std::string name = fmt::format("toThe{}", exponent);
         const std::string base = textOf(shader, expression.operands[0]);
-        moves.add(index, base.empty() ? "" : fmt::format("{}({})", name, base),
-                  fmt::format("{} by products, as the power of {}",
-                              shortCode(textOf(shader, index)), exponent),
-                  powerFunction(name, "float", exponent));
+        moves.add(
+            index, base.empty() ? "" : fmt::format("{}({})", name, base),
+            fmt::format("{} by products, as the power of {}", quoted(shader, index), exponent),
+            powerFunction(name, "float", exponent));
     }
 }
 
@@ -469,7 +558,9 @@ std::vector<int> changeableExpressions(const ObservedShader& shader) {
 
 std::vector<CheapMove> droppedTerms(const ObservedShader& shader) {
     Replacements moves(shader);
-    for (const int index : changeableExpressions(shader)) {
+    const std::vector<int> changeable = changeableExpressions(shader);
+    addBranches(moves, shader, changeable);
+    for (const int index : changeable) {
         addDrops(moves, shader, index);
         addConstant(moves, shader, index);
     }
@@ -477,13 +568,16 @@ std::vector<CheapMove> droppedTerms(const ObservedShader& shader) {
 }
 
 std::vector<CheapMove> knownSwaps(const ObservedShader& shader) {
-    Replacements moves(shader);
-    for (const int index : changeableExpressions(shader)) {
-        addFunctionSwaps(moves, shader, index);
-        addWholePower(moves, shader, index);
-        addDivisionSwaps(moves, shader, index);
+    Replacements swaps(shader);
+    const std::vector<int> changeable = changeableExpressions(shader);
+    for (const int index : changeable) {
+        addFunctionSwaps(swaps, shader, index);
+        addWholePower(swaps, shader, index);
+        addDivisionSwaps(swaps, shader, index);
     }
-    return moves.take();
+    std::vector<CheapMove> moves = swaps.take();
+    addUnasked(moves, shader, changeable);
+    return moves;
 }
 
 std::vector<CheapMove> foldedValues(const ObservedShader& shader) {
@@ -500,7 +594,7 @@ std::vector<CheapMove> foldedValues(const ObservedShader& shader) {
             }
         }
     }
-    CheapMove move{{}, "what only the values decide as numbers", true};
+    CheapMove move{{}, "what depends on the values alone computed beforehand, as numbers", true};
     for (const int index : folded) {
         const ShaderExpression& expression = shader.at(index);
         move.edits.push_back(

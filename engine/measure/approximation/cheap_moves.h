@@ -29,8 +29,8 @@ std::vector<int> changeableExpressions(const ObservedShader& shader);
 /// Returns a part of a text for words: one line, cut where it is long.
 std::string shortCode(std::string_view code);
 
-/// Returns moves that leave out a summand, a factor, a bound or a branch, or put a number in the
-/// place of what hardly changes.
+/// Returns moves that leave out a summand, a factor, a bound or a case, take a branch always or
+/// never, or put a number in the place of what hardly changes.
 std::vector<CheapMove> droppedTerms(const ObservedShader& shader);
 
 /// Returns moves that put what is known to be cheaper in the place of powers, roots, angles,

@@ -25,6 +25,7 @@ constexpr std::size_t lastEdgeCases = 20000;
 constexpr std::size_t rowsOfSearch = 48;
 constexpr std::uint32_t searchSeed = 1;
 constexpr std::uint32_t heldOutSeed = 2;
+constexpr std::uint32_t firstLastSeed = 4; ///< 3 is that of the cases on the device
 constexpr std::size_t batchSize = 16; ///< counts the texts that are compiled between two reports
 constexpr std::size_t beamWidth = 10;
 constexpr std::size_t triedPerRound = 48;
@@ -39,6 +40,7 @@ struct TriedWay {
     std::optional<double> cost;
     double guess = 0.0;    ///< is the cost as the single moves let expect
     bool isJudged = false; ///< its error is that on unseen cases
+    bool isProven = false; ///< and on all of them
 };
 
 bool isBetter(const TriedWay& a, const TriedWay& b) {
@@ -258,7 +260,7 @@ class CheaperSearch {
              first += judgedAtOnce) {
             std::vector<TriedWay> ways;
             for (std::size_t i = first; i < std::min(first + judgedAtOnce, moves_.size()); ++i) {
-                ways.push_back({{i}, {}, {}, 0.0, false});
+                ways.push_back({{i}, {}, {}});
             }
             judge(ways);
             report();
@@ -274,7 +276,7 @@ class CheaperSearch {
     /// tried.
     std::optional<TriedWay> extended(const TriedWay& way, const TriedWay& single) {
         const std::size_t move = single.moves.front();
-        TriedWay more{way.moves, {}, {}, *way.cost - (found_.exact.cost - *single.cost), false};
+        TriedWay more{way.moves, {}, {}, *way.cost - (found_.exact.cost - *single.cost)};
         for (const std::size_t other : way.moves) {
             if (other == move || !areCompatible(moves_[other], moves_[move])) {
                 return std::nullopt;
@@ -334,21 +336,23 @@ class CheaperSearch {
         if (options_.isAbandoned()) {
             return;
         }
-        CaseWish wish{options_.heldOut,  heldOutSeed,
-                      rowsOfSearch,      std::max<std::size_t>(options_.heldOut / 32, 1),
-                      options_.ofValues, true};
+        const std::size_t first = std::min(options_.heldOut, casesOfFront);
+        const CaseWish wish{first,          heldOutSeed,       rowsOfSearch,
+                            rowsFor(first), options_.ofValues, true};
         const JudgedCases unseen = text_->judged(texelsOfCases(commonCases(subject_, wish)));
         const JudgedCases edge =
             text_->judged(texelsOfCases(edgeCases(subject_, lastEdgeCases, options_.ofValues)));
         do {
-            front_.clear();
-            for (const TriedWay& way : tried_) {
-                enter(way);
-            }
-        } while (judgeFront(unseen, edge));
-        thin();
+            do {
+                front_.clear();
+                for (const TriedWay& way : tried_) {
+                    enter(way);
+                }
+            } while (judgeFront(unseen, edge));
+            thin();
+        } while (judgeStaying());
         publish(front_);
-        found_.heldOut = unseen.texels.size();
+        found_.heldOut = options_.heldOut;
         const TextError own = text_->error({}, unseen, std::numeric_limits<double>::infinity());
         found_.exact.error = std::max(found_.exact.error, own.worst);
         found_.exact.meanError = own.mean;
@@ -379,6 +383,76 @@ class CheaperSearch {
         });
         std::erase_if(tried_, [this](const TriedWay& way) { return !way.error.isWithin(limit_); });
         return !open.empty() && !options_.isAbandoned();
+    }
+
+    static std::size_t rowsFor(std::size_t cases) { return std::max<std::size_t>(cases / 32, 1); }
+
+    /// Returns as many parts as there are cores of cases that neither the search nor the judgement
+    /// of the front has seen.
+    std::vector<JudgedCases> lastCases(std::size_t first, std::size_t count) const {
+        const std::size_t seen = std::min(options_.heldOut, casesOfFront);
+        const CaseWish wish{count,
+                            firstLastSeed + static_cast<std::uint32_t>(first / casesOfFront),
+                            rowsOfSearch + rowsFor(seen) + rowsFor(first),
+                            rowsFor(count),
+                            options_.ofValues,
+                            true};
+        const std::vector<EvalCase> cases = commonCases(subject_, wish);
+        const std::size_t parts = parallelParts();
+        std::vector<JudgedCases> judged;
+        for (std::size_t i = 0; i < parts; ++i) {
+            judged.push_back(text_->judged(texelsOfCases(
+                {cases.begin() + static_cast<std::ptrdiff_t>(i * cases.size() / parts),
+                 cases.begin() + static_cast<std::ptrdiff_t>((i + 1) * cases.size() / parts)})));
+        }
+        return judged;
+    }
+
+    /// Judges what stays on the rest of the cases, on all cores, and forgets what is too far off or
+    /// breaks there, so that others come back. Returns whether there was one to judge.
+    bool judgeStaying() {
+        std::vector<TriedWay*> open;
+        for (TriedWay& way : tried_) {
+            const bool isShown =
+                std::ranges::find(front_, way.moves, &TriedWay::moves) != front_.end();
+            if (isShown && !way.isProven) {
+                open.push_back(&way);
+            }
+        }
+        const std::size_t seen = std::min(options_.heldOut, casesOfFront);
+        for (std::size_t first = 0; first < options_.heldOut - seen && !open.empty();
+             first += casesOfFront) {
+            report();
+            if (options_.isAbandoned()) {
+                return false;
+            }
+            const std::size_t count = std::min(options_.heldOut - seen - first, casesOfFront);
+            judgeOn(open, lastCases(first, count));
+            found_.heldOut = seen + first + count;
+        }
+        for (TriedWay* way : open) {
+            way->isProven = true;
+        }
+        std::erase_if(tried_, [this](const TriedWay& way) { return !way.error.isWithin(limit_); });
+        return !open.empty();
+    }
+
+    /// Enlarges the errors of ways by what they are in parts of cases.
+    void judgeOn(const std::vector<TriedWay*>& ways, const std::vector<JudgedCases>& parts) const {
+        std::vector<TextError> errors(parts.size() * ways.size());
+        inParallel(errors.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end && !options_.isAbandoned(); ++i) {
+                const TriedWay& way = *ways[i % ways.size()];
+                if (way.error.isWithin(limit_)) {
+                    errors[i] = text_->error(editsFor(way.moves), parts[i / ways.size()], limit_);
+                }
+            }
+        });
+        for (std::size_t i = 0; i < errors.size(); ++i) {
+            TextError& error = ways[i % ways.size()]->error;
+            error.worst = std::max(error.worst, errors[i].worst);
+            error.isSafe = error.isSafe && errors[i].isSafe;
+        }
     }
 
     /// Leaves out, one after the other, the way that its neighbours replace best.

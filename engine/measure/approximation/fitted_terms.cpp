@@ -21,7 +21,9 @@ using NodeKind = ShaderExpression::Kind;
 
 /// Is the degree of the polynomial that stands for a term while Sollya works.
 constexpr int interpolationDegree = 20;
-constexpr double maxResidual = 1e-5; ///< as a share of the term's range
+/// Is how far that may be off, as a share of the term's range. What bends, as a root at 0, is
+/// followed less well than its polynomials are off; what jumps is not followed.
+constexpr double maxResidual = 0.03;
 constexpr std::size_t maxTerms = 20;
 constexpr int minDegree = 0;
 constexpr int maxDegree = 6;
@@ -282,7 +284,7 @@ std::string polynomialCode(const std::string& name, const OneVariableTerm& term,
 std::string polynomialWords(const ObservedShader& shader, const OneVariableTerm& term,
                             const FittedPolynomial& polynomial, int degree) {
     const double scale = term.isProportional ? term.high : 1.0;
-    return fmt::format("{} by a polynomial of degree {}, at most {:.2g} off",
+    return fmt::format("`{}` by a polynomial of degree {}, at most {:.2g} off",
                        shortCode(shader.syntax.textOf(shader.at(term.expression))),
                        degree + (term.isProportional ? 1 : 0),
                        scale * polynomial.bound + term.residual);

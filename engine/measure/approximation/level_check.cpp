@@ -95,9 +95,13 @@ class DeviceCheck {
           isStopped_(isStopped) {}
 
     Checked<std::size_t> run() {
-        const CaseWish wish{options_.heldOut,  seedOfDevice,
-                            firstRowOfDevice,  std::max<std::size_t>(options_.heldOut / 32, 1),
-                            options_.ofValues, true};
+        const std::size_t count = std::min(options_.heldOut, casesOfFront);
+        const CaseWish wish{count,
+                            seedOfDevice,
+                            firstRowOfDevice,
+                            std::max<std::size_t>(count / 32, 1),
+                            options_.ofValues,
+                            true};
         cases_ = commonCases(subject_, wish);
         exact_ = ways_.text->judged(texelsOfCases(cases_));
         std::vector<CheaperWay> kept;

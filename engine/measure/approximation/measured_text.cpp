@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "measure/error/parallel.h"
 #include "measure/interpreter/shader_parser.h"
 #include "measure/time/instruction_count.h"
 #include "shading/glsl/compile_log.h"
@@ -114,12 +115,14 @@ void MeasuredText::evaluate(ShaderEvaluator& evaluator, int function,
 JudgedCases MeasuredText::judged(CaseTexels texels) const {
     JudgedCases cases{std::move(texels), {}};
     cases.exact.resize(cases.texels.size() * shape_.results);
-    ShaderEvaluator evaluator(*syntax_, ShaderPrecision::Double);
     const int function = syntax_->functionNamed(rootFunction);
-    for (std::size_t i = 0; i < cases.texels.size(); ++i) {
-        evaluate(evaluator, function, cases.texels[i],
-                 std::span(cases.exact).subspan(i * shape_.results, shape_.results));
-    }
+    inParallel(cases.texels.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+        ShaderEvaluator evaluator(*syntax_, ShaderPrecision::Double);
+        for (std::size_t i = begin; i < end; ++i) {
+            evaluate(evaluator, function, cases.texels[i],
+                     std::span(cases.exact).subspan(i * shape_.results, shape_.results));
+        }
+    });
     return cases;
 }
 

@@ -9,8 +9,8 @@
 #include "core/error.h"
 #include "measure/approximation/approximation_cases.h"
 #include "measure/approximation/shader_edit.h"
-#include "measure/interpreter/shader_evaluator.h"
 #include "measure/eval/eval_source.h"
+#include "measure/interpreter/shader_evaluator.h"
 
 namespace patina {
 
@@ -42,7 +42,7 @@ class MeasuredText {
     /// Are the functions of the block and of the library that only the block's function calls.
     const std::set<int>& ownFunctions() const { return own_; }
 
-    /// Evaluates the exact text in double precision.
+    /// Evaluates the exact text in double precision, on all cores.
     JudgedCases judged(CaseTexels texels) const;
 
     /// Returns the values of all expressions of the exact text in these cases.
