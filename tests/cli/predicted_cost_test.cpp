@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a material costs on graphics cards that are not here.
 #include <algorithm>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/patina_program.h"
+#include "measure/prediction/varying_loops.h"
 #include "predict/family_compiler.h"
 
 namespace patina::tests::predicted_cost_test {
@@ -69,6 +71,29 @@ TEST(PredictedCost, OfAllModels_HasEachModelOnce) {
     std::ranges::sort(models);
     EXPECT_GE(models.size(), 20u);
     EXPECT_EQ(std::ranges::adjacent_find(models), models.end());
+}
+
+TEST(PredictedCost, Csv_HasALineForEachCardWithTheNumbersOfJson) {
+    const std::vector<std::string> command{"cost",      "--model", "lambert",   "--scene",
+                                           threeLights, "--gpu",   "rdna2,gcn", "--as-it-is"};
+    std::vector<std::string> asCsv = command;
+    asCsv.emplace_back("--csv");
+    const Outcome outcome = patina(asCsv);
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const nlohmann::json families =
+        predicted(command).at("presets").at(0).at("ways").at(0).at("families");
+    std::istringstream stream(outcome.out);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);) {
+        lines.push_back(line);
+    }
+    ASSERT_EQ(lines.size(), 5u) << outcome.out;
+    EXPECT_EQ(lines[0], "preset,levels,family,card,instructions,vgprs,sgprs,spills,waves,loops,"
+                        "cycles,latency,milliseconds,problem");
+    EXPECT_TRUE(lines[1].starts_with("\"lambert\",\"exact\",rdna2,\"Steam Deck\"," +
+                                     families.at("rdna2").at("instructions").dump() + ','))
+        << lines[1];
+    EXPECT_TRUE(lines[4].starts_with("\"lambert\",\"exact\",gcn,\"Radeon RX 580\",")) << lines[4];
 }
 
 /// A card's milliseconds: 32400 waves of 64 pixels, shared by 72 x 2 SIMD units at 2015 MHz.
@@ -153,8 +178,47 @@ TEST(PredictedCost, RoundsOfALoopThatAreAConstant_CountEach) {
 
 /// The terms of the series depend on the pixel.
 TEST(PredictedCost, RoundsThatNobodyKnows_AreSaidToBeGuessed) {
-    EXPECT_GT(stageOf("he-torrance", "rdna2").at("loops").get<int>(), 0);
+    const std::string gem = shipped("presets/cook-torrance/garnet.patina.json").string();
+    const nlohmann::json refracting =
+        predicted({"cost", gem, "--scene", threeLights, "--gpu", "rdna2", "--as-it-is"});
+    EXPECT_GT(
+        refracting.at("presets").at(0).at("ways").at(0).at("families").at("rdna2").at("loops"), 0);
     EXPECT_EQ(stageOf("phong", "rdna2").at("loops"), 0);
+}
+
+/// He-Torrance's series has as many terms as the directions call for.
+TEST(PredictedCost, RoundsThatVaryWithTheDirections_AreThoseOfTheMean) {
+    const Catalog catalog = loadCatalog(std::vector<BlockRoot>{{shipped("shaders"), true}});
+    Material material = defaultMaterial(*catalog.find(kinds::models, "he-torrance"));
+    const auto roundsOf = [&](const std::string& series) {
+        material.accuracy["series"] = series;
+        const auto loops = varyingLoops(material, catalog);
+        EXPECT_EQ(loops.size(), 1u);
+        return loops.empty() ? 0.0 : loops.front().rounds;
+    };
+    const double full = roundsOf("full");
+    EXPECT_GT(full, roundsOf("medium"));
+    EXPECT_GT(roundsOf("medium"), roundsOf("short"));
+    EXPECT_LE(full, 100.0) << "the largest number of terms that it sums";
+    EXPECT_TRUE(
+        varyingLoops(defaultMaterial(*catalog.find(kinds::models, "phong")), catalog).empty());
+    EXPECT_EQ(stageOf("he-torrance", "rdna2").at("loops"), 0);
+}
+
+TEST(VaryingLoops, WrittenOut_HaveSoManyRounds) {
+    const std::string text =
+        "float f(float x) {\n    for (int i = 0; i < 3; ++i) {\n        x += "
+        "1.0;\n    }\n    for (int j = 0; j < int(x); ++j)\n        x *= 2.0;\n"
+        "    return x;\n}\n";
+    const std::vector<VaryingLoop> loops{{"f", 1, 5.0}};
+    const std::vector<int> twice{2};
+    const auto written = withRounds(text, loops, twice);
+    ASSERT_TRUE(written);
+    EXPECT_NE(written->find("{ int j = 0; x *= 2.0; ++j; x *= 2.0; }"), std::string::npos)
+        << *written;
+    EXPECT_NE(written->find("for (int i = 0; i < 3; ++i)"), std::string::npos) << *written;
+    const std::vector<VaryingLoop> absent{{"f", 2, 5.0}};
+    EXPECT_FALSE(withRounds(text, absent, twice));
 }
 
 TEST(PredictedCost, OfEffects_IsWhatTheShaderHasMoreWithThem) {
@@ -175,7 +239,21 @@ TEST(PredictedCost, OfEffects_IsWhatTheShaderHasMoreWithThem) {
         return effect.at("effect").get<std::string>().starts_with("fog");
     });
     ASSERT_NE(fog, json.at("effects").end());
-    EXPECT_GT(fog->at("predicted").at("rdna2").at("cycles").get<double>(), 0.0);
+    const double cycles = fog->at("predicted").at("rdna2").at("cycles");
+    EXPECT_GT(cycles, 0.0);
+    EXPECT_NEAR(
+        fog->at("predicted").at("rdna2").at("milliseconds").at("Radeon RX 6800 XT").get<double>(),
+        cycles * 32400.0 / (72.0 * 2.0 * 2015.0 * 1e3), 1e-9);
+}
+
+TEST(PredictedCost, TableOfEffects_HasMillisecondsOfCardsAndTellsWhyARowHasNone) {
+    const Outcome outcome = patina({"effects", "--model", "he-torrance", "--scene", threeLights,
+                                    "--gpu", "rdna2", "--no-cost"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    for (const char* words : {"predicted for RDNA 2, Steam Deck", " ms ", "at 1080p Steam Deck",
+                              "cannot be left out"}) {
+        EXPECT_NE(outcome.out.find(words), std::string::npos) << words << '\n' << outcome.out;
+    }
 }
 
 TEST(PredictedCost, OfFunctions_IsWhatTheStageHasMoreWithThem) {
@@ -249,6 +327,35 @@ TEST(FamilyCompiler, ProgramThatEndsIt_IsAnErrorOfThatProgramOnly) {
     ASSERT_EQ(compiled.programs.size(), 2u);
     EXPECT_FALSE(compiled.programs[0]);
     EXPECT_TRUE(compiled.programs[1]);
+}
+
+/// Each of the two scripts is given a half: it answers with the place of each program in its half.
+TEST(FamilyCompiler, ProgramsSharedByTwo_AreInTheOrderThatTheyWereGivenIn) {
+    const TemporaryFolder folder;
+    FamilyCompilerOptions options;
+    options.processes = 2;
+    options.program = folder / "compiler";
+    writeFile(options.program,
+              "#!/bin/sh\necho '{\"driver\":\"test\"}'\ngrep -o 'program[0-9]*' | while read -r "
+              "name; do echo \"{\\\"error\\\":\\\"$name of $$\\\"}\"; done\n");
+    std::filesystem::permissions(options.program, std::filesystem::perms::owner_all);
+    std::vector<ProgramText> programs;
+    for (int i = 0; i < 16; ++i) {
+        programs.push_back({"program" + std::to_string(i), ""});
+    }
+    double share = 0.0;
+    options.onProgress = [&share](double now) { share = now; };
+    const auto compiled = compileForFamilies(*gpuFamiliesIn("rdna2"), programs, options);
+    ASSERT_TRUE(compiled);
+    std::set<std::string> processes;
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+        ASSERT_FALSE(compiled->programs[i]);
+        const std::string told = compiled->programs[i].error().problem;
+        EXPECT_TRUE(told.starts_with(programs[i].vertex + " of ")) << told;
+        processes.insert(told.substr(told.rfind(' ')));
+    }
+    EXPECT_EQ(processes.size(), 2u);
+    EXPECT_EQ(share, 1.0);
 }
 
 TEST(FamilyCompiler, ProgramThatTakesTooLong_IsEnded) {

@@ -24,9 +24,23 @@ struct PredictedSubject {
 /// there is none.
 Checked<ProgramText> surfaceText(const PredictedSubject& subject);
 
+/// Is the text of an object's shader, with the material that says how often its loops run.
+struct SurfaceText {
+    ProgramText text;
+    Material material;
+};
+
 /// Returns the text of the subject's object in each of these scenes.
-Checked<std::vector<ProgramText>> surfaceTexts(const PredictedSubject& subject,
+Checked<std::vector<SurfaceText>> surfaceTexts(const PredictedSubject& subject,
                                                const std::vector<Scene>& scenes);
+
+/// Compiles shaders, in their order. Where the compiler guesses how often loops of a model run that
+/// vary with the directions, cycles and latency are those of their rounds on the mean
+/// (varyingLoops()): of the shader with one round, and what one more takes for each of the others.
+Result<CompiledForFamilies> compiledSurfaces(const std::vector<SurfaceText>& surfaces,
+                                             const Catalog& catalog,
+                                             std::span<const GpuFamily* const> families,
+                                             const FamilyCompilerOptions& options);
 
 /// Compiles the subject's object in each of these scenes.
 Checked<CompiledForFamilies> compiledScenes(const PredictedSubject& subject,

@@ -83,7 +83,7 @@ Checked<PredictedWays> predictedWays(std::span<const PredictedSubject> subjects,
                                      std::span<const GpuFamily* const> families,
                                      const FamilyCompilerOptions& options) {
     std::vector<std::vector<ChosenLevels>> levels;
-    std::vector<ProgramText> texts;
+    std::vector<SurfaceText> texts;
     for (const PredictedSubject& subject : subjects) {
         Ways ways = waysOf(subject, wanted);
         auto more = surfaceTexts(subject, ways.scenes);
@@ -93,7 +93,10 @@ Checked<PredictedWays> predictedWays(std::span<const PredictedSubject> subjects,
         std::ranges::move(*more, std::back_inserter(texts));
         levels.push_back(std::move(ways.levels));
     }
-    auto compiled = compileForFamilies(families, std::move(texts), options);
+    if (subjects.empty()) {
+        return PredictedWays();
+    }
+    auto compiled = compiledSurfaces(texts, *subjects.front().catalog, families, options);
     if (!compiled) {
         return tl::unexpected(oneError(compiled.error()));
     }
