@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether models that are predicted to be dear on a graphics card are dear where they are measured.
+// Whether models, and presets with each of their levels, that are predicted to be dear on a
+// graphics card are dear where they are measured.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <utility>
@@ -18,16 +20,19 @@ namespace {
 
 constexpr double wantedCorrelation = 0.9;
 
-nlohmann::json allModels(std::vector<std::string> more) {
+/// What `patina cost` says as JSON, under three lights.
+nlohmann::json costs(std::vector<std::string> more) {
     const std::string scene = PATINA_SOURCE_DIR "/presets/three-lights.patina-scene.json";
-    std::vector<std::string> command{"cost", "--all-models", "--scene", scene, "--json"};
-    command.insert(command.end(), more.begin(), more.end());
-    const tests::Outcome outcome =
-        tests::run(PATINA_BINARY_DIR "/bin/patina", {.arguments = std::move(command),
-                                                     .environment = {},
-                                                     .input = {},
-                                                     .timeLimitSeconds = 600.0});
+    more.insert(more.begin(), {"cost", "--scene", scene, "--json"});
+    const tests::Outcome outcome = tests::run(
+        PATINA_BINARY_DIR "/bin/patina",
+        {.arguments = std::move(more), .environment = {}, .input = {}, .timeLimitSeconds = 3600.0});
     return nlohmann::json::parse(outcome.out, nullptr, false);
+}
+
+nlohmann::json allModels(std::vector<std::string> more) {
+    more.emplace_back("--all-models");
+    return costs(std::move(more));
 }
 
 /// Maps each model to its cycles on a family, those with loops left out: how often these run is the
@@ -70,6 +75,68 @@ double rankCorrelation(const std::vector<double>& x, const std::vector<double>& 
     return xy / std::sqrt(xx * yy);
 }
 
+std::vector<std::string> shippedPresets() {
+    std::vector<std::string> presets;
+    for (const auto& file :
+         std::filesystem::recursive_directory_iterator(PATINA_SOURCE_DIR "/presets")) {
+        if (file.path().string().ends_with(".patina.json")) {
+            presets.push_back(file.path().string());
+        }
+    }
+    std::ranges::sort(presets);
+    return presets;
+}
+
+/// Is a preset with the levels of its choices that are not exact.
+std::string wayOf(const nlohmann::json& preset, const nlohmann::json& way) {
+    return preset.get<std::string>() + ' ' + way.at("levels").dump();
+}
+
+bool isKept(const std::string& what, const std::vector<double>& predictions,
+            const std::vector<double>& times) {
+    const double correlation = rankCorrelation(predictions, times);
+    const bool isEnough = correlation >= wantedCorrelation;
+    report(fmt::format("predicted cost of {}", what),
+           fmt::format("{:.3f} rank correlation with measured times", correlation), isEnough,
+           fmt::format("at least {}", wantedCorrelation));
+    return isEnough;
+}
+
+/// Compares all presets, each exact and with each of its levels, whose loops are all counted.
+bool presetsAndLevels() {
+    const std::vector<std::string> presets = shippedPresets();
+    std::vector<std::string> measure{"--size", "128x128", "--seconds", "2", "--singles"};
+    measure.insert(measure.end(), presets.begin(), presets.end());
+    std::map<std::string, double> times;
+    for (const auto& chart : costs(measure)) {
+        for (const auto& point : chart.at("points")) {
+            times[wayOf(chart.at("preset"), point)] = point.at("nanosecondsPerPixel");
+        }
+    }
+    std::vector<std::string> predict{"--gpu", "gcn,rdna2,rdna3"};
+    predict.insert(predict.end(), presets.begin(), presets.end());
+    const nlohmann::json predicted = costs(predict);
+    bool kept = true;
+    for (const char* family : {"gcn", "rdna2", "rdna3"}) {
+        std::vector<double> predictions;
+        std::vector<double> measured;
+        for (const auto& preset : predicted.at("presets")) {
+            for (const auto& way : preset.at("ways")) {
+                const auto found = times.find(wayOf(preset.at("preset"), way));
+                if (found != times.end() && way.contains("families") &&
+                    way.at("families").at(family).at("loops") == 0) {
+                    predictions.push_back(way.at("families").at(family).at("cycles"));
+                    measured.push_back(found->second);
+                }
+            }
+        }
+        kept = isKept(fmt::format("{} presets and levels on {}", measured.size(), family),
+                      predictions, measured) &&
+               kept;
+    }
+    return kept;
+}
+
 } // namespace
 
 bool predictedCost() {
@@ -86,14 +153,10 @@ bool predictedCost() {
                 times.push_back(model.at("nanosecondsPerPixel").get<double>());
             }
         }
-        const double correlation = rankCorrelation(predictions, times);
-        const bool isKept = correlation >= wantedCorrelation;
-        report(fmt::format("predicted cost of {} models on {}", times.size(), family),
-               fmt::format("{:.3f} rank correlation with measured times", correlation), isKept,
-               fmt::format("at least {}", wantedCorrelation));
-        kept = kept && isKept;
+        kept = isKept(fmt::format("{} models on {}", times.size(), family), predictions, times) &&
+               kept;
     }
-    return kept;
+    return presetsAndLevels() && kept;
 }
 
 } // namespace patina::benchmarks
