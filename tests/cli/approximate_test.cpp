@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/patina_program.h"
-#include "measure/approximation/cheap_moves.h"
 #include "measure/approximation/measured_text.h"
 #include "measure/eval/eval_reference.h"
 #include "measure/interpreter/shader_parser.h"
@@ -195,45 +194,6 @@ TEST(Approximate, WrittenBlock_IsValidAndPassesTheSweep) {
         for (const char* broken : {"not a number", "infinite", "negative"}) {
             EXPECT_EQ(text.find(broken), std::string::npos) << text;
         }
-    }
-}
-
-// Its lobe is behind a condition that keeps the power from what it cannot take.
-const Paper askingHair{"kajiya-kay", R"(// SPDX-License-Identifier: MIT-0
-#include "lib/directions.glsl"
-
-vec3 kajiyaKay(Directions d, KajiyaKay p) {
-    float sine = sqrt(max(1.0 - d.lt * d.lt, 0.0));
-    float c = sine * sqrt(max(1.0 - d.vt * d.vt, 0.0)) - d.lt * d.vt;
-    vec3 matte = p.diffuseColor * sine;
-    if (c > 0.0) {
-        return matte + p.specularColor * pow(c, p.shininess);
-    }
-    return matte;
-}
-)",
-                       colors};
-
-TEST(CheapMoves, OfABranch_GoWithoutItsConditionAndSayWhatTheyDo) {
-    const TemporaryFolder folder;
-    writePaper(askingHair, folder.path());
-    const EvalCase exact = caseOf(catalogWith(folder.path()), askingHair.id);
-    const auto text = MeasuredText::of(exact, shipped("shaders"));
-    ASSERT_TRUE(text) << patina::text(text.error());
-    const auto values = text->observed(
-        texelsOfCases(commonCases(exact, {.count = 200, .seed = 1, .firstRow = 0, .rows = 8})));
-    const ObservedShader shader{text->syntax(), values, text->ownFunctions()};
-    std::vector<std::string> words;
-    for (const auto& moves : {knownSwaps(shader), droppedTerms(shader)}) {
-        for (const CheapMove& move : moves) {
-            words.push_back(move.words);
-        }
-    }
-    for (const char* expected :
-         {"power by two squares", "power by two squares, as if `c > 0.0` always held",
-          "as if `c > 0.0` never held", "`p.diffuseColor` alone, without the factor `sine`",
-          "`1.0 - d.vt * d.vt` also where it is smaller than `0.0`"}) {
-        EXPECT_NE(std::ranges::find(words, expected), words.end()) << expected;
     }
 }
 

@@ -336,7 +336,7 @@ TEST(FamilyCompiler, ProgramsSharedByTwo_AreInTheOrderThatTheyWereGivenIn) {
     options.processes = 2;
     options.program = folder / "compiler";
     writeFile(options.program,
-              "#!/bin/sh\necho '{\"driver\":\"test\"}'\ngrep -o 'program[0-9]*' | while read -r "
+              "#!/bin/sh\necho '{\"driver\":\"test\"}'\ngrep -o 'program[0-9][0-9]*' | while read -r "
               "name; do echo \"{\\\"error\\\":\\\"$name of $$\\\"}\"; done\n");
     std::filesystem::permissions(options.program, std::filesystem::perms::owner_all);
     std::vector<ProgramText> programs;

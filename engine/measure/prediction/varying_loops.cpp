@@ -189,7 +189,8 @@ class ForFinder {
             return std::nullopt;
         }
         return ForText{offset(token), offset(last) + 1, between(header + 1, condition),
-                       between(step + 1, close), between(body, last + 1)};
+                       between(step + 1, close),
+                       code_.substr(offset(body), offset(last) + 1 - offset(body))};
     }
 
     bool hasJump(std::size_t first, std::size_t last) const {
