@@ -335,9 +335,9 @@ TEST(FamilyCompiler, ProgramsSharedByTwo_AreInTheOrderThatTheyWereGivenIn) {
     FamilyCompilerOptions options;
     options.processes = 2;
     options.program = folder / "compiler";
-    writeFile(options.program,
-              "#!/bin/sh\necho '{\"driver\":\"test\"}'\ngrep -o 'program[0-9][0-9]*' | while read -r "
-              "name; do echo \"{\\\"error\\\":\\\"$name of $$\\\"}\"; done\n");
+    writeFile(options.program, "#!/bin/sh\necho '{\"driver\":\"test\"}'\n"
+                               "grep -o 'program[0-9][0-9]*' | while read -r "
+                               "name; do echo \"{\\\"error\\\":\\\"$name of $$\\\"}\"; done\n");
     std::filesystem::permissions(options.program, std::filesystem::perms::owner_all);
     std::vector<ProgramText> programs;
     for (int i = 0; i < 16; ++i) {
