@@ -109,6 +109,26 @@ TEST_F(OwnModel, ThatDoesNotEndInSomeDirections_HasNoPlotsOfThem) {
     ASSERT_FALSE(lines);
     EXPECT_NE(lines.error().text().find("does not end"), std::string::npos);
     EXPECT_FALSE(whiteSkyAlbedo(catalog_, material()));
+    EXPECT_FALSE(matchTarget(*sweepVariant(catalog_, material()), 64, catalog_));
+    const MatchTarget grazing{{{{0.0, 0.0, 1.0}, {0.995, 0.0, 0.1}}}, {glm::dvec3(0.1)}, false};
+    EXPECT_FALSE(
+        fittedModel(*sweepVariant(catalog_, material()), grazing, {}, catalog_, Progress()));
+}
+
+TEST_F(OwnModel, ThatDoesNotEndWithSomeValues_HasThoseOfOthers) {
+    write("p.diffuseColor * d.nl",
+          "    float s = p.wrap;\n    while (s < 0.2) {\n        s = s * d.nl;\n    }\n");
+    const auto values = ModelValues::of(*sweepVariant(catalog_, material()), catalog_);
+    ASSERT_TRUE(values) << values.error().text();
+    Material other = material();
+    other.model.parameters["wrap"] = 0.1;
+    EXPECT_FALSE(ModelValues::of(*sweepVariant(catalog_, other), catalog_));
+    const ModelValues endless = values->with(*sweepVariant(catalog_, other));
+    const DirectionPair facing{{0.0, 0.0, 1.0}, {0.0, 0.0, 1.0}};
+    EXPECT_EQ(endless.at(facing), glm::dvec3(0.0));
+    EXPECT_TRUE(endless.isEndless());
+    EXPECT_NEAR(values->at(facing).x, 0.8, 1e-7);
+    EXPECT_FALSE(values->isEndless());
 }
 
 TEST_F(OwnModel, WithAMistake_IsRefusedAtItsLineAndColumn) {

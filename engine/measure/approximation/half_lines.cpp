@@ -55,6 +55,10 @@ Result<LobeLines> halfLines(const Catalog& catalog, const Material& material,
     if (!variant) {
         return tl::unexpected(variant.error());
     }
+    const auto values = ModelValues::of(*variant, catalog);
+    if (!values) {
+        return tl::unexpected(values.error());
+    }
     const auto text = MeasuredText::of(*variant, shaders);
     if (!text) {
         return tl::unexpected(text.error().front());
@@ -67,6 +71,7 @@ Result<LobeLines> halfLines(const Catalog& catalog, const Material& material,
     line.name = "float16 error";
     std::size_t broken = 0;
     for (std::size_t i = 0; i < plane.cases.size(); ++i) {
+        values->at({plane.cases[i].l, plane.cases[i].v});
         glm::dvec3 ulps(0.0);
         bool isFinite = true;
         for (int channel = 0; channel < 3; ++channel) {
@@ -77,6 +82,9 @@ Result<LobeLines> halfLines(const Catalog& catalog, const Material& material,
         broken += isFinite ? 0 : 1;
         line.at.push_back(plane.angles[i] * 180.0 / std::numbers::pi);
         line.values.push_back(ulps);
+    }
+    if (values->isEndless()) {
+        return tl::unexpected(endlessError(*block));
     }
     all.note = worstText(line, broken);
     return all;

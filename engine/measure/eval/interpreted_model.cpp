@@ -5,7 +5,6 @@
 #include <array>
 #include <deque>
 #include <iterator>
-#include <limits>
 #include <string>
 #include <utility>
 
@@ -68,8 +67,9 @@ InterpretedModel::of(const EvalCase& model, const std::filesystem::path& shaders
         return tl::unexpected(written.error().front());
     }
     const auto known = parsedPrograms().find(written->text);
-    if (known != nullptr && !known->isEndless()) { // other values may have made it so
-        return known;
+    if (known != nullptr) {
+        return known->ends(model) ? Result<std::shared_ptr<const InterpretedModel>>(known)
+                                  : tl::unexpected(endlessError(*model.block.block));
     }
     auto source = std::make_unique<const ShaderSource>(std::move(*written));
     auto syntax = parsedShader(*source, rootFunction);
@@ -93,16 +93,15 @@ bool InterpretedModel::ends(EvalCase model) const {
             model.v = v;
             std::vector<double> numbers = placeNumbers(model);
             std::ranges::copy(valueNumbers(model), std::back_inserter(numbers));
-            evaluate(numbers);
+            if (!evaluate(numbers)) {
+                return false;
+            }
         }
     }
-    return !isEndless_;
+    return true;
 }
 
-glm::dvec3 InterpretedModel::evaluate(std::span<const double> numbers) const {
-    if (isEndless_) {
-        return glm::dvec3(std::numeric_limits<double>::quiet_NaN());
-    }
+std::optional<glm::dvec3> InterpretedModel::evaluate(std::span<const double> numbers) const {
     std::unique_ptr<ShaderEvaluator> evaluator;
     {
         const std::scoped_lock lock(guard_);
@@ -117,12 +116,10 @@ glm::dvec3 InterpretedModel::evaluate(std::span<const double> numbers) const {
     constexpr double firstPart = 0.0;
     std::array<double, 3> result{};
     evaluator->call(function_, {&firstPart, 1}, numbers, result);
-    if (evaluator->gaveUp()) {
-        isEndless_ = true;
-    }
+    const bool hasEnded = !evaluator->gaveUp();
     const std::scoped_lock lock(guard_);
     idle_.push_back(std::move(evaluator));
-    return {result[0], result[1], result[2]};
+    return hasEnded ? std::optional(glm::dvec3(result[0], result[1], result[2])) : std::nullopt;
 }
 
 } // namespace patina

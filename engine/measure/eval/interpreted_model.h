@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,11 +27,8 @@ class InterpretedModel {
                                                               const std::filesystem::path& shaders);
 
     /// Returns what the model returns for the numbers of a case (placeNumbers(), valueNumbers());
-    /// NaN from the first case on that does not end.
-    glm::dvec3 evaluate(std::span<const double> numbers) const;
-
-    /// Tells whether some case did not end.
-    bool isEndless() const { return isEndless_; }
+    /// nothing where that does not end.
+    std::optional<glm::dvec3> evaluate(std::span<const double> numbers) const;
 
   private:
     /// Tells whether the model ends for light and viewer in some directions.
@@ -42,7 +39,6 @@ class InterpretedModel {
     std::unique_ptr<const ShaderSource> source_; ///< has the text to which the syntax refers
     ShaderSyntax syntax_;
     int function_ = -1;
-    mutable std::atomic<bool> isEndless_{false};
     mutable std::mutex guard_;
     /// Are those that no thread uses.
     mutable std::vector<std::unique_ptr<ShaderEvaluator>> idle_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -22,13 +23,14 @@ class ModelValues {
     /// Returns the same model with the values of a case that differs in nothing that is compiled.
     ModelValues with(const EvalCase& model) const;
 
-    /// Returns pi f cos(theta_l), 0 or more, as lights are summed; 0 where it is not finite.
+    /// Returns pi f cos(theta_l), 0 or more, as lights are summed; 0 where it is not finite, and
+    /// everywhere once it is endless.
     glm::dvec3 at(const DirectionPair& pair) const;
 
     bool isCompiled() const { return compiled_ != nullptr; }
 
     /// Tells whether the evaluation did not end somewhere, so that its values mean nothing.
-    bool isEndless() const { return interpreted_ != nullptr && interpreted_->isEndless(); }
+    bool isEndless() const { return isEndless_ != nullptr && *isEndless_; }
 
   private:
     ModelValues() = default;
@@ -37,6 +39,7 @@ class ModelValues {
     std::shared_ptr<const ReferenceCase> compiled_;
     std::shared_ptr<const InterpretedModel> interpreted_; ///< is null where there is code
     std::vector<double> numbers_;                         ///< are the values for it
+    std::shared_ptr<std::atomic<bool>> isEndless_; ///< belongs to these values; null with code
 };
 
 } // namespace patina

@@ -180,6 +180,9 @@ Result<std::vector<FloatError>> floatErrors(EvalGpu& device, const Catalog& cata
         }
         errors.push_back(error);
     }
+    if (exactValues->isEndless()) {
+        return tl::unexpected(endlessError(*request.block.block));
+    }
     return errors;
 }
 

@@ -99,6 +99,9 @@ Result<MatchTarget> matchTarget(const EvalCase& model, std::size_t samples,
             target.values.push_back(values->at(pair));
         }
     }
+    if (values->isEndless()) {
+        return tl::unexpected(endlessError(*model.block.block));
+    }
     return target;
 }
 

@@ -441,8 +441,15 @@ std::optional<MatchError> matchErrorOf(std::string_view word) {
 Result<ModelFit> fittedModel(const EvalCase& model, const MatchTarget& target,
                              const FitOptions& options, const Catalog& catalog,
                              const Progress& progress) {
-    if (const auto values = ModelValues::of(model, catalog); !values) {
+    const auto values = ModelValues::of(model, catalog);
+    if (!values) {
         return tl::unexpected(values.error());
+    }
+    for (const DirectionPair& pair : target.pairs) {
+        values->at(pair);
+    }
+    if (values->isEndless()) {
+        return tl::unexpected(endlessError(*model.block.block));
     }
     // A narrow highlight may pass between the directions of a fit: all of them decide.
     const auto errorOf = [&](const EvalCase& found) {
