@@ -187,7 +187,7 @@ TEST(PredictedCost, RoundsThatNobodyKnows_AreSaidToBeGuessed) {
 }
 
 /// He-Torrance's series has as many terms as the directions call for.
-TEST(PredictedCost, RoundsThatVaryWithTheDirections_AreThoseOfTheMean) {
+TEST(VaryingLoops, RoundsOfASeries_AreFewerWhereItIsShortened) {
     const Catalog catalog = loadCatalog(std::vector<BlockRoot>{{shipped("shaders"), true}});
     Material material = defaultMaterial(*catalog.find(kinds::models, "he-torrance"));
     const auto roundsOf = [&](const std::string& series) {
@@ -202,7 +202,6 @@ TEST(PredictedCost, RoundsThatVaryWithTheDirections_AreThoseOfTheMean) {
     EXPECT_LE(full, 100.0) << "the largest number of terms that it sums";
     EXPECT_TRUE(
         varyingLoops(defaultMaterial(*catalog.find(kinds::models, "phong")), catalog).empty());
-    EXPECT_EQ(stageOf("he-torrance", "rdna2").at("loops"), 0);
 }
 
 TEST(VaryingLoops, WrittenOut_HaveSoManyRounds) {

@@ -51,6 +51,15 @@ void correct(Result<FamilyStatistics>& program, const CountedSurface& surface,
     if (texts.empty() || !std::ranges::all_of(texts, [](const auto& text) { return !!text; })) {
         return;
     }
+    // A loop around it that is unrolled in one of them alone is guessed in the others, so that they
+    // do not tell what a round takes.
+    for (const auto& text : texts) {
+        for (const auto& [family, statistics] : *text) {
+            if (statistics.fragment.loops != texts.front()->at(family).fragment.loops) {
+                return;
+            }
+        }
+    }
     for (auto& [family, statistics] : *program) {
         StageStatistics& stage = statistics.fragment;
         const StageStatistics& once = texts.front()->at(family).fragment;
