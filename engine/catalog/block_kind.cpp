@@ -7,6 +7,8 @@
 #include <numbers>
 #include <vector>
 
+#include "catalog/measured_file.h"
+
 namespace patina {
 namespace {
 
@@ -97,6 +99,7 @@ constexpr auto inModels = std::to_array<ParameterRole>(
      {roles::placeNormal, ParameterType::Vec3},
      {roles::placeView, ParameterType::Vec3},
      {roles::placePixel},
+     {grainRole, ParameterType::Measured},
      {.word = roles::diffuse, .type = ParameterType::Color, .mayRepeat = true}});
 constexpr auto inFresnel = std::to_array<ParameterRole>(
     {{roles::indexOutside},

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/measured_file.h"
+
 #include <algorithm>
 #include <filesystem>
 
 #include <nlohmann/json.hpp>
 
-#include "catalog/parameter.h"
-#include "core/numbered_texts.h"
+#include "core/table_number.h"
 
 namespace patina {
 namespace {
@@ -49,23 +50,28 @@ std::optional<Value> pathFromText(const Parameter&, std::string_view text) {
 
 } // namespace
 
+int tableOfFile(const Parameter& parameter, const std::string& file) {
+    return tableNumber(file, parameter.role == grainRole ? TableForm::WithGrain
+                                                         : TableForm::WithoutGrain);
+}
+
 const ParameterTypeInfo& infoOfMeasured() {
     static constexpr ShaderFunction function{
         .result = "vec3", .body = meanOfBins, .argument = "vec3", .before = readTexture};
     static const ParameterTypeInfo info = [] {
         ParameterTypeInfo row = infoOfTexture();
         row.word = "measured";
-        row.components = 4; // the number of the file's path, and what fills a vec4
+        row.components = 4; // the number of the file's table, and what fills a vec4
         row.glsl = "int";
         row.cpp = "const double*";
         row.fromText = &pathFromText;
         row.expected = [](const Parameter&) {
             return std::string("a file of the MERL (.binary) or RGL (.bsdf) collection");
         };
-        row.pack = [](const Parameter&, const Value& value, double* out) {
+        row.pack = [](const Parameter& parameter, const Value& value, double* out) {
             const auto* file = std::get_if<std::string>(&value);
             std::fill_n(out, 4, 0.0);
-            out[0] = file != nullptr ? numberOfText(*file) : 0.0;
+            out[0] = file != nullptr ? tableOfFile(parameter, *file) : 0.0;
         };
         row.isTable = true;
         row.function = &function;

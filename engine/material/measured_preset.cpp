@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "core/numbered_texts.h"
+#include "catalog/measured_file.h"
 #include "measured/kept_tables.h"
 
 namespace patina {
@@ -16,24 +16,27 @@ const Parameter* tableParameter(const Block& block) {
     return found == block.parameters.end() ? nullptr : &*found;
 }
 
-int measuredFileOf(const Block& block, const Values& values) {
+int measuredTableOf(const Block& block, const Values& values) {
     const Parameter* parameter = tableParameter(block);
     const auto found = parameter != nullptr ? values.find(parameter->id) : values.end();
     const auto* file = found != values.end() ? std::get_if<std::string>(&found->second) : nullptr;
-    return file != nullptr ? numberOfText(*file) : 0;
+    return file != nullptr ? tableOfFile(*parameter, *file) : 0;
 }
 
 Checked<PresetReading> readMeasuredPreset(const std::filesystem::path& file,
                                           const Catalog& catalog) {
-    const std::vector<const Block*> models = catalog.ofKind(kinds::models);
-    const auto model = std::ranges::find_if(
-        models, [](const Block* each) { return tableParameter(*each) != nullptr; });
-    if (model == models.end()) {
-        return tl::unexpected(Errors{{file.string(), 0, 0, "no model shows a measured file", {}}});
-    }
     const Result<SharedTable> table = readTable(file);
     if (!table) {
         return tl::unexpected(Errors{table.error()});
+    }
+    const bool hasGrain = (*table)->form == TableForm::WithGrain;
+    const std::vector<const Block*> models = catalog.ofKind(kinds::models);
+    const auto model = std::ranges::find_if(models, [hasGrain](const Block* each) {
+        return tableParameter(*each) != nullptr &&
+               (each->withRole(grainRole) != nullptr) == hasGrain;
+    });
+    if (model == models.end()) {
+        return tl::unexpected(Errors{{file.string(), 0, 0, "no model shows such a file", {}}});
     }
     PresetReading reading;
     reading.material = defaultMaterial(**model);
@@ -42,14 +45,6 @@ Checked<PresetReading> readMeasuredPreset(const std::filesystem::path& file,
     reading.material.model.parameters[tableParameter(**model)->id] =
         std::filesystem::absolute(file).lexically_normal().string();
     reading.readOnly = true;
-    if ((*table)->isWithoutGrain) {
-        reading.notes.push_back({file.string(),
-                                 0,
-                                 0,
-                                 "the surface has a grain, and is shown as the mean over all ways "
-                                 "it may be turned; a match knows the grain",
-                                 {}});
-    }
     return reading;
 }
 

@@ -10,12 +10,12 @@ namespace patina {
 /// Returns the parameter of a block that names a file with a table; null where it has none.
 const Parameter* tableParameter(const Block& block);
 
-/// Returns the number, by numberOfText(), of the path of the file whose table a block's function
-/// reads; 0 for none.
-int measuredFileOf(const Block& block, const Values& values);
+/// Returns the number, by tableNumber(), of the table that a block's function reads; 0 for none.
+int measuredTableOf(const Block& block, const Values& values);
 
-/// Returns the material of the first model that reads such a file, with the file's name and path.
-/// It is read only: a file of measurements is not written over. Errors are those of readTable().
+/// Returns the material of the first model that reads such a file, with its grain where it has one,
+/// with the file's name and path. It is read only: a file of measurements is not written over.
+/// Errors are those of readTable().
 Checked<PresetReading> readMeasuredPreset(const std::filesystem::path& file,
                                           const Catalog& catalog);
 

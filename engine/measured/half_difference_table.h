@@ -6,11 +6,21 @@
 
 #include <glm/vec3.hpp>
 
+#include "core/table_number.h"
+
 namespace patina {
 
-/// Holds the reflectance of an isotropic surface in bins over the angles of halfDifference(), as
-/// the MERL collection's files do: the azimuth over 0 .. pi, the difference angle over 0 .. pi/2,
-/// and the square root of the half angle's share of pi/2. A value belongs to the middle of its bin.
+/// Counts the azimuths of the half vector for which a table with a grain has a slice, from the
+/// tangent on, towards the bitangent. shaders/models/measured-grain.glsl counts the same.
+inline constexpr int grainTurns = 60;
+
+/// Holds the reflectance of a surface in bins over the angles of halfDifference(), as the MERL
+/// collection's files do: the azimuth over 0 .. pi, the difference angle over 0 .. pi/2, and the
+/// square root of the half angle's share of pi/2. A value belongs to the middle of its bin.
+///
+/// With a grain the bins of the difference angle are there once for each of `grainTurns` azimuths
+/// of the half vector, each time with one more at the end in which nothing was measured: so a mean
+/// over bins that lie side by side never takes any of another azimuth.
 struct HalfDifferenceTable {
     /// Is the largest number of bins along an axis, which every graphics card has room for.
     static constexpr int maxBins = 2048;
@@ -21,8 +31,8 @@ struct HalfDifferenceTable {
     /// Are f in 1/sr for linear Rec. 709, the azimuth quickest and the half angle slowest. Where
     /// red is below 0 nothing was measured.
     std::vector<glm::vec3> texels{glm::vec3(0.0f)};
-    /// Says that the surface has a grain, of which this is the mean over all ways it may be turned.
-    bool isWithoutGrain = false;
+    TableForm form = TableForm::WithoutGrain;
+    bool isIsotropic = true; ///< tells whether the surface has no grain, whatever the form
 };
 
 } // namespace patina

@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-#include "core/numbered_texts.h"
+#include "core/table_number.h"
 #include "measured/measured_reflectance.h"
 
 namespace patina {
@@ -28,12 +28,18 @@ SharedTable matteTable(const glm::vec3& albedo) {
     return table;
 }
 
-Result<SharedTable> tableOf(const std::filesystem::path& file) {
+TableForm formOf(bool isIsotropic) {
+    return isIsotropic ? TableForm::WithoutGrain : TableForm::WithGrain;
+}
+
+/// Reads a file into a table of this form, or of that which its surface has.
+Result<SharedTable> tableOf(const std::filesystem::path& file, std::optional<TableForm> form) {
     const auto measured = readMeasured(file);
     if (!measured) {
         return tl::unexpected(measured.error());
     }
-    HalfDifferenceTable table = (*measured)->table();
+    HalfDifferenceTable table =
+        (*measured)->table(form.value_or(formOf((*measured)->isIsotropic())));
     const glm::ivec3& bins = table.bins;
     if (std::max({bins.x, bins.y, bins.z}) > HalfDifferenceTable::maxBins ||
         table.texels.size() > HalfDifferenceTable::maxTexels) {
@@ -68,18 +74,22 @@ class KeptTables {
         if (SharedTable there = find(number)) {
             return there;
         }
-        const Result<SharedTable> table = read(number);
+        const Result<SharedTable> table = read(fileOfTable(number), formOfTable(number));
         return table ? *table : unreadable_;
     }
 
     /// Returns the table that is kept where its file has not changed, else what is read now, and
-    /// whether it was read.
-    std::pair<Result<SharedTable>, bool> renew(int number) {
+    /// whether it was read. Without a form it is that which the surface has.
+    std::pair<Result<SharedTable>, bool> renew(const std::string& file,
+                                               std::optional<TableForm> form) {
         const std::lock_guard one(reading_);
-        if (SharedTable there = unchanged(number)) {
-            return {there, false};
+        for (const TableForm each : {TableForm::WithoutGrain, TableForm::WithGrain}) {
+            const SharedTable there = unchanged(tableNumber(file, each));
+            if (there && each == form.value_or(formOf(there->isIsotropic))) {
+                return {there, false};
+            }
         }
-        return {read(number), true};
+        return {read(file, form), true};
     }
 
   private:
@@ -98,8 +108,7 @@ class KeptTables {
         std::optional<Stamp> stamp; ///< is of the file before it was read
     };
 
-    static std::optional<Stamp> stampOf(int number) {
-        const std::filesystem::path file = numberedText(number);
+    static std::optional<Stamp> stampOf(const std::filesystem::path& file) {
         std::error_code missing;
         Stamp stamp;
         stamp.time = std::filesystem::last_write_time(file, missing);
@@ -111,23 +120,34 @@ class KeptTables {
         const std::lock_guard lock(guard_);
         const Known& known = known_[number];
         SharedTable held = known.table.lock();
-        return held && known.stamp && known.stamp == stampOf(number) ? held : nullptr;
+        return held && known.stamp && known.stamp == stampOf(fileOfTable(number)) ? held : nullptr;
     }
 
-    Result<SharedTable> read(int number) {
-        const std::optional<Stamp> stamp = stampOf(number);
-        Result<SharedTable> table = tableOf(numberedText(number));
+    Result<SharedTable> read(const std::string& file, std::optional<TableForm> form) {
+        const std::optional<Stamp> stamp = stampOf(file);
+        Result<SharedTable> table = tableOf(file, form);
         const std::lock_guard lock(guard_);
+        for (const TableForm each : {TableForm::WithoutGrain, TableForm::WithGrain}) {
+            const int number = tableNumber(file, each);
+            if (!table) {
+                forget(number);
+                failed_.insert(number);
+            } else if (known_[number].stamp != stamp) {
+                forget(number); // of what the file was before
+            }
+        }
+        if (table) {
+            const int number = tableNumber(file, (*table)->form);
+            known_[number].stamp = stamp;
+            use(number, *table);
+        }
+        return table;
+    }
+
+    void forget(int number) {
         std::erase_if(last_, [number](const Use& each) { return each.first == number; });
         failed_.erase(number);
         known_.erase(number);
-        if (table) {
-            known_[number].stamp = stamp;
-            use(number, *table);
-        } else {
-            failed_.insert(number);
-        }
-        return table;
     }
 
     void use(int number, SharedTable table) {
@@ -167,7 +187,13 @@ std::atomic<unsigned> version{0};
 
 Result<SharedTable> readTable(const std::filesystem::path& file) {
     auto [table, isNew] = keptTables().renew(
-        numberOfText(std::filesystem::absolute(file).lexically_normal().string()));
+        std::filesystem::absolute(file).lexically_normal().string(), std::nullopt);
+    version += isNew ? 1 : 0;
+    return std::move(table);
+}
+
+Result<SharedTable> readTable(int number) {
+    auto [table, isNew] = keptTables().renew(fileOfTable(number), formOfTable(number));
     version += isNew ? 1 : 0;
     return std::move(table);
 }

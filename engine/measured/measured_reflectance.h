@@ -34,11 +34,10 @@ class MeasuredReflectance {
     /// evenly taken from all that have a value.
     virtual std::vector<DirectionPair> samples(std::size_t maxCount) const = 0;
 
-    /// Returns the reflectance in bins, for graphics cards: those that a MERL file has; of another
-    /// file 180 x 90 x 90, whose values are the mean of evaluate() for both orders of the
-    /// directions in their middles. An anisotropic surface is averaged over eight turns, so that it
-    /// loses its direction.
-    virtual HalfDifferenceTable table() const = 0;
+    /// Returns the reflectance in bins, for graphics cards: those that a MERL file has, else those
+    /// of sampledTable(). Without a grain an anisotropic surface is averaged over its turns, so
+    /// that it loses its direction.
+    virtual HalfDifferenceTable table(TableForm form) const = 0;
 
     /// Tells whether only the difference of both azimuths counts.
     virtual bool isIsotropic() const = 0;

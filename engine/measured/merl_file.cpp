@@ -13,6 +13,7 @@
 
 #include "measured/byte_reader.h"
 #include "measured/half_difference.h"
+#include "measured/sampled_table.h"
 
 namespace patina {
 namespace {
@@ -80,7 +81,10 @@ class MerlReflectance : public MeasuredReflectance {
         return pairs;
     }
 
-    HalfDifferenceTable table() const override {
+    HalfDifferenceTable table(TableForm form) const override {
+        if (form == TableForm::WithGrain) {
+            return sampledTable(*this, form);
+        }
         HalfDifferenceTable table;
         table.bins = {int(bins_[2]), int(bins_[1]), int(bins_[0])};
         table.texels.resize(count());

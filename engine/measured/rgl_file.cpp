@@ -27,8 +27,6 @@ using std::numbers::pi;
 /// in the interpolation.
 constexpr double minCosine = 1e-4;
 
-constexpr int anisotropicTurns = 8; ///< counts the azimuths over which a table is averaged
-
 /// Maps a polar angle of 0 .. pi/2 to 0 .. 1, with more room near the normal.
 double unitOfPolar(double theta) {
     return std::sqrt(theta * 2.0 / pi);
@@ -108,9 +106,7 @@ class RglReflectance : public MeasuredReflectance {
         return pairs;
     }
 
-    HalfDifferenceTable table() const override {
-        return sampledTable(*this, isIsotropic() ? 1 : anisotropicTurns);
-    }
+    HalfDifferenceTable table(TableForm form) const override { return sampledTable(*this, form); }
 
     bool isIsotropic() const override { return tables_.seenNormals.density().first().size() <= 2; }
 

@@ -6,7 +6,7 @@
 namespace patina::reference {
 
 /// Returns how many bins the table of a measured file has: of azimuth, difference and half angle.
-/// `file` is the number of its path.
+/// `file` is the number of the table (tableNumber()).
 glm::ivec3 measuredBins(double file);
 
 /// Returns f in 1/sr of a bin of the table.

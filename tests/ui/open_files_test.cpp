@@ -6,7 +6,7 @@
 #include <QTest>
 
 #include "catalog/catalog.h"
-#include "core/numbered_texts.h"
+#include "core/table_number.h"
 #include "resources/texture_library.h"
 #include "support/measured_files.h"
 #include "ui/answer.h"
@@ -80,7 +80,7 @@ TEST(OpenedTables, OfAMeasuredFile_AreGreyUntilTheyAreRead) {
     const TemporaryFolder folder;
     writeFile(folder / "paint.binary",
               merlBytes({2, 2, 2}, [](const DirectionPair&) { return glm::dvec3(0.1); }));
-    const int number = numberOfText((folder / "paint.binary").string());
+    const int number = tableNumber((folder / "paint.binary").string(), TableForm::WithoutGrain);
     AssetClient client;
     TextureLibrary textures([&client]() -> AssetClient& { return client; });
     const QSignalSpy arrived(&textures, &TextureLibrary::arrived);

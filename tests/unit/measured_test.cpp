@@ -12,10 +12,11 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "core/numbered_texts.h"
+#include "core/table_number.h"
 #include "measured/half_difference.h"
 #include "measured/kept_tables.h"
 #include "measured/measured_reflectance.h"
+#include "measured/sampled_table.h"
 #include "measured/spectrum_color.h"
 #include "support/measured_files.h"
 #include "support/program.h"
@@ -77,8 +78,7 @@ TEST_F(Measured, Table_HasTheFilesBinsAndWhatWasNotMeasured) {
         return pair.l.z < 0.4 ? glm::dvec3(-1.0) : smooth(pair);
     }));
     ASSERT_TRUE(reading);
-    const HalfDifferenceTable table = (*reading)->table();
-    EXPECT_FALSE(table.isWithoutGrain);
+    const HalfDifferenceTable table = (*reading)->table(TableForm::WithoutGrain);
     EXPECT_EQ(table.bins, glm::ivec3(8, 5, 6));
     ASSERT_EQ(table.texels.size(), 240u);
     for (const DirectionPair& pair : (*reading)->samples(500)) {
@@ -93,29 +93,61 @@ TEST_F(Measured, Table_HasTheFilesBinsAndWhatWasNotMeasured) {
     EXPECT_GT(std::ranges::count_if(table.texels, isMissing), 10);
 }
 
-TEST_F(Measured, AnisotropicTable_IsTheMeanOverTurns) {
-    const auto reading = read(RglFile{.azimuths = 9}.bytes(
-        [](const DirectionPair& pair) { return glm::dvec3(0.2 + 0.1 * pair.v.x * pair.v.x); }));
-    ASSERT_TRUE(reading);
-    ASSERT_FALSE((*reading)->isIsotropic());
-    const HalfDifferenceTable table = (*reading)->table();
-    EXPECT_TRUE(table.isWithoutGrain);
-    EXPECT_EQ(table.bins, glm::ivec3(180, 90, 90));
-    // h is near the normal and v is 45 degrees from it: the mean of cos^2 is 1/2.
-    const glm::vec3 texel = table.texels[std::size_t((2 * 90 + 45) * 180 + 90)];
-    EXPECT_NEAR(texel.x, 0.225, 0.01);
+/// A surface that is brighter where the half vector lies over one side of the tangent.
+class Brushed : public MeasuredReflectance {
+  public:
+    glm::dvec3 evaluate(const DirectionPair& pair) const override {
+        const glm::dvec3 h = glm::normalize(pair.l + pair.v);
+        return glm::dvec3(0.5 + 0.3 * h.x + 0.1 * h.y, 0.2, 0.1);
+    }
+    std::vector<DirectionPair> samples(std::size_t) const override { return {}; }
+    HalfDifferenceTable table(TableForm form) const override { return sampledTable(*this, form); }
+    bool isIsotropic() const override { return false; }
+    std::string description() const override { return {}; }
+};
+
+TEST(MeasuredTable, WithGrain_HasASliceForEachAzimuthOfTheHalfVector) {
+    const HalfDifferenceTable table = Brushed().table(TableForm::WithGrain);
+    ASSERT_EQ(table.bins, glm::ivec3(20, 33 * grainTurns, 64));
+    const double root = 40.5 / 64.0;
+    const double sine = std::sin(root * root * 0.5 * pi);
+    const auto at = [&table](int row) {
+        return double(table.texels[std::size_t((40 * table.bins.y + row) * 20 + 10)].x);
+    };
+    for (const int turn : {0, 7, 15, 30, 59}) {
+        const double azimuth = 2.0 * pi * turn / grainTurns;
+        EXPECT_NEAR(at(turn * 33 + 4),
+                    0.5 + sine * (0.3 * std::cos(azimuth) + 0.1 * std::sin(azimuth)), 1e-6);
+        EXPECT_LT(at(turn * 33 + 32), 0.0); // parts it from the next one
+    }
+}
+
+TEST_F(Measured, TableOfEitherForm_IsKeptBesideTheOther) {
+    const std::filesystem::path file = folder_ / "paint.binary";
+    writeFile(file, merlBytes({2, 2, 2}, smooth));
+    const SharedTable own = *readTable(file);
+    EXPECT_EQ(own->form, TableForm::WithoutGrain);
+    const int other = tableNumber(file.string(), TableForm::WithGrain);
+    EXPECT_EQ(tableAtHand(other), nullptr);
+    EXPECT_EQ((*readTable(other))->form, TableForm::WithGrain);
+    EXPECT_EQ(*readTable(file), own);
+    EXPECT_NE(tableAtHand(other), nullptr);
+    writeFile(file, merlBytes({2, 2, 4}, smooth));
+    ASSERT_TRUE(readTable(file));
+    EXPECT_EQ(tableAtHand(other), nullptr); // it was of the file before
 }
 
 TEST_F(Measured, UnreadableFile_HasATableOfItsOwnColour) {
     writeFile(folder_ / "text.binary", "this is no measured surface at all");
     EXPECT_FALSE(readTable(folder_ / "text.binary"));
-    const SharedTable table = keptTable(numberOfText((folder_ / "text.binary").string()));
+    const SharedTable table =
+        keptTable(tableNumber((folder_ / "text.binary").string(), TableForm::WithoutGrain));
     EXPECT_GT(table->texels.front().x, table->texels.front().y);
 }
 
 TEST_F(Measured, Table_IsAtHandOnceItWasReadAndIsReadAgainWhenItsFileChanged) {
     const std::filesystem::path file = folder_ / "paint.binary";
-    const int number = numberOfText(file.string());
+    const int number = tableNumber(file.string(), TableForm::WithoutGrain);
     writeFile(file, merlBytes({2, 2, 2}, smooth));
     EXPECT_EQ(tableAtHand(number), nullptr);
     const SharedTable first = keptTable(number);

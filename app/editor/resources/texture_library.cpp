@@ -10,7 +10,7 @@
 
 #include "background/tell_afterwards.h"
 #include "core/color.h"
-#include "core/numbered_texts.h"
+#include "core/table_number.h"
 
 namespace patina {
 namespace {
@@ -90,16 +90,27 @@ SharedTable TextureLibrary::table(int number) {
         return there;
     }
     if (!loadingTables_.contains(number)) {
-        readTable(numberedText(number));
+        read(fileOfTable(number), {number},
+             [number] { return patina::readTable(number).map([](const auto&) {}); });
     }
     return tableAtHand(0);
 }
 
 void TextureLibrary::readTable(const std::filesystem::path& file, std::function<void()> done) {
-    const int number = numberOfText(std::filesystem::absolute(file).lexically_normal().string());
-    loadingTables_.insert(number);
-    const auto finish = [this, number, file, done = std::move(done)](const Result<void>& read) {
-        loadingTables_.erase(number);
+    const std::string path = std::filesystem::absolute(file).lexically_normal().string();
+    read(
+        file, {tableNumber(path, TableForm::WithoutGrain), tableNumber(path, TableForm::WithGrain)},
+        [file] { return patina::readTable(file).map([](const auto&) {}); }, std::move(done));
+}
+
+void TextureLibrary::read(const std::filesystem::path& file, const std::vector<int>& tables,
+                          const std::function<Result<void>()>& reading,
+                          std::function<void()> done) {
+    loadingTables_.insert(tables.begin(), tables.end());
+    const auto finish = [this, tables, file, done = std::move(done)](const Result<void>& read) {
+        for (const int table : tables) {
+            loadingTables_.erase(table);
+        }
         if (!read && !done) {
             Q_EMIT failed(QString::fromStdString(file.string()), read.error());
         }
@@ -108,9 +119,8 @@ void TextureLibrary::readTable(const std::filesystem::path& file, std::function<
         }
         Q_EMIT arrived();
     };
-    worker_.ask(
-        [file](const Worker::Control&) { return patina::readTable(file).map([](const auto&) {}); },
-        finish, {}, QString::fromStdString(file.filename().string()));
+    worker_.ask([reading](const Worker::Control&) { return reading(); }, finish, {},
+                QString::fromStdString(file.filename().string()));
 }
 
 TextureSource TextureLibrary::snapshot() const {

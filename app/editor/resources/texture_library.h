@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <QImage>
 #include <QObject>
@@ -35,8 +36,8 @@ class TextureLibrary : public QObject {
     /// Returns what is known of an image. Starts loading a file that was not asked for yet.
     TextureLookup find(const TextureUse& use, TextureDecoding decoding);
 
-    /// Returns the table of a measured file by the number of its path: grey until it is read, which
-    /// begins with the first call.
+    /// Returns a table of a measured file by its number (tableNumber()): grey until it is read,
+    /// which begins with the first call.
     SharedTable table(int number);
 
     /// Reads a measured file, again where it has changed, and then calls `done`, which may read it
@@ -85,6 +86,9 @@ class TextureLibrary : public QObject {
         bool hasAlpha = false;
     };
 
+    /// Has tables read by `reading`, all of one file.
+    void read(const std::filesystem::path& file, const std::vector<int>& tables,
+              const std::function<Result<void>()>& reading, std::function<void()> done = {});
     void load(const Key& key);
     void finish(const Key& key, const Answer& answer);
     void dropUnused();
@@ -95,7 +99,7 @@ class TextureLibrary : public QObject {
                                               const TextureUse& use, TextureDecoding decoding);
     Pictures pictures_;
     std::set<Key, Less> loading_;
-    std::set<int> loadingTables_; ///< has the numbers of their files
+    std::set<int> loadingTables_; ///< has their numbers
     Failures failures_;
     std::map<std::string, Known, std::less<>> known_;
     Worker worker_;

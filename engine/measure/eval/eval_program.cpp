@@ -7,8 +7,8 @@
 #include "gl/texture.h"
 #include "material/measured_preset.h"
 #include "shading/glsl/compile_log.h"
-#include "shading/program/source_builder.h"
 #include "shading/program/block_gate.h"
+#include "shading/program/source_builder.h"
 
 namespace patina {
 namespace {
@@ -84,7 +84,7 @@ EvalProgram::EvalProgram(gl::Program program, const EvalShape& shape)
 void EvalProgram::bindMeasured(MeasuredStore& store, const EvalCase& request) {
     const Block* block = request.block.block;
     if (block != nullptr && tableParameter(*block) != nullptr) {
-        store.bind(measuredFileOf(*block, request.block.values), tableUnit);
+        store.bind(measuredTableOf(*block, request.block.values), tableUnit);
     }
 }
 

@@ -42,7 +42,7 @@ std::string programKey(const EvalBlock& block) {
     for (const CompiledValue& value : compiledValues(block)) {
         key += fmt::format(" {}={}", value.id, value.value);
     }
-    return key + fmt::format(" {}", measuredFileOf(*block.block, block.values));
+    return key + fmt::format(" {}", measuredTableOf(*block.block, block.values));
 }
 
 /// Returns how many texels of arguments precede the values: those of n, t, l and v, or of the one

@@ -12,7 +12,7 @@ namespace patina {
 
 void MeasuredStore::bind(const Block& model, const Values& values) {
     if (tableParameter(model) != nullptr) {
-        bind(measuredFileOf(model, values), binding::measuredTable);
+        bind(measuredTableOf(model, values), binding::measuredTable);
     }
 }
 

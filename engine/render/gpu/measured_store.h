@@ -14,7 +14,7 @@ namespace patina {
 /// each takes 12 bytes for a bin.
 class MeasuredStore {
   public:
-    /// Finds the table of a file by the number of its path, as keptTable() does.
+    /// Finds a table by its number, as keptTable() does.
     using Source = std::function<SharedTable(int)>;
 
     /// Sets where tables come from; by default that is keptTable().
@@ -24,7 +24,7 @@ class MeasuredStore {
     /// active.
     void bind(const Block& model, const Values& values);
 
-    /// Binds the table of a file, by the number of its path, to a texture unit.
+    /// Binds a table, by its number, to a texture unit.
     void bind(int file, unsigned unit);
 
   private:
