@@ -18,9 +18,9 @@ inline constexpr int grainTurns = 60;
 /// collection's files do: the azimuth over 0 .. pi, the difference angle over 0 .. pi/2, and the
 /// square root of the half angle's share of pi/2. A value belongs to the middle of its bin.
 ///
-/// With a grain the bins of the difference angle are there once for each of `grainTurns` azimuths
-/// of the half vector, each time with one more at the end in which nothing was measured: so a mean
-/// over bins that lie side by side never takes any of another azimuth.
+/// With a grain there is such a table for each of `grainTurns` azimuths of the half vector, side by
+/// side along all three axes. Each has its azimuth's other end at both ends, and ends in bins in
+/// which nothing was measured: a mean over neighbours never takes any of another azimuth.
 struct HalfDifferenceTable {
     /// Is the largest number of bins along an axis, which every graphics card has room for.
     static constexpr int maxBins = 2048;

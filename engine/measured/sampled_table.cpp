@@ -16,6 +16,11 @@ using std::numbers::pi;
 
 constexpr glm::ivec3 binsWithoutGrain{180, 90, 90};
 constexpr glm::ivec3 binsOfATurn{20, 32, 64};
+/// Count the azimuths of the half vector along each axis of a table, as the shader does.
+constexpr glm::ivec3 turnsAlong{5, 4, 3};
+static_assert(grainTurns == 5 * 4 * 3);
+/// Also has the azimuth's other end at both ends, and an empty bin behind the other angles.
+constexpr glm::ivec3 partOfATurn{20 + 2, 32 + 1, 64 + 1};
 constexpr int averagedTurns = 8; ///< counts the azimuths over which a grain is averaged
 
 glm::dvec3 turned(const glm::dvec3& d, double azimuth) {
@@ -39,7 +44,7 @@ class TableSampler {
           bins_(hasGrain_ ? binsOfATurn : binsWithoutGrain) {
         table_.form = form;
         table_.isIsotropic = measured.isIsotropic();
-        table_.bins = {bins_.x, hasGrain_ ? (bins_.y + 1) * grainTurns : bins_.y, bins_.z};
+        table_.bins = hasGrain_ ? partOfATurn * turnsAlong : bins_;
         table_.texels.assign(std::size_t(table_.bins.x) * std::size_t(table_.bins.y) *
                                  std::size_t(table_.bins.z),
                              glm::vec3(-1.0f));
@@ -73,17 +78,29 @@ class TableSampler {
 
     void fill(const glm::ivec3& bin, const DirectionPair& pair) {
         if (!hasGrain_) {
-            texel(bin, 0) = glm::vec3(meanOverTurns(pair));
+            texel(bin) = glm::vec3(meanOverTurns(pair));
             return;
         }
         for (int turn = 0; turn < grainTurns; ++turn) {
-            texel(bin, turn) = glm::vec3(meanOf(pair, 2.0 * pi * turn / grainTurns));
+            fillTurn(bin, turn, glm::vec3(meanOf(pair, 2.0 * pi * turn / grainTurns)));
         }
     }
 
-    glm::vec3& texel(const glm::ivec3& bin, int turn) {
-        const int row = turn * (bins_.y + 1) + bin.y;
-        return table_.texels[std::size_t((bin.z * table_.bins.y + row) * bins_.x + bin.x)];
+    void fillTurn(const glm::ivec3& bin, int turn, const glm::vec3& value) {
+        const glm::ivec3 part(turn % turnsAlong.x, turn / turnsAlong.x % turnsAlong.y,
+                              turn / (turnsAlong.x * turnsAlong.y));
+        const glm::ivec3 start = part * partOfATurn;
+        texel(start + glm::ivec3(bin.x + 1, bin.y, bin.z)) = value;
+        if (bin.x == bins_.x - 1) {
+            texel(start + glm::ivec3(0, bin.y, bin.z)) = value;
+        }
+        if (bin.x == 0) {
+            texel(start + glm::ivec3(bins_.x + 1, bin.y, bin.z)) = value;
+        }
+    }
+
+    glm::vec3& texel(const glm::ivec3& bin) {
+        return table_.texels[std::size_t((bin.z * table_.bins.y + bin.y) * table_.bins.x + bin.x)];
     }
 
     glm::dvec3 meanOverTurns(const DirectionPair& pair) const {

@@ -3,13 +3,17 @@
 #include "lib/half_difference.glsl"
 
 const float grainTurns = 60.0; // azimuths of the half vector that a table has
-const float grainShare = 32.0 / 33.0; // of the rows of one, those that hold something
 
-// Reads f from the part of a file's table that belongs to the half vector at an azimuth, which
-// stands over the others along the difference angle.
+// Reads f from the part of a file's table that belongs to the half vector at an azimuth. Parts lie
+// along all axes, 5 x 4 x 3, since a float tells places along one with all of them less well. Of the
+// 22 x 33 x 65 bins of a part the outer two of the first axis are those of its other end, and the
+// last of the others are empty.
 vec3 measuredAtTurn(vec3 place, float turn, MeasuredGrain p) {
-    place.y = (turn + place.y * grainShare) / grainTurns;
-    return measuredGrainFile(place, p);
+    float row = floor((turn + 0.5) / 5.0);
+    float layer = floor((row + 0.5) / 4.0);
+    vec3 part = vec3(turn - 5.0 * row, row - 4.0 * layer, layer);
+    vec3 inPart = (place * vec3(20.0, 32.0, 64.0) + vec3(1.0, 0.0, 0.0)) / vec3(22.0, 33.0, 65.0);
+    return measuredGrainFile((part + inPart) / vec3(5.0, 4.0, 3.0), p);
 }
 
 // The mean of both azimuths beside that of h. At h = n, which has none, the angles count from the

@@ -11,10 +11,10 @@ TEST(ReflectanceTable, OfEveryModel_IsOverTheNumbersThatDecideIt) {
     for (const Block* block : catalog().ofKind(kinds::models)) {
         const auto table =
             reflectanceTable(catalog(), defaultMaterial(*block), LobeTerm::Whole, 32);
-        // Without a file the measured one is matte.
+        // Without a file the measured ones are matte.
         const bool factors = block->id == "lambert" || block->id == "measured" ||
-                             block->id == "minnaert" || block->id == "lommel-seeliger" ||
-                             block->id == "heidrich-seidel";
+                             block->id == "measured-grain" || block->id == "minnaert" ||
+                             block->id == "lommel-seeliger" || block->id == "heidrich-seidel";
         EXPECT_EQ(table.has_value(), factors) << block->id;
         if (table) {
             EXPECT_EQ(table->axes, block->id == "heidrich-seidel" ? TableAxes::TangentCosines

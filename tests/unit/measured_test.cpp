@@ -108,17 +108,21 @@ class Brushed : public MeasuredReflectance {
 
 TEST(MeasuredTable, WithGrain_HasASliceForEachAzimuthOfTheHalfVector) {
     const HalfDifferenceTable table = Brushed().table(TableForm::WithGrain);
-    ASSERT_EQ(table.bins, glm::ivec3(20, 33 * grainTurns, 64));
+    ASSERT_EQ(table.bins, glm::ivec3(22 * 5, 33 * 4, 65 * 3));
     const double root = 40.5 / 64.0;
     const double sine = std::sin(root * root * 0.5 * pi);
-    const auto at = [&table](int row) {
-        return double(table.texels[std::size_t((40 * table.bins.y + row) * 20 + 10)].x);
+    const auto at = [&table](int turn, int difference) {
+        const int column = turn % 5 * 22 + 11;
+        const int row = turn / 5 % 4 * 33 + difference;
+        const int layer = turn / 20 * 65 + 40;
+        return double(
+            table.texels[std::size_t((layer * table.bins.y + row) * table.bins.x + column)].x);
     };
     for (const int turn : {0, 7, 15, 30, 59}) {
         const double azimuth = 2.0 * pi * turn / grainTurns;
-        EXPECT_NEAR(at(turn * 33 + 4),
-                    0.5 + sine * (0.3 * std::cos(azimuth) + 0.1 * std::sin(azimuth)), 1e-6);
-        EXPECT_LT(at(turn * 33 + 32), 0.0); // parts it from the next one
+        EXPECT_NEAR(at(turn, 4), 0.5 + sine * (0.3 * std::cos(azimuth) + 0.1 * std::sin(azimuth)),
+                    1e-6);
+        EXPECT_LT(at(turn, 32), 0.0); // parts it from the next one
     }
 }
 
