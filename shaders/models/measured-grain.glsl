@@ -21,8 +21,7 @@ vec3 measuredAtTurn(vec3 place, float turn, MeasuredGrain p) {
 vec3 measuredGrain(Directions d, MeasuredGrain p) {
     Directions g = alongGrain(d, p.tangentAngle);
     vec3 place = halfDifferencePlace(g);
-    float azimuth = g.tH == 0.0 && g.bH == 0.0 ? 0.0 : atan(g.bH, g.tH);
-    float turn = azimuth / (2.0 * PI) * grainTurns;
+    float turn = angleInPlane(g.tH, g.bH) / (2.0 * PI) * grainTurns;
     float low = floor(turn);
     float share = turn - low;
     low = low < 0.0 ? low + grainTurns : low;
