@@ -244,7 +244,7 @@ TEST_F(EffectsPanel, Measured_ShowsWhatIsPredictedForOtherCards) {
     constexpr int cycles = 4;
     EXPECT_GT(row("fog/")->text(cycles).toDouble(), 0.0) << row("fog/")->text(cycles).toStdString();
     EXPECT_TRUE(row("fog/")->toolTip(cycles).contains("Predicted"));
-    EXPECT_EQ(row("fresnel/")->text(cycles), "") << "it goes only with its model";
+    EXPECT_EQ(row("fresnel/")->text(cycles), "in Cook-Torrance") << "it goes only with its model";
 }
 
 TEST_F(EffectsPanel, CostsOfTooFewFrames_AreMarked) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <span>
 #include <system_error>
 
 #include <unistd.h>
@@ -114,11 +115,26 @@ class DeviceCheck {
                 kept.push_back(std::move(**way));
             }
         }
-        ways_.ways = std::move(kept);
+        ways_.ways = frontOf(kept);
         return count_;
     }
 
   private:
+    /// Leaves out ways than which a cheaper one is no farther off on the device. They are from the
+    /// dearest to the cheapest.
+    static std::vector<CheaperWay> frontOf(const std::vector<CheaperWay>& ways) {
+        std::vector<CheaperWay> front;
+        for (std::size_t i = 0; i < ways.size(); ++i) {
+            const auto rest = std::span(ways).subspan(i + 1);
+            if (std::ranges::none_of(rest, [&](const CheaperWay& cheaper) {
+                    return cheaper.error <= ways[i].error;
+                })) {
+                front.push_back(ways[i]);
+            }
+        }
+        return front;
+    }
+
     std::string level(std::size_t index) const { return foundLevelId(index); }
 
     /// Returns the way with its error on the device; nothing where it breaks there.
