@@ -2,10 +2,13 @@
 // The editor's window at work on large meshes, with a heartbeat on its event loop.
 // patina-loading-editor MESH...: prints a line per step.
 #include <algorithm>
+#include <array>
 
 #include <QApplication>
 #include <QMouseEvent>
 #include <QTemporaryDir>
+
+#include <fmt/format.h>
 
 #include "catalog/catalog.h"
 #include "document/scene_edits.h"
@@ -56,6 +59,23 @@ int indexOfLarge(Document& document) {
     return int(std::ranges::find_if(objects, isLarge) - objects.begin());
 }
 
+/// Marks and strands grow on the large mesh, and go again.
+bool growStyles(EditorCourse& course, Document& document) {
+    const auto drawn = [&] { return course.view().frames().isUpToDate(); };
+    const auto styled = [&](std::string_view kind, const std::string& id) {
+        return course.step(
+            id.empty() ? fmt::format("taking the {} away", kind) : fmt::format("{} on it", id),
+            [&document, kind, id] { document.setBlock(pathOf(kind), id); }, drawn);
+    };
+    return std::ranges::all_of(
+        std::array{kinds::strokes, kinds::shells}, [&](std::string_view kind) {
+            const std::vector<const Block*> blocks = document.catalog().ofKind(kind);
+            return std::ranges::all_of(
+                       blocks, [&](const Block* block) { return styled(kind, block->id); }) &&
+                   styled(kind, "");
+        });
+}
+
 bool runAll(MainWindow& window, const QStringList& meshes) {
     const auto always = [] { return true; };
     EditorCourse course(window);
@@ -72,7 +92,7 @@ bool runAll(MainWindow& window, const QStringList& meshes) {
                [&] { return large() == 1; }) &&
            course.step(
                "one more frame", [] {}, always) &&
-           orbit(course) &&
+           orbit(course) && growStyles(course, document) &&
            course.step(
                "picking a pivot", [&] { doubleClickMiddle(course.view()); }, always) &&
            course.step(
