@@ -16,7 +16,9 @@
 #include "catalog/value_json.h"
 #include "cli/job.h"
 #include "cli/long_work.h"
+#include "material/measured_preset.h"
 #include "material/preset_file.h"
+#include "measured/measured_reflectance.h"
 #include "scene/mesh_path.h"
 #include "scene/scene_file.h"
 #include "scene/scene_limits.h"
@@ -88,8 +90,27 @@ void addImageMistakes(Errors& errors, const LocatedJson& document, const std::st
     }
 }
 
+/// Adds an error where a material shows a measured surface whose file cannot be read.
+void addMeasuredMistake(Errors& errors, const LocatedJson& document, const std::string& place,
+                        const Material& material, const Catalog& catalog) {
+    const Block* model = catalog.find(kinds::models, material.model.id);
+    const Parameter* parameter = model != nullptr ? tableParameter(*model) : nullptr;
+    if (parameter == nullptr || !material.model.parameters.contains(parameter->id)) {
+        return;
+    }
+    const auto& file = std::get<std::string>(material.model.parameters.at(parameter->id));
+    if (file.empty()) {
+        return;
+    }
+    if (const auto read = readMeasured(file); !read) {
+        errors.push_back(document.error(
+            fmt::format("{}/parameters/{}", place, escapedToken(parameter->id)),
+            fmt::format("\"{}\" {}", file, read.error().problem), read.error().expected));
+    }
+}
+
 /// Returns an error for each file that a scene names and that is missing.
-Errors absentFiles(const fs::path& file, const Scene& scene) {
+Errors absentFiles(const fs::path& file, const Scene& scene, const Catalog& catalog) {
     const Result<LocatedJson> document = readJson(file, sceneLimits);
     Errors errors;
     for (std::size_t i = 0; document && i < scene.objects.size(); ++i) {
@@ -99,7 +120,9 @@ Errors absentFiles(const fs::path& file, const Scene& scene) {
                                              fmt::format("there is no file \"{}\"", object.mesh),
                                              "a path from the scene's folder, or builtin:<name>"));
         }
-        addImageMistakes(errors, *document, fmt::format("/objects/{}/preset", i), object.material);
+        const std::string preset = fmt::format("/objects/{}/preset", i);
+        addImageMistakes(errors, *document, preset, object.material);
+        addMeasuredMistake(errors, *document, preset, object.material, catalog);
     }
     return errors;
 }
@@ -110,6 +133,7 @@ Errors presetMistakesIn(const fs::path& file, const Catalog& catalog) {
     const Result<LocatedJson> document = readJson(file, sceneLimits);
     if (reading && document) {
         addImageMistakes(errors, *document, {}, reading->material);
+        addMeasuredMistake(errors, *document, {}, reading->material, catalog);
     }
     return errors;
 }
@@ -118,7 +142,7 @@ Errors sceneMistakesIn(const fs::path& file, const Catalog& catalog) {
     const auto reading = readScene(file, catalog);
     Errors errors = mistakesOf(reading);
     if (reading) {
-        const Errors absent = absentFiles(file, reading->scene);
+        const Errors absent = absentFiles(file, reading->scene, catalog);
         errors.insert(errors.end(), absent.begin(), absent.end());
     }
     return errors;

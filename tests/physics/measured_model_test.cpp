@@ -2,6 +2,7 @@
 // The model that shows a measured file returns what the file holds, in double precision and on the
 // device.
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 #include <random>
 
@@ -12,6 +13,7 @@
 #include "measure/eval/eval_gpu.h"
 #include "measure/eval/model_values.h"
 #include "measure/lobe/lobe_lines.h"
+#include "measure/match/match_target.h"
 #include "measure/stability/sweep_cases.h"
 #include "measured/measured_reflectance.h"
 #include "support/measured_files.h"
@@ -249,6 +251,21 @@ TEST_F(MeasuredModel, FileThatChanged_IsReadAgain) {
         write("a.binary", matte(albedo));
         const LobeModel model = *LobeModel::create(catalog(), material_);
         EXPECT_NEAR(model.value({0, 0, 1}, {0, 0, 1}).x, albedo, 1e-6);
+    }
+}
+
+TEST_F(MeasuredModel, FileThatCannotBeRead_IsAnErrorInPlotsAndMatches) {
+    write("a.binary", merlBytes({4, 4, 4}, [](const DirectionPair&) { return glm::dvec3(0.1); }));
+    for (const std::string& bytes : {std::string("no table"), std::string()}) {
+        if (bytes.empty()) {
+            std::filesystem::remove(folder_ / "a.binary");
+        } else {
+            writeFile(folder_ / "a.binary", bytes);
+        }
+        const auto model = LobeModel::create(catalog(), material_);
+        ASSERT_FALSE(model);
+        EXPECT_NE(model.error().text().find("a.binary"), std::string::npos);
+        EXPECT_FALSE(matchAim(material_, catalog(), 64));
     }
 }
 

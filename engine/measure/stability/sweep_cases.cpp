@@ -8,8 +8,10 @@
 #include <fmt/format.h>
 
 #include "catalog/wavelength_choice.h"
+#include "material/measured_preset.h"
 #include "measure/stability/edge_case_values.h"
 #include "measure/stability/pairwise.h"
+#include "measured/kept_tables.h"
 
 namespace patina {
 namespace {
@@ -273,6 +275,12 @@ Result<EvalCase> sweepVariant(const Catalog& catalog, const Material& material) 
         if (filler != nullptr) {
             variant.slot =
                 valued(*filler, part != nullptr ? *part : BlockValues(), material.accuracy);
+        }
+    }
+    // A file that cannot be read shows magenta, which is nothing to measure.
+    if (const int table = measuredTableOf(*model, variant.block.values); table != 0) {
+        if (const auto read = readTable(table); !read) {
+            return tl::unexpected(read.error());
         }
     }
     return variant;
