@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "material/measured_preset.h"
 #include "measure/approximation/measured_text.h"
 #include "measure/lobe/device_lobe.h"
 #include "measure/stability/sweep_cases.h"
@@ -50,6 +51,11 @@ Result<LobeLines> halfLines(const Catalog& catalog, const Material& material,
     const Block* block = catalog.find(kinds::models, material.model.id);
     if (block != nullptr && !whyNoPlots(*block).empty()) {
         return failure(whyNoPlots(*block), "a model of a reflectance");
+    }
+    if (block != nullptr && tableParameter(*block) != nullptr) {
+        return failure("a measured surface is read from a table and has no terms of its own to "
+                       "compute in 16 bits",
+                       "a model with formulas");
     }
     const Result<EvalCase> variant = sweepVariant(catalog, material);
     if (!variant) {
