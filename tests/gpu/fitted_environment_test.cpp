@@ -3,11 +3,14 @@
 // directions.
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <numbers>
 #include <numeric>
 
 #include "environment_fixture.h"
 #include "material/preset_file.h"
 #include "measure/error/flip.h"
+#include "measured/kept_tables.h"
 #include "render/lights/environment_harmonics.h"
 #include "scene/scene_file.h"
 #include "shading/effects/effect_set.h"
@@ -72,6 +75,19 @@ TEST_F(FittedEnvironmentTest, EveryModel_SendsTheLightOfAWhiteSkyThatItSendsWhen
             EXPECT_NEAR(shown[i], right[i], 0.02f * right[i] + 0.002f) << model->id << ' ' << i;
         }
     }
+}
+
+TEST_F(FittedEnvironmentTest, MeasuredSurface_IsFittedAgainWhenItsFileArrives) {
+    size_ = 9;
+    const Scene scene = fitted(surrounded("measured", plain(1.0f)));
+    auto white = std::make_shared<HalfDifferenceTable>();
+    white->texels.front() = glm::vec3(std::numbers::inv_pi_v<float>);
+    bool isThere = false;
+    renderer->setTables([&](int) { return isThere ? white : keptTable(0); });
+    const float before = middle(settled(scene, 4)).r;
+    isThere = true;
+    EXPECT_NEAR(middle(settled(scene, 4)).r, 2.0f * before, 0.05f);
+    renderer->setTables(keptTable);
 }
 
 TEST_F(FittedEnvironmentTest, GlossyBallInTheStudio_LooksAsWhenSampled) {

@@ -10,14 +10,14 @@
 
 namespace patina {
 
-void MeasuredStore::bind(const Block& model, const Values& values) {
-    if (tableParameter(model) != nullptr) {
-        bind(measuredTableOf(model, values), binding::measuredTable);
-    }
+SharedTable MeasuredStore::bind(const Block& model, const Values& values) {
+    return tableParameter(model) != nullptr
+               ? bind(measuredTableOf(model, values), binding::measuredTable)
+               : nullptr;
 }
 
-void MeasuredStore::bind(int file, unsigned unit) {
-    const SharedTable table = source_(file);
+SharedTable MeasuredStore::bind(int file, unsigned unit) {
+    SharedTable table = source_(file);
     auto found = std::ranges::find(entries_, file, &Entry::file);
     if (found != entries_.end() && found->table != table) {
         entries_.erase(found);
@@ -35,6 +35,7 @@ void MeasuredStore::bind(int file, unsigned unit) {
     glActiveTexture(GL_TEXTURE0 + unit);
     glBindTexture(GL_TEXTURE_3D, entries_.back().texture.name());
     glActiveTexture(GL_TEXTURE0);
+    return table;
 }
 
 } // namespace patina

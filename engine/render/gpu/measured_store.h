@@ -20,12 +20,12 @@ class MeasuredStore {
     /// Sets where tables come from; by default that is keptTable().
     void setSource(Source source) { source_ = std::move(source); }
 
-    /// Binds the table of a model that has one for the program's sampler. Leaves texture unit 0
-    /// active.
-    void bind(const Block& model, const Values& values);
+    /// Binds the table of a model that has one for the program's sampler, and returns it; null for
+    /// another model. Leaves texture unit 0 active.
+    SharedTable bind(const Block& model, const Values& values);
 
-    /// Binds a table, by its number, to a texture unit.
-    void bind(int file, unsigned unit);
+    /// Binds a table, by its number, to a texture unit, and returns it.
+    SharedTable bind(int file, unsigned unit);
 
   private:
     static constexpr std::size_t maxTables = 4;

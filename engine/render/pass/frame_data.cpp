@@ -107,9 +107,9 @@ void FrameData::fitLobes(const PreparedFrame& frame) {
         const Pipeline* pipeline = frame.materials[i].pipeline.get();
         if (pipeline != nullptr && pipeline->lobeFit) {
             const Material& values = frame.plan.material(i);
-            bindMeasured(*pipeline, values);
+            const SharedTable measured = bindMeasured(*pipeline, values);
             gpu_.report.filledTables +=
-                lobes_.fit(i, *pipeline, values, around(frame.plan)) ? 1 : 0;
+                lobes_.fit(i, *pipeline, values, around(frame.plan), measured) ? 1 : 0;
         } else if (pipeline == nullptr || !pipeline->effects.environment) {
             lobes_.drop(i); // not where light is sampled for now: it is fitted again while the
                             // scene changes
@@ -160,10 +160,10 @@ void FrameData::feedMaterial(const PreparedFrame& frame, std::size_t number) {
     pipeline.program->use();
 }
 
-void FrameData::bindMeasured(const Pipeline& pipeline, const Material& material) {
-    if (pipeline.effects.model) {
-        gpu_.shared.measured.bind(pipeline.effects.model->block(), material.model.parameters);
-    }
+SharedTable FrameData::bindMeasured(const Pipeline& pipeline, const Material& material) {
+    return pipeline.effects.model ? gpu_.shared.measured.bind(pipeline.effects.model->block(),
+                                                              material.model.parameters)
+                                  : nullptr;
 }
 
 void FrameData::feedLines(const PreparedFrame& frame, const DrawBatch& batch) {

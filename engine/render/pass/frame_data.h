@@ -54,7 +54,8 @@ class FrameData : public Pass {
     void placeMaterials(PreparedFrame& frame);
     void fillTables(const PreparedFrame& frame);
     void fitLobes(const PreparedFrame& frame);
-    void bindMeasured(const Pipeline& pipeline, const Material& material);
+    /// Returns the table that was bound; null where the model has none.
+    SharedTable bindMeasured(const Pipeline& pipeline, const Material& material);
     void feedMaterial(const PreparedFrame& frame, std::size_t number);
     void note(bool isWritten);
 

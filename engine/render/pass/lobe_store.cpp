@@ -27,7 +27,7 @@ void LobeStore::makeRoom(std::size_t materials) {
 }
 
 bool LobeStore::fit(std::size_t number, const Pipeline& pipeline, const Material& material,
-                    const PackedAround& around) {
+                    const PackedAround& around, const SharedTable& measured) {
     if (!fitting_) {
         fitting_ = std::make_unique<Fitting>();
     }
@@ -35,7 +35,7 @@ bool LobeStore::fit(std::size_t number, const Pipeline& pipeline, const Material
     fitting_->data.reserve(vec4s);
     packMaterial(fitting_->data.staging(), pipeline, material, around);
     Lobes& lobes = lobes_[number];
-    if (!take(lobes, pipeline, fitting_->data.staging().first(vec4s))) {
+    if (!take(lobes, pipeline, fitting_->data.staging().first(vec4s), measured)) {
         return false;
     }
     const LobeTableShape shape = lobeTableShape(*pipeline.object.model->block);
@@ -80,10 +80,13 @@ void LobeStore::Fitting::makeRoom(const LobeTableShape& shape) {
 }
 
 /// Notes what the lobes are fitted to; returns false when they are fitted to that already.
-bool LobeStore::take(Lobes& lobes, const Pipeline& pipeline, std::span<const glm::vec4> values) {
-    if (lobes.program == pipeline.lobeSamples && std::ranges::equal(lobes.values, values)) {
+bool LobeStore::take(Lobes& lobes, const Pipeline& pipeline, std::span<const glm::vec4> values,
+                     const SharedTable& measured) {
+    if (lobes.program == pipeline.lobeSamples && lobes.measured.lock() == measured &&
+        std::ranges::equal(lobes.values, values)) {
         return false;
     }
+    lobes.measured = measured;
     lobes.program = pipeline.lobeSamples;
     lobes.values.assign(values.begin(), values.end());
     return true;

@@ -13,6 +13,7 @@
 #include "gl/texture_array.h"
 #include "gl/vertex_array.h"
 #include "material/material.h"
+#include "measured/kept_tables.h"
 #include "render/gpu/pipeline.h"
 #include "render/gpu/uniform_buffer.h"
 #include "shading/program/parameter_packer.h"
@@ -28,10 +29,10 @@ class LobeStore {
     void makeRoom(std::size_t materials);
 
     /// Fits the lobes of material `number` and returns true, unless they are the same as before.
-    /// Its pipeline must have programs for it. Changes the bound framebuffer, the viewport and the
-    /// depth test.
+    /// Its pipeline must have programs for it, and the table of its measured surface, if any, must
+    /// be bound. Changes the bound framebuffer, the viewport and the depth test.
     bool fit(std::size_t number, const Pipeline& pipeline, const Material& material,
-             const PackedAround& around);
+             const PackedAround& around, const SharedTable& measured);
 
     /// Deletes the table of a material that has no lobes any more.
     void drop(std::size_t number);
@@ -45,6 +46,8 @@ class LobeStore {
                                                     ///< there are no lobes
         std::vector<glm::vec4> values;              ///< are the material's packed values at the
                                                     ///< time of the fit
+        std::weak_ptr<const HalfDifferenceTable> measured; ///< is what these were read from: a
+                                                           ///< file may arrive, or change
         gl::TextureArray table;
         gl::Framebuffer framebuffer;
     };
@@ -60,7 +63,8 @@ class LobeStore {
         gl::VertexArray noVertices = gl::VertexArray::create();
     };
 
-    static bool take(Lobes& lobes, const Pipeline& pipeline, std::span<const glm::vec4> values);
+    static bool take(Lobes& lobes, const Pipeline& pipeline, std::span<const glm::vec4> values,
+                     const SharedTable& measured);
 
     std::vector<Lobes> lobes_;
     std::unique_ptr<Fitting> fitting_;
