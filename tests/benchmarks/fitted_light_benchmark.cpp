@@ -10,6 +10,7 @@
 #include "gl/headless_context.h"
 #include "material/preset_file.h"
 #include "measure/error/flip.h"
+#include "measure/error/picture_distance.h"
 #include "primitive_meshes.h"
 #include "render/renderer.h"
 #include "scene/scene_file.h"
@@ -43,14 +44,6 @@ std::vector<std::filesystem::path> presetFiles() {
     }
     std::ranges::sort(files);
     return files;
-}
-
-std::vector<glm::dvec3> colorsOf(const Image& image) {
-    std::vector<glm::dvec3> colors;
-    for (std::size_t i = 0; i + 3 < image.pixels.size(); i += 4) {
-        colors.emplace_back(image.pixels[i], image.pixels[i + 1], image.pixels[i + 2]);
-    }
-    return colors;
 }
 
 double meanOf(const std::vector<glm::dvec3>& colors) {
@@ -110,7 +103,7 @@ class FittedStage {
         view.size = size;
         view.camera = scene_.camera;
         view.environmentSamples = samples;
-        return colorsOf(renderer_->capture(scene_, view, meshes_.source(), true).value());
+        return displayColors(renderer_->capture(scene_, view, meshes_.source(), true).value());
     }
 
     std::unique_ptr<gl::HeadlessContext> context_;

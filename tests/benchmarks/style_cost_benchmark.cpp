@@ -10,6 +10,7 @@
 #include "machine_text.h"
 #include "material/block_values.h"
 #include "measure/error/flip.h"
+#include "measure/error/picture_distance.h"
 #include "primitive_meshes.h"
 #include "stage.h"
 #include "statistics.h"
@@ -38,14 +39,6 @@ struct Way {
                (ratios.size() >= roundsOfSlow && seconds > enoughSeconds);
     }
 };
-
-std::vector<glm::dvec3> colorsOf(const Image& image) {
-    std::vector<glm::dvec3> colors;
-    for (std::size_t i = 0; i + 3 < image.pixels.size(); i += 4) {
-        colors.emplace_back(image.pixels[i], image.pixels[i + 1], image.pixels[i + 2]);
-    }
-    return colors;
-}
 
 /// Draws one ball in the scene for drawings, in every style that ships.
 class StyleStage {
@@ -94,7 +87,8 @@ class StyleStage {
     void warmUp(const Way& way) { secondsOf(way.scene); }
 
     std::vector<glm::dvec3> pictureOf(const Scene& scene) {
-        return colorsOf(renderer_->capture(scene, viewOf(scene), meshes_.source(), true).value());
+        return displayColors(
+            renderer_->capture(scene, viewOf(scene), meshes_.source(), true).value());
     }
 
     double plainSeconds() { return secondsOf(plain_); }

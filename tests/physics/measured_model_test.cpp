@@ -172,16 +172,8 @@ TEST_F(MeasuredModel, RglFile_IsAsNearTheSurfaceAsTheFileAllows) {
     EXPECT_LT(fromSurface.value(), 1.01 * ofItsMean.value()); // the bins lose nothing
 }
 
-TEST_F(MeasuredModel, Device_GivesTheSameValues) {
-    write("a.binary", merlBytes({30, 20, 36}, measuredSurface));
-    const EvalCase request = *sweepVariant(catalog(), material_);
-    const ModelValues values = *ModelValues::of(request, catalog());
-    std::vector<EvalCase> cases;
-    for (const DirectionPair& pair : manyPairs()) {
-        cases.push_back(request);
-        cases.back().l = glm::dvec3(glm::vec3(pair.l));
-        cases.back().v = glm::dvec3(glm::vec3(pair.v));
-    }
+/// Expects of the device what double precision gives, where light and viewer are floats.
+void expectTheSameOnTheDevice(const std::vector<EvalCase>& cases, const ModelValues& values) {
     EvalGpu gpu;
     const auto answers = gpu.evaluate(cases, catalog());
     for (std::size_t i = 0; i < cases.size(); ++i) {
@@ -193,6 +185,19 @@ TEST_F(MeasuredModel, Device_GivesTheSameValues) {
             EXPECT_NEAR(found, wanted[c], 2e-4 * std::max(wanted[c], 0.1)) << i;
         }
     }
+}
+
+TEST_F(MeasuredModel, Device_GivesTheSameValues) {
+    write("a.binary", merlBytes({30, 20, 36}, measuredSurface));
+    const EvalCase request = *sweepVariant(catalog(), material_);
+    const ModelValues values = *ModelValues::of(request, catalog());
+    std::vector<EvalCase> cases;
+    for (const DirectionPair& pair : manyPairs()) {
+        cases.push_back(request);
+        cases.back().l = glm::dvec3(glm::vec3(pair.l));
+        cases.back().v = glm::dvec3(glm::vec3(pair.v));
+    }
+    expectTheSameOnTheDevice(cases, values);
 }
 
 /// A brushed metal by Ward's exponential, which is long across the tangent.
@@ -230,16 +235,7 @@ TEST_F(MeasuredGrain, Model_IsAsNearTheFileAsItsBinsAreFineAndTheSameOnTheDevice
     const double s = std::sqrt(0.5);
     EXPECT_GT(values.at({{0.0, s, s}, {0.0, 0.0, 1.0}}).x,
               2.0 * values.at({{s, 0.0, s}, {0.0, 0.0, 1.0}}).x); // so it is not isotropic
-    EvalGpu gpu;
-    const auto answers = gpu.evaluate(cases, catalog());
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-        ASSERT_TRUE(answers[i]) << answers[i].error().text();
-        const glm::dvec3 wanted = values.at({cases[i].l, cases[i].v});
-        for (int c = 0; c < 3; ++c) {
-            EXPECT_NEAR((*answers[i])[std::size_t(c)], wanted[c], 2e-4 * std::max(wanted[c], 0.1))
-                << i;
-        }
-    }
+    expectTheSameOnTheDevice(cases, values);
 }
 
 TEST_F(MeasuredModel, FileThatChanged_IsReadAgain) {
