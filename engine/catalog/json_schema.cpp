@@ -147,6 +147,7 @@ bool isEcho(const std::string& description) {
 struct JsonSchema::Implementation {
     Json json;
     valijson::Schema schema;
+    valijson::Validator validator{valijson::Validator::kStrongTypes}; ///< keeps compiled patterns
 };
 
 JsonSchema::JsonSchema(std::unique_ptr<Implementation> implementation)
@@ -172,9 +173,8 @@ Result<JsonSchema> JsonSchema::load(const std::string& name) {
 }
 
 Errors JsonSchema::check(const LocatedJson& document) const {
-    valijson::Validator validator(valijson::Validator::kStrongTypes);
     valijson::ValidationResults results;
-    validator.validate(implementation_->schema, Adapter(document.value), &results);
+    implementation_->validator.validate(implementation_->schema, Adapter(document.value), &results);
     Errors errors;
     for (const auto& found : results) {
         if (!isEcho(found.description)) {
