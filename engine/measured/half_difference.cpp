@@ -8,6 +8,20 @@
 #include <glm/vec2.hpp>
 
 namespace patina {
+namespace {
+
+/// Returns the number of an index of the sequence of van der Corput in a base, 0 .. 1.
+double radicalInverse(std::size_t index, std::size_t base) {
+    double result = 0.0;
+    double digit = 1.0;
+    for (; index > 0; index /= base) {
+        digit /= double(base);
+        result += digit * double(index % base);
+    }
+    return result;
+}
+
+} // namespace
 
 HalfDifference halfDifference(const DirectionPair& pair) {
     const glm::dvec3 h = glm::normalize(pair.l + pair.v);
@@ -33,6 +47,20 @@ DirectionPair directionsAt(const HalfDifference& angles) {
     const glm::dvec3 h(s, 0.0, c);
     const glm::dvec3 l(d.x * c + d.z * s, d.y, d.z * c - d.x * s);
     return {l, 2.0 * glm::dot(l, h) * h - l};
+}
+
+DirectionPair spreadPair(std::size_t index) {
+    constexpr double pi = std::numbers::pi;
+    const double root = radicalInverse(index, 2);
+    const DirectionPair flat =
+        directionsAt({root * root * 0.5 * pi, radicalInverse(index, 3) * 0.5 * pi,
+                      radicalInverse(index, 5) * 2.0 * pi});
+    const double azimuth = radicalInverse(index, 7) * 2.0 * pi;
+    const auto turned = [azimuth](const glm::dvec3& v) {
+        return glm::dvec3(v.x * std::cos(azimuth) - v.y * std::sin(azimuth),
+                          v.x * std::sin(azimuth) + v.y * std::cos(azimuth), v.z);
+    };
+    return {turned(flat.l), turned(flat.v)};
 }
 
 } // namespace patina

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,9 +31,14 @@ class MeasuredReflectance {
     /// measured; 0 where l or v is not above the surface.
     virtual glm::dvec3 evaluate(const DirectionPair& directions) const = 0;
 
-    /// Returns at most `maxCount` pairs of directions at which evaluate() is what the file holds,
-    /// evenly taken from all that have a value.
-    virtual std::vector<DirectionPair> samples(std::size_t maxCount) const = 0;
+    /// Returns the pair of directions near these at which evaluate() is what the file holds;
+    /// nothing where the file has no value there, or one direction would not be above the surface.
+    virtual std::optional<DirectionPair> nearestSample(const DirectionPair& directions) const = 0;
+
+    /// Returns at most `maxCount` pairs of directions at which evaluate() is what the file holds:
+    /// the samples nearest to those of spreadPair(), so that surfaces in files of either format are
+    /// looked at alike; some may be there twice.
+    std::vector<DirectionPair> samples(std::size_t maxCount) const;
 
     /// Returns the reflectance in bins, for graphics cards: those that a MERL file has, else those
     /// of sampledTable(). Without a grain an anisotropic surface is averaged over its turns, so

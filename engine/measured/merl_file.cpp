@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
@@ -56,29 +57,20 @@ class MerlReflectance : public MeasuredReflectance {
             return glm::dvec3(0.0);
         }
         const HalfDifference angles = halfDifference(pair);
-        const Between half =
-            between(std::sqrt(angles.half / (0.5 * pi)) * double(bins_[0]), bins_[0], false);
-        const Between difference =
-            between(angles.difference / (0.5 * pi) * double(bins_[1]), bins_[1], false);
-        const Between azimuth = between(angles.azimuth / pi * double(bins_[2]), bins_[2], true);
-        return mean(half, difference, azimuth);
+        return mean(between(halfPlace(angles.half), bins_[0], false),
+                    between(differencePlace(angles.difference), bins_[1], false),
+                    between(azimuthPlace(angles.azimuth), bins_[2], true));
     }
 
-    std::vector<DirectionPair> samples(std::size_t maxCount) const override {
-        std::vector<std::size_t> usable;
-        for (std::size_t i = 0; i < count(); ++i) {
-            const DirectionPair pair = directionsAt(middleOf(i));
-            if (isMeasured(i) && pair.l.z > 0.0 && pair.v.z > 0.0) {
-                usable.push_back(i);
-            }
-        }
-        std::vector<DirectionPair> pairs;
-        const std::size_t taken = std::min(maxCount, usable.size());
-        for (std::size_t k = 0; k < taken; ++k) {
-            // The step is no divisor of a row, so the places spread over all three axes.
-            pairs.push_back(directionsAt(middleOf(usable[k * usable.size() / taken])));
-        }
-        return pairs;
+    std::optional<DirectionPair> nearestSample(const DirectionPair& pair) const override {
+        const HalfDifference angles = halfDifference(pair);
+        const std::size_t bin = (binAt(halfPlace(angles.half), bins_[0]) * bins_[1] +
+                                 binAt(differencePlace(angles.difference), bins_[1])) *
+                                    bins_[2] +
+                                binAt(azimuthPlace(angles.azimuth), bins_[2]);
+        const DirectionPair middle = directionsAt(middleOf(bin));
+        return isMeasured(bin) && middle.l.z > 0.0 && middle.v.z > 0.0 ? std::optional(middle)
+                                                                       : std::nullopt;
     }
 
     HalfDifferenceTable table(TableForm form) const override {
@@ -103,6 +95,15 @@ class MerlReflectance : public MeasuredReflectance {
   private:
     std::size_t count() const { return bins_[0] * bins_[1] * bins_[2]; }
     bool isMeasured(std::size_t bin) const { return values_[bin] >= 0.0f; }
+
+    /// Are places along the axes for angles in radians, in bins from the start.
+    double halfPlace(double half) const { return std::sqrt(half / (0.5 * pi)) * double(bins_[0]); }
+    double differencePlace(double angle) const { return angle / (0.5 * pi) * double(bins_[1]); }
+    double azimuthPlace(double azimuth) const { return azimuth / pi * double(bins_[2]); }
+
+    static std::size_t binAt(double place, std::size_t bins) {
+        return std::min(static_cast<std::size_t>(place), bins - 1);
+    }
 
     HalfDifference middleOf(std::size_t bin) const {
         const std::size_t row = bin / bins_[2];
@@ -142,6 +143,12 @@ class MerlReflectance : public MeasuredReflectance {
     std::vector<float> values_; ///< are in 1/sr: all of red, of green, of blue
 };
 
+/// Tells whether all bytes are printed characters or white space of ASCII.
+bool isText(std::string_view bytes) {
+    return std::ranges::all_of(
+        bytes, [](char c) { return (c >= ' ' && c <= '~') || (c >= '\t' && c <= '\r'); });
+}
+
 Result<std::array<std::size_t, 3>> binsOf(std::string_view bytes) {
     ByteReader reader(bytes);
     std::array<std::size_t, 3> bins{};
@@ -152,6 +159,10 @@ Result<std::array<std::size_t, 3>> binsOf(std::string_view bytes) {
             return failure(
                 fmt::format("byte {}: the file ends in its numbers of bins", bytes.size()),
                 "a MERL or RGL file");
+        }
+        if (product == 1 && isText(bytes.substr(0, headerBytes))) {
+            return failure("byte 0: the file begins with text, not with numbers of bins",
+                           "a MERL or RGL file");
         }
         if (*number < 1 || std::size_t(*number) > maxBins / product) {
             return failure(fmt::format("byte {}: {} is no number of bins",

@@ -58,6 +58,13 @@ glm::dvec3 direction(double polar, double azimuth) {
             std::cos(polar)};
 }
 
+/// Returns the place of the number that is nearest.
+std::size_t nearestIn(const std::vector<float>& numbers, double wanted) {
+    const auto nearest = std::ranges::min_element(
+        numbers, {}, [wanted](float number) { return std::abs(double(number) - wanted); });
+    return static_cast<std::size_t>(nearest - numbers.begin());
+}
+
 /// Holds the tables of a file.
 struct RglTables {
     SquareTable normals;                 ///< is the distribution of normals, over the half vector
@@ -87,23 +94,19 @@ class RglReflectance : public MeasuredReflectance {
                std::max(pair.l.z, minCosine);
     }
 
-    std::vector<DirectionPair> samples(std::size_t maxCount) const override {
-        std::vector<DirectionPair> usable;
+    std::optional<DirectionPair> nearestSample(const DirectionPair& pair) const override {
         const SquareTable& grid = tables_.channels[0];
-        const std::size_t all = grid.slices() * grid.sliceSize();
-        const std::size_t step =
-            std::max<std::size_t>(all / std::max<std::size_t>(2 * maxCount, 1), 1);
-        for (std::size_t i = 0; i < all; i += step) {
-            if (const auto pair = pairAt(i)) {
-                usable.push_back(*pair);
-            }
-        }
-        std::vector<DirectionPair> pairs;
-        const std::size_t taken = std::min(maxCount, usable.size());
-        for (std::size_t k = 0; k < taken; ++k) {
-            pairs.push_back(usable[k * usable.size() / taken]);
-        }
-        return pairs;
+        const double eyeAzimuth = azimuthOf(pair.v);
+        const std::size_t azimuth = isIsotropic() ? 0 : nearestIn(grid.first(), eyeAzimuth);
+        const std::size_t polar = nearestIn(grid.second(), polarOf(pair.v));
+        const glm::dvec3 h = glm::normalize(pair.l + pair.v);
+        const glm::dvec2 half(unitOfPolar(polarOf(h)),
+                              unitOfAzimuth(azimuthOf(h) - (isIsotropic() ? eyeAzimuth : 0.0)));
+        const glm::dvec2 warped = tables_.seenNormals.inverse(
+            half,
+            tables_.seenNormals.density().slicesAt(grid.first()[azimuth], grid.second()[polar]));
+        const glm::ivec2 point(glm::round(warped * glm::dvec2(grid.size() - 1)));
+        return pairAt({azimuth, polar}, point);
     }
 
     HalfDifferenceTable table(TableForm form) const override { return sampledTable(*this, form); }
@@ -127,18 +130,19 @@ class RglReflectance : public MeasuredReflectance {
         return glm::max(light, glm::dvec3(0.0)) * tables_.normals.at(half, one) / (4.0 * area);
     }
 
-    /// Returns the directions of a grid point; nothing where the light would be below the surface.
-    std::optional<DirectionPair> pairAt(std::size_t index) const {
+    /// Is a direction of the eye that the file has, by its places in the arrays of angles.
+    struct Eye {
+        std::size_t azimuth = 0;
+        std::size_t polar = 0;
+    };
+
+    /// Returns the directions of a grid point, counted in columns and rows; nothing where the light
+    /// would be below the surface.
+    std::optional<DirectionPair> pairAt(const Eye& eye, const glm::ivec2& point) const {
         const SquareTable& grid = tables_.channels[0];
-        const std::size_t slice = index / grid.sliceSize();
-        const std::size_t point = index % grid.sliceSize();
-        const auto columns = static_cast<std::size_t>(grid.size().x);
-        const std::size_t row = point / columns;
-        const glm::dvec2 warped(double(point % columns) / double(grid.size().x - 1),
-                                double(row) / double(grid.size().y - 1));
-        const auto& polars = grid.second();
-        const double eyePolar = polars[slice % polars.size()];
-        const double eyeAzimuth = grid.first()[slice / polars.size()];
+        const glm::dvec2 warped = glm::dvec2(point) / glm::dvec2(grid.size() - 1);
+        const double eyePolar = grid.second()[eye.polar];
+        const double eyeAzimuth = grid.first()[eye.azimuth];
         const SquareTable::Slices slices =
             tables_.seenNormals.density().slicesAt(eyeAzimuth, eyePolar);
         const glm::dvec2 half = tables_.seenNormals.forward(warped, slices);

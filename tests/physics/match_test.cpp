@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A model that wrote a file finds its own values in it again.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -146,6 +147,7 @@ TEST(Matched, Ended_ReturnsWhatWasFittedUntilThen) {
                                                  [](double, const ModelMatches&) { return false; });
     EXPECT_LT(matches.rows.size(), 10u);
     EXPECT_TRUE(matches.problems.empty());
+    EXPECT_TRUE(std::ranges::all_of(matches.rows, &ModelMatch::isStopped));
 }
 
 TEST(Matched, SurfaceMeasuredAtGrazingAnglesAlone_IsAnError) {

@@ -100,7 +100,7 @@ class Brushed : public MeasuredReflectance {
         const glm::dvec3 h = glm::normalize(pair.l + pair.v);
         return glm::dvec3(0.5 + 0.3 * h.x + 0.1 * h.y, 0.2, 0.1);
     }
-    std::vector<DirectionPair> samples(std::size_t) const override { return {}; }
+    std::optional<DirectionPair> nearestSample(const DirectionPair&) const override { return {}; }
     HalfDifferenceTable table(TableForm form) const override { return sampledTable(*this, form); }
     bool isIsotropic() const override { return false; }
     std::string description() const override { return {}; }
@@ -143,7 +143,9 @@ TEST_F(Measured, TableOfEitherForm_IsKeptBesideTheOther) {
 
 TEST_F(Measured, UnreadableFile_HasATableOfItsOwnColour) {
     writeFile(folder_ / "text.binary", "this is no measured surface at all");
-    EXPECT_FALSE(readTable(folder_ / "text.binary"));
+    const auto text = readTable(folder_ / "text.binary");
+    ASSERT_FALSE(text);
+    EXPECT_NE(text.error().text().find("byte 0: the file begins with text"), std::string::npos);
     const SharedTable table =
         keptTable(tableNumber((folder_ / "text.binary").string(), TableForm::WithoutGrain));
     EXPECT_GT(table->texels.front().x, table->texels.front().y);
@@ -193,6 +195,28 @@ TEST_F(Measured, MerlValuesBelowZero_WereNotMeasured) {
     for (const DirectionPair& pair : (*reading)->samples(1000)) {
         EXPECT_GT(pair.l.z, 0.6);
     }
+}
+
+/// Returns the share of a file's samples whose half vector is within 20 degrees of the normal.
+double nearNormal(const MeasuredReflectance& measured) {
+    const std::vector<DirectionPair> samples = measured.samples(2000);
+    const auto isNear = [](const DirectionPair& pair) {
+        return halfDifference(pair).half < pi / 9.0;
+    };
+    return double(std::ranges::count_if(samples, isNear)) / double(samples.size());
+}
+
+TEST_F(Measured, SamplesOfANarrowHighlight_AreNoDenserThereInAFileWhoseGridIs) {
+    const auto narrow = [](const DirectionPair& pair) {
+        const glm::dvec3 h = glm::normalize(pair.l + pair.v);
+        return glm::dvec3(0.1 + std::exp(-200.0 * (1.0 - h.z)));
+    };
+    const auto merl = read(merlBytes({30, 30, 60}, narrow));
+    ASSERT_TRUE(merl);
+    const double share = nearNormal(**merl);
+    const auto rgl = read(RglFile{}.bytes(narrow));
+    ASSERT_TRUE(rgl);
+    EXPECT_NEAR(nearNormal(**rgl), share, 0.1);
 }
 
 TEST_F(Measured, RglFile_IsReadBackAsItWasWritten) {

@@ -300,10 +300,15 @@ void MatchPage::showNumbers(bool stale) {
     for (std::size_t i = 0; i < shown.rows.size(); ++i) {
         const ModelMatch& each = shown.rows[i];
         auto* row = new NumberRow;
-        row->setText(modelColumn, asText(each.label));
+        row->setText(modelColumn, each.isStopped ? tr("%1 (stopped)").arg(asText(each.label))
+                                                 : asText(each.label));
         row->setData(modelColumn, matchRole, int(i));
-        row->setToolTip(modelColumn, tr("%1. Enter or a double click gives the object these values")
-                                         .arg(asText(each.label)));
+        row->setToolTip(modelColumn,
+                        (each.isStopped
+                             ? tr("%1, as far as its fit had come when it was stopped. Enter or a "
+                                  "double click gives the object these values")
+                             : tr("%1. Enter or a double click gives the object these values"))
+                            .arg(asText(each.label)));
         row->setNumber(errorColumn, numberLocale().toString(each.error, 'f', 5), each.error);
         row->setNumber(relativeColumn,
                        tr("%1 %").arg(numberLocale().toString(100.0 * each.relative, 'f', 2)),
@@ -316,7 +321,7 @@ void MatchPage::showNumbers(bool stale) {
             QFont font = row->font(column);
             font.setBold(&each == quickest);
             row->setFont(column, font);
-            if (stale) {
+            if (stale || each.isStopped) {
                 row->setForeground(column, palette().placeholderText());
             }
         }

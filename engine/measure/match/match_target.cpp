@@ -24,45 +24,17 @@ bool isUsable(const DirectionPair& pair) {
     return pair.l.z > minCosine && pair.v.z > minCosine;
 }
 
-/// Returns the number of an index of the sequence of van der Corput in a base, 0 .. 1.
-double radicalInverse(std::size_t index, std::size_t base) {
-    double result = 0.0;
-    double digit = 1.0;
-    for (; index > 0; index /= base) {
-        digit /= double(base);
-        result += digit * double(index % base);
-    }
-    return result;
-}
-
-/// Returns a pair of directions by its half vector (dense around the normal) and the light around
-/// it, of Halton's sequence.
-DirectionPair haltonPair(std::size_t index) {
-    const double root = radicalInverse(index, 2);
-    const DirectionPair flat =
-        directionsAt({root * root * 0.5 * pi, radicalInverse(index, 3) * 0.5 * pi,
-                      radicalInverse(index, 5) * 2.0 * pi});
-    const double azimuth = radicalInverse(index, 7) * 2.0 * pi;
-    const auto turned = [azimuth](const glm::dvec3& v) {
-        return glm::dvec3(v.x * std::cos(azimuth) - v.y * std::sin(azimuth),
-                          v.x * std::sin(azimuth) + v.y * std::cos(azimuth), v.z);
-    };
-    return {turned(flat.l), turned(flat.v)};
-}
-
 } // namespace
 
-MatchTarget MatchTarget::thinned(std::size_t count) const {
+MatchTarget MatchTarget::first(std::size_t count) const {
     if (count >= pairs.size()) {
         return *this;
     }
     MatchTarget fewer;
     fewer.isIsotropic = isIsotropic;
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t taken = i * pairs.size() / count;
-        fewer.pairs.push_back(pairs[taken]);
-        fewer.values.push_back(values[taken]);
-    }
+    fewer.name = name;
+    fewer.pairs.assign(pairs.begin(), pairs.begin() + std::ptrdiff_t(count));
+    fewer.values.assign(values.begin(), values.begin() + std::ptrdiff_t(count));
     return fewer;
 }
 
@@ -78,7 +50,7 @@ Result<MatchTarget> matchTarget(const MeasuredReflectance& measured, std::size_t
     if (target.pairs.empty()) {
         return failure("nothing was measured within 80 degrees of the normal");
     }
-    return target.thinned(samples);
+    return target.first(samples);
 }
 
 Result<MatchTarget> matchTarget(const EvalCase& model, std::size_t samples,
@@ -93,7 +65,7 @@ Result<MatchTarget> matchTarget(const EvalCase& model, std::size_t samples,
     MatchTarget target;
     target.isIsotropic = false;
     for (std::size_t index = 1; target.pairs.size() < samples; ++index) {
-        const DirectionPair pair = haltonPair(index);
+        const DirectionPair pair = spreadPair(index);
         if (isUsable(pair)) {
             target.pairs.push_back(pair);
             target.values.push_back(values->at(pair));
@@ -111,19 +83,23 @@ Result<MatchAim> matchAim(const Material& material, const Catalog& catalog, std:
             return matchTarget(model, samples, catalog);
         })
         .map([&material](MatchTarget target) {
+            target.name = material.name;
             return MatchAim{std::move(target), material, {}};
         });
 }
 
 Checked<MatchAim> readMatchAim(const std::filesystem::path& file, const Catalog& catalog,
-                               std::size_t samples) {
+                               std::size_t samples, const ReadingRights& rights) {
     if (isMeasuredFile(file)) {
-        const auto target = readMeasured(file).and_then(
+        auto target = readMeasured(file).and_then(
             [samples](const auto& measured) { return matchTarget(*measured, samples); });
-        return target ? Checked<MatchAim>(MatchAim{*target, {}, {}})
-                      : tl::unexpected(oneError(target.error()));
+        if (!target) {
+            return tl::unexpected(oneError(target.error()));
+        }
+        target->name = file.filename().string();
+        return MatchAim{std::move(*target), {}, {}};
     }
-    auto reading = readPreset(file, catalog);
+    auto reading = readPreset(file, catalog, rights);
     if (!reading) {
         return tl::unexpected(reading.error());
     }

@@ -4,12 +4,14 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
 #include "core/error.h"
 #include "material/material.h"
+#include "material/reading_rights.h"
 #include "measure/eval/eval_case.h"
 #include "measured/measured_reflectance.h"
 
@@ -21,9 +23,10 @@ struct MatchTarget {
     std::vector<DirectionPair> pairs;
     std::vector<glm::dvec3> values;
     bool isIsotropic = true;
+    std::string name{}; ///< says for people what it is of; may be empty
 
-    /// Returns `count` of them, evenly taken; all where there are fewer.
-    MatchTarget thinned(std::size_t count) const;
+    /// Returns the first `count`, which are spread as all are; all where there are fewer.
+    MatchTarget first(std::size_t count) const;
 };
 
 /// Returns a target of what was measured, without directions more than 80 degrees from the normal,
@@ -39,7 +42,7 @@ struct MatchAim {
 
 /// Reads a preset, or by its ending a measured file (isMeasuredFile()).
 Checked<MatchAim> readMatchAim(const std::filesystem::path& file, const Catalog& catalog,
-                               std::size_t samples);
+                               std::size_t samples, const ReadingRights& rights = {});
 
 /// Returns an aim that is a material.
 Result<MatchAim> matchAim(const Material& material, const Catalog& catalog, std::size_t samples);
@@ -47,7 +50,6 @@ Result<MatchAim> matchAim(const Material& material, const Catalog& catalog, std:
 /// Returns a target of a material's model (sweepVariant()), in directions that are dense around the
 /// mirror direction and sparse at grazing angles. It is an error where the model is no
 /// reflectance (whyNoReflectance()) or cannot be evaluated (ModelValues).
-Result<MatchTarget> matchTarget(const EvalCase& model, std::size_t samples,
-                                const Catalog& catalog);
+Result<MatchTarget> matchTarget(const EvalCase& model, std::size_t samples, const Catalog& catalog);
 
 } // namespace patina

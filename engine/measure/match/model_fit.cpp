@@ -367,8 +367,8 @@ struct Targets {
     MatchTarget many;
 
     explicit Targets(const MatchTarget& all)
-        : few(all.thinned(triedDirections)), some(all.thinned(roughDirections)),
-          many(all.thinned(fineDirections)) {}
+        : few(all.first(triedDirections)), some(all.first(roughDirections)),
+          many(all.first(fineDirections)) {}
 };
 
 /// Returns the best of random sets of values.
@@ -476,7 +476,7 @@ Result<ModelFit> fittedModel(const EvalCase& model, const MatchTarget& target,
         found = std::move(other);
         smallest = error;
     }
-    const MatchTarget nearlyAll = target.thinned(lastDirections);
+    const MatchTarget nearlyAll = target.first(lastDirections);
     for (int round = 0; round < lastRounds && smallest > isExact; ++round) {
         Fit last(found, nearlyAll, options.error, catalog);
         if (round > 0 && !last.leaveEnds()) {

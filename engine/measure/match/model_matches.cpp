@@ -46,6 +46,10 @@ Result<ModelMatch> fittedMaterial(const Material& material, const MatchTarget& t
     }
     const Block& block = *model->block.block;
     ModelMatch match{material, block.label, fit->error, fit->relative, {}};
+    match.isStopped = progress.cancelled;
+    match.material.description = target.name.empty()
+                                     ? fmt::format("{}, fitted", block.label)
+                                     : fmt::format("{}, fitted to {}", block.label, target.name);
     takeValues(match.material.model, fit->model.block);
     if (const Block* filler = fit->model.slot.block) {
         BlockValues part;
@@ -187,9 +191,10 @@ std::string matchesText(const ModelMatches& matches, double within) {
     for (const ModelMatch& row : matches.rows) {
         const std::string time = row.nanoseconds ? fmt::format("{:.1f}", *row.nanoseconds) : "-";
         hasTimes = hasTimes || row.nanoseconds.has_value();
-        text += fmt::format("{:<28} {:>10.5f} {:>8.2f} % {:>10}{}\n", row.label, row.error,
+        text += fmt::format("{:<28} {:>10.5f} {:>8.2f} % {:>10}{}{}\n", row.label, row.error,
                             100.0 * row.relative, time,
-                            row.nanoseconds && row.isOnFront ? "  front" : "");
+                            row.nanoseconds && row.isOnFront ? "  front" : "",
+                            row.isStopped ? "  stopped before its end" : "");
     }
     if (!hasTimes) {
         return text;
@@ -201,11 +206,11 @@ std::string matchesText(const ModelMatches& matches, double within) {
 }
 
 std::string matchesCsv(const ModelMatches& matches) {
-    std::string text = "model,error,relative,ns_per_pixel,front\n";
+    std::string text = "model,error,relative,ns_per_pixel,front,stopped\n";
     for (const ModelMatch& row : matches.rows) {
-        text += fmt::format("{},{},{},{},{}\n", row.material.model.id, row.error, row.relative,
+        text += fmt::format("{},{},{},{},{},{}\n", row.material.model.id, row.error, row.relative,
                             row.nanoseconds ? fmt::format("{}", *row.nanoseconds) : "-",
-                            row.nanoseconds && row.isOnFront ? 1 : 0);
+                            row.nanoseconds && row.isOnFront ? 1 : 0, row.isStopped ? 1 : 0);
     }
     return text;
 }
@@ -220,6 +225,7 @@ nlohmann::json matchesJson(const ModelMatches& matches) {
                         {"nanosecondsPerPixel",
                          row.nanoseconds ? nlohmann::json(*row.nanoseconds) : nlohmann::json()},
                         {"front", row.nanoseconds.has_value() && row.isOnFront},
+                        {"stopped", row.isStopped},
                         {"preset", toJson(row.material)}});
     }
     return rows;

@@ -25,6 +25,8 @@ struct ModelMatch {
     std::optional<double> nanoseconds;
     /// Says that no other model is both nearer and quicker; all are where no times are known.
     bool isOnFront = true;
+    bool isStopped =
+        false; ///< says that its fit was ended early, so that a better one may be there
 };
 
 struct ModelMatches {
