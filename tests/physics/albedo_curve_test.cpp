@@ -133,5 +133,32 @@ TEST(EnergyRange, OfAnEvenCurve_IsItsValue) {
     }
 }
 
+TEST(EnergyRange, OfASurfaceWithAGrain_CountsLightFromAllAzimuths) {
+    const Material brushed = materialOf(
+        "ward",
+        {{"grain", std::string("anisotropic")}, {"roughness.x", 0.05}, {"roughness.y", 0.5}});
+    const auto rangeFrom = [&brushed](double azimuth) {
+        LobeRequest request{.plot = LobePlot::Albedo, .incoming = {0.0, azimuth}};
+        std::vector<LobeLine> lines = lobeLines(catalog(), brushed, request)->lines;
+        const EnergyRange own = energyRange(lines);
+        const auto turned = turnedAlbedos(catalog(), brushed, request, [] { return true; });
+        EXPECT_EQ(turned.size(), 3u);
+        lines.insert(lines.end(), turned.begin(), turned.end());
+        return std::pair(own, energyRange(lines));
+    };
+    const auto [along, allFromAlong] = rangeFrom(0.0);
+    const auto [across, allFromAcross] = rangeFrom(0.5 * pi);
+    const double apart = worst(along.max, across.max);
+    EXPECT_GT(apart, 0.01);
+    EXPECT_LT(worst(allFromAlong.max, allFromAcross.max), 0.25 * apart);
+    EXPECT_GE(allFromAlong.max.x, std::max(along.max.x, across.max.x) - 0.25 * apart);
+}
+
+TEST(EnergyRange, OfASurfaceWithoutAGrain_HasNoOtherAzimuths) {
+    const LobeRequest request{.plot = LobePlot::Albedo, .incoming = {}};
+    const auto isWanted = [] { return true; };
+    EXPECT_TRUE(turnedAlbedos(catalog(), materialOf("lambert"), request, isWanted).empty());
+}
+
 } // namespace
 } // namespace patina::physics::albedo_curve_test

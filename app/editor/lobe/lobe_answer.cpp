@@ -76,8 +76,12 @@ LobePlot linesOf(LobePage page) {
 SharedAnswer lobeAnswer(const LobeMaterial& material, const LobeQuestion& question,
                         const Catalog& catalog, const std::function<bool()>& isWanted,
                         EvalGpu* device) {
-    return std::make_shared<const LobeAnswer>(
-        LobeAnswer{material, question, plotOf(material, question, catalog, isWanted, device)});
+    LobeAnswer answer{
+        material, question, plotOf(material, question, catalog, isWanted, device), {}};
+    if (question.page == LobePage::Albedo && !question.lines.isSketch) {
+        answer.turned = turnedAlbedos(catalog, material.material, question.lines, isWanted);
+    }
+    return std::make_shared<const LobeAnswer>(std::move(answer));
 }
 
 std::vector<SharedAnswer> LobeAnswers::known(const std::vector<LobeMaterial>& materials,

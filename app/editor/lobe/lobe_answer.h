@@ -32,6 +32,7 @@ struct LobeAnswer {
     LobeMaterial material;
     LobeQuestion question;
     Result<std::variant<LobeSubject, NamedSolid, NamedSlice>> plot;
+    std::vector<LobeLine> turned; ///< are its albedo's whole lines for light from other azimuths
 };
 using SharedAnswer = std::shared_ptr<const LobeAnswer>;
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <iterator>
 #include <numbers>
 
 #include <QAction>
@@ -577,11 +578,18 @@ void LobeDock::showEnergy(const LobeAnswer& answer, bool isOneOfSeveral) {
         energy_->setNothing(asText(answer.plot.error().problem));
         return;
     }
-    const LobeLine& line = std::get<LobeSubject>(*answer.plot).lines.lines.front();
-    if (line.values.size() > 1) {
-        const bool areLuminances = isOneOfSeveral && !isGrey(line);
-        energy_->setRange(energyRange(line),
-                          areLuminances ? std::optional(luminanceRange(line)) : std::nullopt);
+    const Block* model = document_.catalog().find(kinds::models, answer.material.material.model.id);
+    const bool isIsotropic = model != nullptr && model->hasClaim("isotropic");
+    if (answer.question.lines.isSketch && !isIsotropic) {
+        return; // a sketch knows nothing of light from other azimuths
+    }
+    std::vector<LobeLine> albedos{std::get<LobeSubject>(*answer.plot).lines.lines.front()};
+    std::ranges::copy(answer.turned, std::back_inserter(albedos));
+    std::erase_if(albedos, [](const LobeLine& line) { return line.values.size() < 2; });
+    if (!albedos.empty()) {
+        const bool areLuminances = isOneOfSeveral && !isGrey(albedos.front());
+        energy_->setRange(energyRange(albedos),
+                          areLuminances ? std::optional(luminanceRange(albedos)) : std::nullopt);
     } else {
         energy_->setNothing({});
     }

@@ -77,17 +77,26 @@ std::vector<AlbedoPoint> sketchedAlbedo(const LobeModel& model, double azimuth,
     return curve;
 }
 
-LobeLine albedoLine(const LobeModel& model, const LobeRequest& request, const IntegralAim& aim,
-                    const std::function<bool()>& isWanted) {
+LobeLine lineOf(const std::vector<AlbedoPoint>& curve) {
     LobeLine line{"albedo", LobeStroke::Main, false, {}, {}};
-    const double azimuth = request.incoming.azimuth;
-    for (const AlbedoPoint& point :
-         request.isSketch ? sketchedAlbedo(model, azimuth, isWanted)
-                          : albedoCurve(model, azimuth, albedoAngles(stepDegrees), aim, isWanted)) {
+    for (const AlbedoPoint& point : curve) {
         line.at.push_back(inDegrees(point.angle));
         line.values.push_back(point.albedo);
     }
     return line;
+}
+
+IntegralAim albedoAim(const Catalog& catalog, const Material& material) {
+    const Block* model = catalog.find(kinds::models, material.model.id);
+    return model != nullptr && tableParameter(*model) != nullptr ? measuredAim : IntegralAim();
+}
+
+LobeLine albedoLine(const LobeModel& model, const LobeRequest& request, const IntegralAim& aim,
+                    const std::function<bool()>& isWanted) {
+    const double azimuth = request.incoming.azimuth;
+    return lineOf(request.isSketch
+                      ? sketchedAlbedo(model, azimuth, isWanted)
+                      : albedoCurve(model, azimuth, albedoAngles(stepDegrees), aim, isWanted));
 }
 
 /// Tells whether the material's model, or what fills its slot, is computed less exactly.
@@ -121,8 +130,8 @@ Result<LobeLines> deviceLines(const Catalog& catalog, const EvalCase& variant,
                               const LobeRequest& request, EvalGpu& device, const Error& whyNot) {
     LobeLines all;
     LobeLine& line = all.lines.emplace_back();
-    line.name = request.plot == LobePlot::Polar ? "reflectance" : "albedo";
     if (request.plot == LobePlot::Polar) {
+        line.name = "reflectance";
         const auto curve = devicePolarCurve(device, catalog, variant, request.incoming);
         if (!curve) {
             return tl::unexpected(curve.error());
@@ -136,10 +145,7 @@ Result<LobeLines> deviceLines(const Catalog& catalog, const EvalCase& variant,
         if (!curve) {
             return tl::unexpected(curve.error());
         }
-        for (const AlbedoPoint& point : *curve) {
-            line.at.push_back(inDegrees(point.angle));
-            line.values.push_back(point.albedo);
-        }
+        line = lineOf(*curve);
     }
     all.note = "in single precision, by the device: " + whyNot.text();
     return all;
@@ -190,14 +196,12 @@ Result<LobeLine> termLine(const Catalog& catalog, const Material& material,
     if (!model) {
         return tl::unexpected(model.error());
     }
-    const bool isMeasured =
-        tableParameter(*catalog.find(kinds::models, material.model.id)) != nullptr;
     LobeLine line =
         request.plot == LobePlot::Polar
             ? polarLine([&model](const glm::dvec3& l,
                                  const glm::dvec3& v) { return model->reflectance(l, v); },
                         request)
-            : albedoLine(*model, request, isMeasured ? measuredAim : IntegralAim(), isWanted);
+            : albedoLine(*model, request, albedoAim(catalog, material), isWanted);
     if (const auto ended = model->ending(); !ended) {
         return tl::unexpected(ended.error());
     }
@@ -252,6 +256,12 @@ Result<LobeLines> modelLines(const Catalog& catalog, const Material& material,
     }
     all.note = noteOf(*block, material);
     return all;
+}
+
+/// Returns an index as text; that of a reflectance of all light is as large as a double can be.
+std::string indexText(double index) {
+    constexpr double maxShown = 1e6;
+    return index > maxShown ? "without bound" : fmt::format("{:.4g}", index);
 }
 
 LobeLine sideLine(const InterfaceSide& side, LobeStroke stroke, bool isFromInside) {
@@ -330,12 +340,12 @@ Result<LobeLines> fresnelLines(const Catalog& catalog, const Material& material)
     }
     if (curves->media) {
         const glm::dvec3& n = curves->media->index;
-        all.note = fmt::format("{}{}",
-                               curves->media->isFromReflectance
-                                   ? "polarised light as of the clear material of index "
-                                   : "index ",
-                               isEqual(n) ? fmt::format("{:.4g}", n.x)
-                                          : fmt::format("{:.4g}, {:.4g}, {:.4g}", n.x, n.y, n.z));
+        all.note = fmt::format(
+            "{}{}",
+            curves->media->isFromReflectance ? "polarised light as of the clear material of index "
+                                             : "index ",
+            isEqual(n) ? indexText(n.x)
+                       : fmt::format("{}, {}, {}", indexText(n.x), indexText(n.y), indexText(n.z)));
         if (!curves->media->isClear()) {
             const glm::dvec3& k = curves->media->extinction;
             all.note += fmt::format(", extinction {:.4g}, {:.4g}, {:.4g}", k.x, k.y, k.z);
@@ -471,20 +481,48 @@ std::string_view overlaidWord(LobePlot plot, const std::vector<LobeSubject>& sub
                                           : "luminance";
 }
 
-EnergyRange energyRange(const LobeLine& albedo) {
-    std::vector<AlbedoPoint> curve;
-    for (std::size_t i = 0; i < albedo.values.size(); ++i) {
-        curve.push_back({albedo.at[i] * std::numbers::pi / 180.0, albedo.values[i], 0.0});
+std::vector<LobeLine> turnedAlbedos(const Catalog& catalog, const Material& material,
+                                    const LobeRequest& request,
+                                    const std::function<bool()>& isWanted) {
+    constexpr int azimuths = 4;         // in half a turn
+    constexpr double coarseStep = 10.0; // degrees
+    const auto model = LobeModel::create(catalog, material, request.term);
+    if (!model || model->isIsotropic()) {
+        return {};
     }
-    return energyRange(curve);
+    std::vector<LobeLine> lines;
+    for (int i = 1; i < azimuths; ++i) {
+        const double azimuth = request.incoming.azimuth + std::numbers::pi * i / azimuths;
+        lines.push_back(lineOf(albedoCurve(*model, azimuth, albedoAngles(coarseStep),
+                                           albedoAim(catalog, material), isWanted)));
+    }
+    return lines;
 }
 
-EnergyRange luminanceRange(const LobeLine& albedo) {
-    LobeLine grey = albedo;
-    for (glm::dvec3& value : grey.values) {
-        value = glm::dvec3(luminance(value));
+EnergyRange energyRange(std::span<const LobeLine> albedos) {
+    std::optional<EnergyRange> all;
+    for (const LobeLine& albedo : albedos) {
+        std::vector<AlbedoPoint> curve;
+        for (std::size_t i = 0; i < albedo.values.size(); ++i) {
+            curve.push_back({albedo.at[i] * std::numbers::pi / 180.0, albedo.values[i], 0.0});
+        }
+        const EnergyRange range = energyRange(curve);
+        const EnergyRange before = all.value_or(EnergyRange{range.min, glm::dvec3(0.0), range.max});
+        all = EnergyRange{glm::min(before.min, range.min),
+                          before.mean + range.mean / double(albedos.size()),
+                          glm::max(before.max, range.max)};
     }
-    return energyRange(grey);
+    return all.value_or(EnergyRange());
+}
+
+EnergyRange luminanceRange(std::span<const LobeLine> albedos) {
+    std::vector<LobeLine> greys(albedos.begin(), albedos.end());
+    for (LobeLine& grey : greys) {
+        for (glm::dvec3& value : grey.values) {
+            value = glm::dvec3(luminance(value));
+        }
+    }
+    return energyRange(greys);
 }
 
 } // namespace patina

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -114,10 +115,17 @@ double overlaidValue(LobePlot plot, const glm::dvec3& channels);
 /// empty where it draws each, or none differ.
 std::string_view overlaidWord(LobePlot plot, const std::vector<LobeSubject>& subjects);
 
-/// Returns the range of a line that is an albedo of two points or more, per channel or of its
-/// luminance.
-EnergyRange energyRange(const LobeLine& albedo);
-EnergyRange luminanceRange(const LobeLine& albedo);
+/// Returns the albedo of a material with a grain for light from azimuths that the request's is not;
+/// nothing of one without, nor of one that is evaluated on the device. Lines end early where
+/// `isWanted` becomes false.
+std::vector<LobeLine> turnedAlbedos(const Catalog& catalog, const Material& material,
+                                    const LobeRequest& request,
+                                    const std::function<bool()>& isWanted);
+
+/// Returns the range of lines that are the albedo of one material from several azimuths, each of
+/// two points or more: per channel, or of its luminance.
+EnergyRange energyRange(std::span<const LobeLine> albedos);
+EnergyRange luminanceRange(std::span<const LobeLine> albedos);
 
 /// Is how far above 1 an albedo has to be to count: it is known no better.
 inline constexpr double albedoNoise = 1e-4;
