@@ -314,6 +314,7 @@ void addLobe(CLI::App& program, int& status) {
             "A file: .svg, .png or .csv; - writes .csv to standard output; FOLDER/ takes an "
             ".svg of each preset, named after its file")
         ->check(checkOut);
+    addAllowOutside(*command, options->picture.allowsOutside);
     addJobOptions(*command, options->job);
     command->callback([command, options, &status] {
         const Checked<int> ended = lobe(*command, *options);

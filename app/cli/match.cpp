@@ -11,6 +11,7 @@
 #include "catalog/value_json.h"
 #include "cli/command.h"
 #include "cli/cost_sweeps.h"
+#include "cli/picture_options.h"
 #include "cli/prepared_subject.h"
 #include "gl/headless_context.h"
 #include "material/preset_file.h"
@@ -34,11 +35,15 @@ struct MatchRequest {
     double within = 2.0; ///< percent
     bool withoutTime = false;
     bool json = false;
+    bool allowsOutside = false;
     std::string output;
+
+    ReadingRights rights() const { return {.everything = allowsOutside}; }
 };
 
-Checked<Material> presetIn(const std::string& file, const Catalog& catalog) {
-    auto reading = readPreset(file, catalog);
+Checked<Material> presetIn(const std::string& file, const Catalog& catalog,
+                           const ReadingRights& rights) {
+    auto reading = readPreset(file, catalog, rights);
     if (!reading) {
         return tl::unexpected(reading.error());
     }
@@ -55,7 +60,7 @@ Checked<std::vector<Material>> startsOf(const MatchRequest& request, const Match
     };
     std::vector<Material> starts;
     if (!request.preset.empty()) {
-        const Checked<Material> material = presetIn(request.preset, catalog);
+        const Checked<Material> material = presetIn(request.preset, catalog, request.rights());
         if (!material) {
             return tl::unexpected(material.error());
         }
@@ -144,7 +149,7 @@ Checked<int> match(const MatchRequest& request) {
     }
     const auto catalog = std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()));
     report(catalog->errors);
-    const auto aim = readMatchAim(request.to, *catalog, request.samples);
+    const auto aim = readMatchAim(request.to, *catalog, request.samples, request.rights());
     if (!aim) {
         return tl::unexpected(aim.error());
     }
@@ -164,8 +169,10 @@ Checked<int> match(const MatchRequest& request) {
         addTimes(matches, timesOf(matches, catalog, work));
     }
     report(matches.problems);
-    std::cout << (request.json ? writeJson(matchesJson(matches))
-                               : matchesText(matches, request.within / 100.0));
+    if (request.json || !matches.rows.empty()) {
+        std::cout << (request.json ? writeJson(matchesJson(matches))
+                                   : matchesText(matches, request.within / 100.0));
+    }
     if (const auto written = writeBest(matches, request, *catalog); !written) {
         return tl::unexpected(oneError(written.error()));
     }
@@ -200,6 +207,7 @@ void addMatch(CLI::App& program, int& status) {
         ->check(CLI::Range(0.0, 1000.0));
     command->add_flag("--no-time", options->withoutTime, "Measure no times");
     command->add_flag("--json", options->json, "Print JSON");
+    addAllowOutside(*command, options->allowsOutside);
     command->add_option("-o,--output", options->output, "Write the best fit as a preset");
     command->callback([options, &status] {
         const Checked<int> ended = match(*options);

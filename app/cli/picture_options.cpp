@@ -86,6 +86,12 @@ const std::string& PictureOptions::part(std::string_view kind) const {
     return found == parts.end() ? none : found->second;
 }
 
+void addAllowOutside(CLI::App& command, bool& allowsOutside) {
+    command.add_flag("--allow-outside", allowsOutside,
+                     "Also read what a scene, a preset or a mesh names outside its own folder: "
+                     "meshes, pictures, presets, images, buffers, measured surfaces");
+}
+
 void addSceneOptions(CLI::App& command, PictureOptions& options) {
     command.add_option("--model", options.model,
                        "A lighting model's id: alone, or in place of a preset's own");
@@ -111,9 +117,7 @@ void addSceneOptions(CLI::App& command, PictureOptions& options) {
     command.add_option_function<std::string>(
         "--exposure", [&options](const std::string& text) { options.exposure = stopsIn(text); },
         "Stops; 1 is twice as bright");
-    command.add_flag("--allow-outside", options.allowsOutside,
-                     "Also read what a scene, a preset or a mesh names outside its own folder: "
-                     "meshes, pictures, presets, images, buffers");
+    addAllowOutside(command, options.allowsOutside);
 }
 
 void addSizeOption(CLI::App& command, PictureOptions& options) {

@@ -41,6 +41,9 @@ struct PictureOptions {
 /// Tells the user, in a message, how to have files outside a folder read.
 inline constexpr const char* allowOutsideHint = "--allow-outside, where you trust it";
 
+/// Adds --allow-outside.
+void addAllowOutside(CLI::App& command, bool& allowsOutside);
+
 /// Adds --scene, --mesh, --set, --texture, --model, --samples, --exposure, --allow-outside, and an
 /// option for every other kind of block.
 void addSceneOptions(CLI::App& command, PictureOptions& options);

@@ -9,6 +9,7 @@
 #include "cli/scene_choices.h"
 #include "cli/texture_text.h"
 #include "material/material_assignment.h"
+#include "material/measured_preset.h"
 #include "material/model_swap.h"
 #include "material/preset_file.h"
 #include "scene/scene_assignment.h"
@@ -184,6 +185,18 @@ Result<void> applyToScene(Scene& scene, const PictureOptions& options, const Cat
     return done;
 }
 
+/// Fails where a measured surface in the scene cannot be read; its grey would be another material.
+Checked<void> readMeasured(const SceneSetup& setup, const Catalog& catalog) {
+    for (const Object& object : setup.scene.objects) {
+        if (const auto read = readMeasuredOf(object.material, catalog); !read) {
+            Errors errors = setup.notes; // they say where a file is named that was withheld
+            errors.push_back(read.error());
+            return tl::unexpected(errors);
+        }
+    }
+    return {};
+}
+
 void noteEmptiness(SceneSetup& setup, const PictureOptions& options) {
     const std::vector<Object>& objects = setup.scene.objects;
     if (std::none_of(objects.begin(), objects.end(), [](const Object& o) { return o.visible; })) {
@@ -216,6 +229,9 @@ Checked<SceneSetup> sceneFor(const std::string& preset, const PictureOptions& op
     }
     if (auto applied = applyToScene(setup->scene, options, catalog); !applied) {
         return tl::unexpected(oneError(applied.error()));
+    }
+    if (auto read = readMeasured(*setup, catalog); !read) {
+        return tl::unexpected(read.error());
     }
     if (options.exposure) {
         setup->scene.exposure = *options.exposure;

@@ -23,6 +23,25 @@ int measuredTableOf(const Block& block, const Values& values) {
     return file != nullptr ? tableOfFile(*parameter, *file) : 0;
 }
 
+Result<void> readMeasuredOf(const Material& material, const Catalog& catalog) {
+    const Block* model = catalog.find(kinds::models, material.model.id);
+    const Parameter* parameter = model != nullptr ? tableParameter(*model) : nullptr;
+    if (parameter == nullptr) {
+        return {};
+    }
+    if (const int table = measuredTableOf(*model, material.model.parameters); table != 0) {
+        return readTable(table).map([](const auto&) {});
+    }
+    const auto parked = material.parked.find(parameter->id); // readPreset() puts it there
+    const std::string withheld =
+        parked != material.parked.end() && parked->is_string() ? parked->get<std::string>() : "";
+    return withheld.empty()
+               ? Result<void>()
+               : failure(fmt::format("\"{}\" lies outside the folder of its preset and is not read",
+                                     withheld),
+                         "a measured file in that folder");
+}
+
 Checked<PresetReading> readMeasuredPreset(const std::filesystem::path& file,
                                           const Catalog& catalog) {
     const Result<SharedTable> table = readTable(file);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A file of measurements is a preset for every command that shows one.
 #include <cstring>
+#include <filesystem>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -51,6 +52,34 @@ TEST(MeasuredFile, DamagedOrTooLong_EndsInAMessage) {
     const Outcome outcome = patina({"render", file, "-o", folder / "a.png"});
     EXPECT_EQ(outcome.exitCode, 1);
     EXPECT_NE(outcome.err.find("short.binary: byte 50: "), std::string::npos) << outcome.err;
+}
+
+TEST(MeasuredFile, BehindAPresetAndUnreadable_EndsEveryCommandAndIsAllowedOutside) {
+    const TemporaryFolder folder;
+    writeFile(folder / "grey.binary", matteFile());
+    std::filesystem::create_directory(folder / "presets");
+    const std::string preset = folder / "presets/grey.patina.json";
+    writeFile(
+        preset,
+        R"({"format": "patina.preset", "version": 1, "model": {"id": "measured", "version": 1},
+                         "parameters": {"file": "../grey.binary"}})");
+    const std::string picture = folder / "a.png";
+    const std::vector<std::vector<std::string>> commands{
+        {"render", preset, "-o", picture, "--size", "32x32"},
+        {"lobe", preset},
+        {"match", "--to", preset, "--model", "lambert", "--samples", "64"}};
+    for (std::vector<std::string> command : commands) {
+        const Outcome withheld = patina(command);
+        EXPECT_EQ(withheld.exitCode, 1) << command.front();
+        EXPECT_NE(withheld.err.find("grey.binary"), std::string::npos) << withheld.err;
+        command.emplace_back("--allow-outside");
+        const Outcome allowed = patina(command);
+        EXPECT_EQ(allowed.exitCode, 0) << command.front() << allowed.err;
+    }
+    writeFile(folder / "grey.binary", matteFile().substr(0, 50));
+    const Outcome damaged = patina({"effects", preset, "--allow-outside"});
+    EXPECT_EQ(damaged.exitCode, 1);
+    EXPECT_NE(damaged.err.find("grey.binary: byte 50: "), std::string::npos) << damaged.err;
 }
 
 } // namespace

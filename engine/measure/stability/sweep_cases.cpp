@@ -277,11 +277,9 @@ Result<EvalCase> sweepVariant(const Catalog& catalog, const Material& material) 
                 valued(*filler, part != nullptr ? *part : BlockValues(), material.accuracy);
         }
     }
-    // A file that cannot be read shows magenta, which is nothing to measure.
-    if (const int table = measuredTableOf(*model, variant.block.values); table != 0) {
-        if (const auto read = readTable(table); !read) {
-            return tl::unexpected(read.error());
-        }
+    // A file that cannot be read shows magenta or grey, which is nothing to measure.
+    if (const auto read = readMeasuredOf(material, catalog); !read) {
+        return tl::unexpected(read.error());
     }
     return variant;
 }
