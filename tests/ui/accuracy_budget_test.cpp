@@ -47,7 +47,7 @@ TEST_F(AccuracyPanel, TimeBudget_MayBeLongAndShort) {
     EXPECT_GT(time.value(), 0.0);
 }
 
-TEST_F(AccuracyPanel, UseIt_UsesTheBudgetThatIsTyped) {
+TEST_F(MeasuredPanel, UseIt_UsesTheBudgetThatIsTyped) {
     ASSERT_TRUE(measureUntilFaster("near")) << state().toStdString();
     typeInto(bound("share"), "1/255");
     press("Use it");
@@ -64,7 +64,7 @@ TEST_F(AccuracyPanel, UseIt_UsesTheBudgetThatIsTyped) {
     EXPECT_EQ(level(), "");
 }
 
-TEST_F(AccuracyPanel, ErrorBudget_PicksTheFastestWayWithinIt) {
+TEST_F(MeasuredPanel, ErrorBudget_PicksTheFastestWayWithinIt) {
     ASSERT_TRUE(measureUntilFaster("near")) << state().toStdString();
     typeInto(bound("share"), "1/255");
     ASSERT_TRUE(budget().answer().has_value());
@@ -74,8 +74,7 @@ TEST_F(AccuracyPanel, ErrorBudget_PicksTheFastestWayWithinIt) {
     EXPECT_EQ(level(), "near");
 }
 
-TEST_F(AccuracyPanel, CardThatIsNotHere_HasItsTimesItsFrontAndItsBudget) {
-    ASSERT_TRUE(measure()) << state().toStdString();
+TEST_F(MeasuredPanel, CardThatIsNotHere_HasItsTimesItsFrontAndItsBudget) {
     auto& card = *budget().findChild<QComboBox*>("card");
     card.setCurrentIndex(card.findText("Steam Deck (RDNA 2)"));
     const CostChart& drawn = dock().drawnChart();
@@ -100,8 +99,7 @@ TEST_F(AccuracyPanel, CardThatIsNotHere_HasItsTimesItsFrontAndItsBudget) {
     EXPECT_EQ(dock().drawnChart(), dock().chart());
 }
 
-TEST_F(AccuracyPanel, TimeBudgetThatNothingMeets_SaysSo) {
-    ASSERT_TRUE(measure()) << state().toStdString();
+TEST_F(MeasuredPanel, TimeBudgetThatNothingMeets_SaysSo) {
     typeInto(bound("milliseconds"), "1e-6");
     ASSERT_TRUE(budget().answer().has_value());
     EXPECT_FALSE(budget().answer()->fits);

@@ -6,9 +6,8 @@
 namespace patina::tests::accuracy_compare_test {
 namespace {
 
-TEST_F(AccuracyPanel, Compared_HasTheExactWayInAAndTheChosenInB) {
+TEST_F(MeasuredPanel, Compared_HasTheExactWayInAAndTheChosenInB) {
     window().resize(1400, 800); // room for both titles
-    ASSERT_TRUE(measure()) << state().toStdString();
     dock().apply(pointOf("near"));
     settle();
     const int before = steps();
@@ -26,8 +25,7 @@ TEST_F(AccuracyPanel, Compared_HasTheExactWayInAAndTheChosenInB) {
     }
 }
 
-TEST_F(AccuracyPanel, EndOfComparing_PutsBackWhatWasThere) {
-    ASSERT_TRUE(measure()) << state().toStdString();
+TEST_F(MeasuredPanel, EndOfComparing_PutsBackWhatWasThere) {
     dock().apply(pointOf("near"));
     const Material chosen = *document().material(Side::A);
     dock().compare(pointOf("far"));
@@ -44,8 +42,7 @@ TEST_F(AccuracyPanel, EndOfComparing_PutsBackWhatWasThere) {
     EXPECT_EQ(*document().material(Side::A), chosen);
 }
 
-TEST_F(AccuracyPanel, ComparedSideB_LeavesSideAAsItWas) {
-    ASSERT_TRUE(measure()) << state().toStdString();
+TEST_F(MeasuredPanel, ComparedSideB_LeavesSideAAsItWas) {
     const int far = pointOf("far");
     window().comparison().setComparing(true);
     document().selection().setSide(Side::B);
@@ -57,8 +54,7 @@ TEST_F(AccuracyPanel, ComparedSideB_LeavesSideAAsItWas) {
     EXPECT_EQ(*document().material(Side::A), other);
 }
 
-TEST_F(AccuracyPanel, SavedWhileComparing_KeepsTheChoice) {
-    ASSERT_TRUE(measure()) << state().toStdString();
+TEST_F(MeasuredPanel, SavedWhileComparing_KeepsTheChoice) {
     dock().apply(pointOf("near"));
     dock().compare(pointOf("far"));
     const std::filesystem::path preset = home("kept.patina.json");
@@ -72,8 +68,7 @@ TEST_F(AccuracyPanel, SavedWhileComparing_KeepsTheChoice) {
     EXPECT_EQ(level(Side::B), "far");
 }
 
-TEST_F(AccuracyPanel, EditedWhileComparing_StaysEditedAfterwards) {
-    ASSERT_TRUE(measure()) << state().toStdString();
+TEST_F(MeasuredPanel, EditedWhileComparing_StaysEditedAfterwards) {
     const int far = pointOf("far");
     dock().apply(pointOf("near"));
     dock().compare(far);
@@ -83,8 +78,7 @@ TEST_F(AccuracyPanel, EditedWhileComparing_StaysEditedAfterwards) {
     EXPECT_EQ(level(Side::A), "near");
 }
 
-TEST_F(AccuracyPanel, ChosenWhileComparing_IsChosen) {
-    ASSERT_TRUE(measure()) << state().toStdString();
+TEST_F(MeasuredPanel, ChosenWhileComparing_IsChosen) {
     dock().apply(pointOf("near"));
     dock().compare(pointOf("far"));
     dock().apply(0); // the exact way

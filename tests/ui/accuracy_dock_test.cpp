@@ -16,21 +16,18 @@ TEST_F(AccuracyPanel, Measured_HasARowForEveryLevel) {
     EXPECT_EQ(list().topLevelItemCount(), 3);
 }
 
-TEST_F(AccuracyPanel, Measured_HasTheKnownErrors) {
-    ASSERT_TRUE(measure()) << state().toStdString();
+TEST_F(MeasuredPanel, Measured_HasTheKnownErrors) {
     EXPECT_NEAR(errorOfLevel("near"), nearError, 0.01 * nearError);
     EXPECT_NEAR(errorOfLevel("far"), farError, 0.01 * farError);
 }
 
-TEST_F(AccuracyPanel, EnterInTheTable_GivesTheMaterialThatLevel) {
-    ASSERT_TRUE(measure()) << state().toStdString();
+TEST_F(MeasuredPanel, EnterInTheTable_GivesTheMaterialThatLevel) {
     list().select(pointOf("near"));
     QTest::keyClick(&list(), Qt::Key_Return);
     EXPECT_EQ(level(), "near");
 }
 
-TEST_F(AccuracyPanel, ClickOnAPoint_GivesTheMaterialThatLevel) {
-    ASSERT_TRUE(measure()) << state().toStdString();
+TEST_F(MeasuredPanel, ClickOnAPoint_GivesTheMaterialThatLevel) {
     settle();
     const QPoint place = plot().placeOf(pointOf("far"));
     QWidget* target = plot().childAt(place);
@@ -39,8 +36,7 @@ TEST_F(AccuracyPanel, ClickOnAPoint_GivesTheMaterialThatLevel) {
     EXPECT_EQ(level(), "far");
 }
 
-TEST_F(AccuracyPanel, KeysInTheChart_GoFromPointToPoint) {
-    ASSERT_TRUE(measure()) << state().toStdString();
+TEST_F(MeasuredPanel, KeysInTheChart_GoFromPointToPoint) {
     plot().setFocus();
     QTest::keyClick(&plot(), Qt::Key_Right);
     EXPECT_EQ(plot().selected(), fastest());
@@ -50,15 +46,13 @@ TEST_F(AccuracyPanel, KeysInTheChart_GoFromPointToPoint) {
     EXPECT_EQ(plot().selected(), 0); // the exact one takes longest
 }
 
-TEST_F(AccuracyPanel, EnterInTheChart_GivesTheMaterialThatLevel) {
-    ASSERT_TRUE(measure()) << state().toStdString();
+TEST_F(MeasuredPanel, EnterInTheChart_GivesTheMaterialThatLevel) {
     plot().select(pointOf("near"));
     QTest::keyClick(&plot(), Qt::Key_Return);
     EXPECT_EQ(level(), "near");
 }
 
-TEST_F(AccuracyPanel, AppliedPoint_IsOneUndoStep) {
-    ASSERT_TRUE(measure()) << state().toStdString();
+TEST_F(MeasuredPanel, AppliedPoint_IsOneUndoStep) {
     const int before = steps();
     dock().apply(pointOf("near"));
     EXPECT_EQ(steps(), before + 1);
@@ -66,15 +60,13 @@ TEST_F(AccuracyPanel, AppliedPoint_IsOneUndoStep) {
     EXPECT_EQ(level(), "");
 }
 
-TEST_F(AccuracyPanel, AppliedPoint_LeavesTheChartFresh) {
-    ASSERT_TRUE(measure()) << state().toStdString();
+TEST_F(MeasuredPanel, AppliedPoint_LeavesTheChartFresh) {
     dock().apply(pointOf("near"));
     settle();
     EXPECT_FALSE(dock().isStale());
 }
 
-TEST_F(AccuracyPanel, ChangedScene_PutsTheChartOutOfDate) {
-    ASSERT_TRUE(measure()) << state().toStdString();
+TEST_F(MeasuredPanel, ChangedScene_PutsTheChartOutOfDate) {
     document().setBlock(pathOf(kinds::fog), "exponential");
     settle();
     EXPECT_TRUE(dock().isStale());
@@ -86,8 +78,7 @@ QColor middleOf(const QIcon& icon, QIcon::Mode mode) {
     return image.pixelColor(image.width() / 2, image.height() / 2);
 }
 
-TEST_F(AccuracyPanel, StaleTable_HasFaintDiscsAndSelectedRowsHaveTheirs) {
-    ASSERT_TRUE(measure()) << state().toStdString();
+TEST_F(MeasuredPanel, StaleTable_HasFaintDiscsAndSelectedRowsHaveTheirs) {
     const QPalette colors = list().palette();
     const auto disc = [this](QIcon::Mode mode) {
         list().select(0); // the exact way is always on the front
@@ -101,8 +92,7 @@ TEST_F(AccuracyPanel, StaleTable_HasFaintDiscsAndSelectedRowsHaveTheirs) {
     EXPECT_EQ(disc(QIcon::Selected), colors.color(QPalette::HighlightedText));
 }
 
-TEST_F(AccuracyPanel, ClickOnAStalePoint_ChoosesAndSaysThatNumbersAreOld) {
-    ASSERT_TRUE(measure()) << state().toStdString();
+TEST_F(MeasuredPanel, ClickOnAStalePoint_ChoosesAndSaysThatNumbersAreOld) {
     document().setBlock(pathOf(kinds::fog), "exponential");
     settle();
     const int before = steps();
@@ -121,8 +111,7 @@ TEST_F(AccuracyPanel, ClickOnAStalePoint_ChoosesAndSaysThatNumbersAreOld) {
     EXPECT_FALSE(told.contains("ns per pixel")) << told.toStdString();
 }
 
-TEST_F(AccuracyPanel, BlocksThatAreReadAgain_PutTheChartOutOfDateWhenTheyDiffer) {
-    ASSERT_TRUE(measure()) << state().toStdString();
+TEST_F(MeasuredPanel, BlocksThatAreReadAgain_PutTheChartOutOfDateWhenTheyDiffer) {
     const auto readAgain = [this] {
         document().setCatalog(std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())));
         settle();
@@ -135,8 +124,7 @@ TEST_F(AccuracyPanel, BlocksThatAreReadAgain_PutTheChartOutOfDateWhenTheyDiffer)
     EXPECT_TRUE(dock().isStale());
 }
 
-TEST_F(AccuracyPanel, MovedCamera_LeavesTheChartFreshAndSaysSo) {
-    ASSERT_TRUE(measure()) << state().toStdString();
+TEST_F(MeasuredPanel, MovedCamera_LeavesTheChartFreshAndSaysSo) {
     Camera moved = document().scene().camera;
     moved.yaw += 40.0;
     document().setCamera(moved);
@@ -145,8 +133,7 @@ TEST_F(AccuracyPanel, MovedCamera_LeavesTheChartFreshAndSaysSo) {
     EXPECT_TRUE(state().startsWith("Measured from another view")) << state().toStdString();
 }
 
-TEST_F(AccuracyPanel, StateInASmallWindow_IsReadInFull) {
-    ASSERT_TRUE(measure()) << state().toStdString();
+TEST_F(MeasuredPanel, StateInASmallWindow_IsReadInFull) {
     dock().apply(pointOf("near"));
     document().setBlock(pathOf(kinds::fog), "exponential");
     window().resize(1280, 720);
@@ -156,16 +143,14 @@ TEST_F(AccuracyPanel, StateInASmallWindow_IsReadInFull) {
     EXPECT_GE(line.height(), line.heightForWidth(line.width()));
 }
 
-TEST_F(AccuracyPanel, Table_HasTheInstructionsOfEveryWay) {
-    ASSERT_TRUE(measure()) << state().toStdString();
+TEST_F(MeasuredPanel, Table_HasTheInstructionsOfEveryWay) {
     const int column = list().columnCount() - 1;
     for (int i = 0; i < list().topLevelItemCount(); ++i) {
         EXPECT_GT(list().topLevelItem(i)->text(column).toInt(), 0) << i;
     }
 }
 
-TEST_F(AccuracyPanel, SceneThatIsBack_HasItsChartAgain) {
-    ASSERT_TRUE(measure()) << state().toStdString();
+TEST_F(MeasuredPanel, SceneThatIsBack_HasItsChartAgain) {
     document().setBlock(pathOf(kinds::fog), "exponential");
     settle();
     document().undoStack().undo();
@@ -173,16 +158,14 @@ TEST_F(AccuracyPanel, SceneThatIsBack_HasItsChartAgain) {
     EXPECT_FALSE(dock().isStale());
 }
 
-TEST_F(AccuracyPanel, SavedDocument_KeepsItsChart) {
-    ASSERT_TRUE(measure()) << state().toStdString();
+TEST_F(MeasuredPanel, SavedDocument_KeepsItsChart) {
     ASSERT_TRUE(window().documentFiles().saveScene(home("saved.patina-scene.json")));
     settle();
     ASSERT_NE(dock().shown(), nullptr);
     EXPECT_FALSE(dock().isStale());
 }
 
-TEST_F(AccuracyPanel, WhatIsNotMeasured_LeavesTheChartFresh) {
-    ASSERT_TRUE(measure()) << state().toStdString();
+TEST_F(MeasuredPanel, WhatIsNotMeasured_LeavesTheChartFresh) {
     Material renamed = *document().material(Side::A);
     renamed.name = "Another name";
     renamed.tags = {"a", "b"};
@@ -196,8 +179,7 @@ TEST_F(AccuracyPanel, WhatIsNotMeasured_LeavesTheChartFresh) {
     EXPECT_TRUE(dock().isStale());
 }
 
-TEST_F(AccuracyPanel, ChartOfAnotherModel_IsNotApplied) {
-    ASSERT_TRUE(measure()) << state().toStdString();
+TEST_F(MeasuredPanel, ChartOfAnotherModel_IsNotApplied) {
     const int point = pointOf("near");
     document().setModel(Side::A, "lambert");
     const int before = steps();
@@ -205,14 +187,12 @@ TEST_F(AccuracyPanel, ChartOfAnotherModel_IsNotApplied) {
     EXPECT_EQ(steps(), before);
 }
 
-TEST_F(AccuracyPanel, ExportedTable_HasALineForEveryPoint) {
-    ASSERT_TRUE(measure()) << state().toStdString();
+TEST_F(MeasuredPanel, ExportedTable_HasALineForEveryPoint) {
     EXPECT_EQ(exported("csv").trimmed().split('\n').size(), 1 + 3);
     EXPECT_TRUE(exported("json").contains("\"points\""));
 }
 
-TEST_F(AccuracyPanel, ExportToAFullDisk_LeavesTheOldFileAndSaysSo) {
-    ASSERT_TRUE(measure()) << state().toStdString();
+TEST_F(MeasuredPanel, ExportToAFullDisk_LeavesTheOldFileAndSaysSo) {
     const QByteArray before = exported("csv");
     const int messages = window().messages().count();
     const FullDisk full(16);
@@ -220,14 +200,12 @@ TEST_F(AccuracyPanel, ExportToAFullDisk_LeavesTheOldFileAndSaysSo) {
     EXPECT_EQ(window().messages().count(), messages + 1);
 }
 
-TEST_F(AccuracyPanel, ExportedChart_IsAPicture) {
-    ASSERT_TRUE(measure()) << state().toStdString();
+TEST_F(MeasuredPanel, ExportedChart_IsAPicture) {
     EXPECT_TRUE(exported("png").startsWith("\x89PNG"));
     EXPECT_TRUE(exported("svg").contains("<svg"));
 }
 
-TEST_F(AccuracyPanel, ExportedChart_NamesWhatItShows) {
-    ASSERT_TRUE(measure()) << state().toStdString();
+TEST_F(MeasuredPanel, ExportedChart_NamesWhatItShows) {
     Material named = *document().material(Side::A);
     named.name = "Candle";
     named.accuracy["work"] = "far"; // the chosen way has its name, on the front or not

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pages beside the chart: all models, and how the time grows.
+#include <memory>
+
 #include <QHeaderView>
 
 #include "accuracy/growth_plot.h"
@@ -13,38 +15,82 @@
 namespace patina::tests::accuracy_pages_test {
 namespace {
 
-class ModelsPanel : public AccuracyPanel {
-  protected:
-    ModelsPanel() { pages().setCurrentWidget(&page()); }
+/// The panel with the ranking of the first models. They take long to compile, for here and for
+/// other cards: they are measured once for all tests.
+class MeasuredModels : public AccuracyPanel {
+  public:
+    MeasuredModels() {
+        pages().setCurrentWidget(&page());
+        measureSome();
+        start_ = document().undoStack().index();
+    }
 
-    ModelsPage& page() { return *pages().findChild<ModelsPage*>(); }
-    ModelList& models() { return *page().findChild<ModelList*>(); }
-
-    /// The first models only: they take long to compile.
+    /// Measures the first models only.
     void measureSome() {
         CostSweep::Options options;
         options.size = {16, 16};
         options.pairs.min = 3;
         options.pairs.max = 3;
         page().measure(options);
-        ASSERT_TRUE(QTest::qWaitFor([this] { return page().costs().size() >= 2; }, waitMs));
+        EXPECT_TRUE(page().isMeasuring());
+        EXPECT_TRUE(QTest::qWaitFor([this] { return page().costs().size() >= 2; }, waitMs));
         for (QToolButton* button : page().findChildren<QToolButton*>()) {
             if (button->text() == "Stop") {
                 button->click();
             }
         }
-        ASSERT_TRUE(QTest::qWaitFor([this] { return !page().isMeasuring(); }, waitMs));
+        EXPECT_TRUE(QTest::qWaitFor([this] { return !page().isMeasuring(); }, waitMs));
+    }
+
+    /// As it was when all was measured.
+    void goBack() {
+        document().undoStack().setIndex(start_);
+        settle();
+    }
+
+    ModelsPage& page() { return *pages().findChild<ModelsPage*>(); }
+
+    using AccuracyPanel::document;
+    using AccuracyPanel::home;
+    using AccuracyPanel::settle;
+
+  private:
+    void TestBody() override {}
+
+    int start_ = 0;
+};
+
+class ModelsPanel : public testing::Test {
+  protected:
+    static void SetUpTestSuite() { shared() = std::make_unique<MeasuredModels>(); }
+    static void TearDownTestSuite() { shared().reset(); }
+
+    void SetUp() override {
+        shared()->goBack();
+        ASSERT_GE(page().costs().size(), 2u);
+        ASSERT_FALSE(page().isStale());
+    }
+
+    ModelsPage& page() { return shared()->page(); }
+    ModelList& models() { return *page().findChild<ModelList*>(); }
+    Document& document() { return shared()->document(); }
+    void settle() { shared()->settle(); }
+    void measureSome() { shared()->measureSome(); }
+    std::filesystem::path home(const std::string& name) { return shared()->home(name); }
+
+  private:
+    static std::unique_ptr<MeasuredModels>& shared() {
+        static std::unique_ptr<MeasuredModels> made;
+        return made;
     }
 };
 
 TEST_F(ModelsPanel, Stopped_KeepsWhatIsMeasured) {
-    measureSome();
     EXPECT_TRUE(page().state().startsWith("Stopped")) << page().state().toStdString();
     EXPECT_EQ(models().topLevelItemCount(), static_cast<int>(page().costs().size()));
 }
 
 TEST_F(ModelsPanel, Measured_HasPredictedCyclesOfTheChosenCards) {
-    measureSome();
     const Block& model = *document().catalog().find(kinds::models, page().costs().front().model);
     for (int i = 0; i < models().topLevelItemCount(); ++i) {
         const QTreeWidgetItem& row = *models().topLevelItem(i);
@@ -71,16 +117,16 @@ TEST_F(ModelsPanel, Measured_HasPredictedCyclesOfTheChosenCards) {
     EXPECT_NE(models().topLevelItem(0)->text(cycles), before);
 }
 
-TEST_F(ModelsPanel, WithoutTheDriver_SaysWhatToInstall) {
+TEST(ModelsList, WithoutTheDriver_SaysWhatToInstall) {
+    ModelList models;
     ModelCost cost{"matte", "Matte", {}, std::nullopt, std::nullopt};
     cost.predicted = failure("no driver", "the package mesa-vulkan-drivers");
-    models().setCosts({cost}, false);
-    EXPECT_EQ(models().topLevelItem(0)->text(9), QStringLiteral("–"));
-    EXPECT_TRUE(models().topLevelItem(0)->toolTip(9).contains("mesa-vulkan-drivers"));
+    models.setCosts({cost}, false);
+    EXPECT_EQ(models.topLevelItem(0)->text(9), QStringLiteral("–"));
+    EXPECT_TRUE(models.topLevelItem(0)->toolTip(9).contains("mesa-vulkan-drivers"));
 }
 
 TEST_F(ModelsPanel, OtherScene_PutsItOutOfDate) {
-    measureSome();
     document().setModel(Side::A, page().costs().front().model);
     settle();
     EXPECT_FALSE(page().isStale()); // every model was measured with its defaults
@@ -89,12 +135,13 @@ TEST_F(ModelsPanel, OtherScene_PutsItOutOfDate) {
     EXPECT_TRUE(page().isStale());
 }
 
-TEST_F(ModelsPanel, LightLost_IsWrittenAsTheFieldsWriteNumbers) {
+TEST(ModelsList, LightLost_IsWrittenAsTheFieldsWriteNumbers) {
+    ModelList models;
     const QLocale before;
     QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
-    const auto textOf = [this](double loss) {
-        models().setCosts({{"matte", "Matte", {}, std::nullopt, loss}}, false);
-        return models().topLevelItem(0)->text(10);
+    const auto textOf = [&models](double loss) {
+        models.setCosts({{"matte", "Matte", {}, std::nullopt, loss}}, false);
+        return models.topLevelItem(0)->text(10);
     };
     const QString text = textOf(0.255);
     const QString nothing = textOf(-1e-7);
@@ -103,15 +150,15 @@ TEST_F(ModelsPanel, LightLost_IsWrittenAsTheFieldsWriteNumbers) {
     EXPECT_EQ(nothing, "0.0 %");
 }
 
-TEST_F(ModelsPanel, LightLostByADrawing_IsEmptyAndSaysWhy) {
-    models().setCatalog(document().sharedCatalog());
-    models().setCosts({{"toon", "Toon", {}, std::nullopt, 0.2}}, false);
-    EXPECT_EQ(models().topLevelItem(0)->text(10), "");
-    EXPECT_TRUE(models().topLevelItem(0)->toolTip(10).contains("no share of the light"));
+TEST(ModelsList, LightLostByADrawing_IsEmptyAndSaysWhy) {
+    ModelList models;
+    models.setCatalog(std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())));
+    models.setCosts({{"toon", "Toon", {}, std::nullopt, 0.2}}, false);
+    EXPECT_EQ(models.topLevelItem(0)->text(10), "");
+    EXPECT_TRUE(models.topLevelItem(0)->toolTip(10).contains("no share of the light"));
 }
 
 TEST_F(ModelsPanel, SceneThatIsBack_HasItsNumbersAgain) {
-    measureSome();
     const std::string first = page().costs().front().model;
     document().setBlock(pathOf(kinds::fog), "exponential");
     settle();
@@ -123,21 +170,22 @@ TEST_F(ModelsPanel, SceneThatIsBack_HasItsNumbersAgain) {
     EXPECT_EQ(models().topLevelItemCount(), static_cast<int>(page().costs().size()));
 }
 
-TEST_F(ModelsPanel, LongNumbers_WidenTheirColumns) {
+TEST(ModelsList, LongNumbers_WidenTheirColumns) {
+    ModelList models;
     ModelCost longest{"slow", "Slow", {}, std::nullopt, std::nullopt};
     longest.cost.nanosecondsPerPixel = 1234567.0;
-    models().setCosts({longest}, false);
-    const QString text = models().topLevelItem(0)->text(2);
-    EXPECT_GT(models().columnWidth(2), models().fontMetrics().horizontalAdvance(text));
+    models.setCosts({longest}, false);
+    const QString text = models.topLevelItem(0)->text(2);
+    EXPECT_GT(models.columnWidth(2), models.fontMetrics().horizontalAdvance(text));
 }
 
-TEST_F(ModelsPanel, Columns_FitBesideEachOtherInADockOfUsualWidth) {
+TEST(ModelsList, Columns_FitBesideEachOtherInADockOfUsualWidth) {
+    ModelList models;
     constexpr int dockOf1600 = 846; // pixels between the docks at the sides, less a scroll bar
-    EXPECT_LE(models().header()->length(), dockOf1600);
+    EXPECT_LE(models.header()->length(), dockOf1600);
 }
 
 TEST_F(ModelsPanel, Enter_GivesTheObjectThatModel) {
-    measureSome();
     models().setCurrentItem(models().topLevelItem(1));
     const QString model = models().currentItem()->data(0, Qt::UserRole).toString();
     QTest::keyClick(&models(), Qt::Key_Return);
@@ -145,7 +193,6 @@ TEST_F(ModelsPanel, Enter_GivesTheObjectThatModel) {
 }
 
 TEST_F(ModelsPanel, ExportedTable_HasALineForEveryModel) {
-    measureSome();
     const QString file = QString::fromStdString((home("ranking") += ".csv").string());
     page().exportTo(file);
     QFile written(file);

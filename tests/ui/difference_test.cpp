@@ -10,7 +10,7 @@
 namespace patina::tests::difference_test {
 namespace {
 
-class Difference : public AccuracyPanel {
+class Difference : public MeasuredPanel {
   protected:
     /// Views so tall that half their width is too narrow for the object.
     Difference() {
@@ -115,7 +115,6 @@ TEST_F(Difference, NotWantedAnyMore_GivesTheCameraBack) {
 }
 
 TEST_F(Difference, ComparedPointThatIsUndone_GivesTheCameraBack) {
-    ASSERT_TRUE(measure()) << state().toStdString();
     const Camera before = camera();
     dock().compare(pointOf("near"));
     EXPECT_GT(camera().distance, before.distance);
@@ -129,7 +128,6 @@ TEST_F(Difference, ComparedPointThatIsUndone_GivesTheCameraBack) {
 }
 
 TEST_F(Difference, ComparedPoint_IsNoOtherView) {
-    ASSERT_TRUE(measure()) << state().toStdString();
     dock().compare(pointOf("near"));
     settle();
     EXPECT_FALSE(state().contains("another view")) << state().toStdString();
@@ -152,7 +150,6 @@ TEST_F(Difference, CameraMovedWhileComparing_StaysThereAfterwards) {
 }
 
 TEST_F(Difference, ComparedPoint_ShowsItBesideTheExactWay) {
-    ASSERT_TRUE(measure()) << state().toStdString();
     dock().compare(pointOf("near"));
     ASSERT_TRUE(window().views().difference() != nullptr && waitForView());
     EXPECT_NEAR(std::ranges::max(view().difference()->relative), float(nearError), 1e-5f);

@@ -2,6 +2,7 @@
 // The list of effects: why each is in, what it costs, and the switches of the views.
 #include <algorithm>
 #include <ctime>
+#include <memory>
 
 #include <QDockWidget>
 #include <QLabel>
@@ -66,8 +67,11 @@ class EffectsPanel : public WindowFixture {
         return false;
     }
 
+    /// Measures small frames: the measurement itself is not tested here.
     bool measure() {
-        dock().measure();
+        EffectCostMeter::Options options;
+        options.size = {64, 64};
+        dock().measure(options);
         return QTest::qWaitFor([this] { return !dock().isMeasuring(); }, waitMs);
     }
 };
@@ -232,15 +236,40 @@ TEST_F(EffectsPanel, ValueDraggedWhileAnotherEffectIsOff_IsShown) {
     EXPECT_FALSE(isInTheShader("fog/"));
 }
 
-TEST_F(EffectsPanel, Measured_ShowsCostsAndTheTotal) {
-    ASSERT_TRUE(measure());
+/// The panel with costs, which are measured once for all tests that only look at them.
+class MeasuredEffects : public testing::Test {
+  protected:
+    static void SetUpTestSuite() { shared() = std::make_unique<Panel>(); }
+    static void TearDownTestSuite() { shared().reset(); }
+    void SetUp() override { ASSERT_TRUE(shared()->isMeasured); }
+
+    QTreeWidgetItem* row(const QString& effect) { return shared()->row(effect); }
+    QString total() { return shared()->total(); }
+
+  private:
+    class Panel : public EffectsPanel {
+      public:
+        using EffectsPanel::row;
+        using EffectsPanel::total;
+        const bool isMeasured = measure();
+
+      private:
+        void TestBody() override {}
+    };
+
+    static std::unique_ptr<Panel>& shared() {
+        static std::unique_ptr<Panel> made;
+        return made;
+    }
+};
+
+TEST_F(MeasuredEffects, ShowCostsAndTheTotal) {
     EXPECT_FALSE(row("models/")->text(1).isEmpty());
     EXPECT_TRUE(total().contains("the rest")) << total().toStdString();
     EXPECT_TRUE(total().contains("pixels")) << total().toStdString();
 }
 
-TEST_F(EffectsPanel, Measured_ShowsWhatIsPredictedForOtherCards) {
-    ASSERT_TRUE(measure());
+TEST_F(MeasuredEffects, ShowWhatIsPredictedForOtherCards) {
     constexpr int cycles = 4;
     EXPECT_GT(row("fog/")->text(cycles).toDouble(), 0.0) << row("fog/")->text(cycles).toStdString();
     EXPECT_TRUE(row("fog/")->toolTip(cycles).contains("Predicted"));

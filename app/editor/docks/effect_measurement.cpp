@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "docks/effect_measurement.h"
 
+#include <utility>
+
 #include "session/session.h"
 #include "text/as_text.h"
 #include "text/display_number.h"
@@ -30,16 +32,19 @@ EffectMeasurement::EffectMeasurement(const Document& document, QObject* parent)
     connect(&worker_, &Worker::progressed, this, &EffectMeasurement::progressed);
 }
 
-void EffectMeasurement::start(const EffectCostMeter::Subject& subject) {
+void EffectMeasurement::start(const EffectCostMeter::Subject& subject,
+                              EffectCostMeter::Options options) {
     if (isRunning()) {
         return;
     }
+    options.programCache = programFolder();
+    options.mayShrink = true;
     const Side side = document_.selection().side();
     measured_ = Measured{subject.scene, document_.selection().object(), side,
                          KnownBlocks(document_.sharedCatalog(), subject.scene)};
     const auto object = static_cast<std::size_t>(document_.selection().object());
-    worker_.ask([this, subject,
-                 object](Worker::Control& control) { return meter(subject, object, control); },
+    worker_.ask([this, subject, options = std::move(options), object](
+                    Worker::Control& control) { return meter(subject, options, object, control); },
                 [this](const MeasureEnd& end) {
                     if (measured_) {
                         measured_->end = end;
@@ -49,14 +54,12 @@ void EffectMeasurement::start(const EffectCostMeter::Subject& subject) {
 }
 
 /// Runs in the worker's thread.
-MeasureEnd EffectMeasurement::meter(const EffectCostMeter::Subject& subject, std::size_t object,
+MeasureEnd EffectMeasurement::meter(const EffectCostMeter::Subject& subject,
+                                    const EffectCostMeter::Options& options, std::size_t object,
                                     Worker::Control& control) {
     if (const Result<void> opened = control.openContext(); !opened) {
         return endOf(false, {opened.error()});
     }
-    EffectCostMeter::Options options;
-    options.programCache = programFolder();
-    options.mayShrink = true;
     const auto meter = EffectCostMeter::create(subject, options);
     if (!meter) {
         return endOf(false, {meter.error()});

@@ -23,7 +23,7 @@ class EffectMeasurement : public QObject {
 
     /// Measures the subject, which is of the current object and side. Nothing happens while that is
     /// going on.
-    void start(const EffectCostMeter::Subject& subject);
+    void start(const EffectCostMeter::Subject& subject, EffectCostMeter::Options options);
     void cancel() { worker_.cancel(); }
 
     /// Forgets what was measured, since another document is there.
@@ -62,7 +62,8 @@ class EffectMeasurement : public QObject {
         MeasureEnd end = false;
     };
 
-    MeasureEnd meter(const EffectCostMeter::Subject& subject, std::size_t object,
+    MeasureEnd meter(const EffectCostMeter::Subject& subject,
+                     const EffectCostMeter::Options& options, std::size_t object,
                      Worker::Control& control);
     QString whyStale() const;
     QString totalText(const std::vector<EffectRow>& rows) const;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QEvent>
 #include <QLabel>
@@ -84,7 +85,7 @@ void EffectsDock::layOut() {
 }
 
 void EffectsDock::connectParts() {
-    connect(start_, &QToolButton::clicked, this, &EffectsDock::measure);
+    connect(start_, &QToolButton::clicked, this, [this] { measure(); });
     connect(cancel_, &QToolButton::clicked, &measurement_, &EffectMeasurement::cancel);
     list_->setFamily(family_->family());
     connect(family_, &QComboBox::currentIndexChanged, this,
@@ -167,7 +168,7 @@ QSize EffectsDock::sizeHint() const {
     return {640, list_->heightOf(usualRows) + start_->sizeHint().height() + 3 * spacing};
 }
 
-void EffectsDock::measure() {
+void EffectsDock::measure(EffectCostMeter::Options options) {
     if (isMeasuring() || document_.selection().object() < 0) {
         return;
     }
@@ -177,7 +178,8 @@ void EffectsDock::measure() {
     progress_->setValue(0);
     measurement_.start({scene, scene.camera, meshSnapshot(scene, library_), list_->rows(),
                         document_.sharedCatalog(), images().textures,
-                        environments_.image(environmentPicture(document_, side))});
+                        environments_.image(environmentPicture(document_, side))},
+                       std::move(options));
     refresh();
 }
 

@@ -26,7 +26,7 @@ class EffectsDock : public QWidget {
     explicit EffectsDock(const DockContext& context);
 
     /// Measures what the effects cost; nothing happens while that is going on.
-    void measure();
+    void measure(EffectCostMeter::Options options = {});
     bool isMeasuring() const { return measurement_.isRunning(); }
 
     QSize sizeHint() const override;
