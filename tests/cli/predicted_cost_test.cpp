@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a material costs on graphics cards that are not here.
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <sstream>
 #include <string>
@@ -10,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/patina_program.h"
+#include "measure/prediction/predicted_subject.h"
 #include "measure/prediction/varying_loops.h"
 #include "predict/family_compiler.h"
 
@@ -193,8 +195,9 @@ TEST(VaryingLoops, RoundsOfASeries_AreFewerWhereItIsShortened) {
     const auto roundsOf = [&](const std::string& series) {
         material.accuracy["series"] = series;
         const auto loops = varyingLoops(material, catalog);
-        EXPECT_EQ(loops.size(), 1u);
-        return loops.empty() ? 0.0 : loops.front().rounds;
+        const auto varying = std::ranges::find(loops, true, &VaryingLoop::isVarying);
+        EXPECT_EQ(loops.size(), 2u) << "the series, and the loop over the channels around it";
+        return varying == loops.end() ? 0.0 : varying->rounds;
     };
     const double full = roundsOf("full");
     EXPECT_GT(full, roundsOf("medium"));
@@ -202,6 +205,36 @@ TEST(VaryingLoops, RoundsOfASeries_AreFewerWhereItIsShortened) {
     EXPECT_LE(full, 100.0) << "the largest number of terms that it sums";
     EXPECT_TRUE(
         varyingLoops(defaultMaterial(*catalog.find(kinds::models, "phong")), catalog).empty());
+}
+
+/// All rounds are written out in the place of two and three of them.
+TEST(VaryingLoops, RoundsOfASeries_CostWhatTheyDoWrittenOut) {
+    const auto catalog = std::make_shared<const Catalog>(
+        loadCatalog(std::vector<BlockRoot>{{shipped("shaders"), true}}));
+    Scene scene;
+    Material& material = scene.objects.emplace_back().material;
+    material = defaultMaterial(*catalog->find(kinds::models, "he-torrance"));
+    material.accuracy["series"] = "short";
+    scene.lights.emplace_back().block.id = "directional";
+    const MeshSource none = [](const Object&) { return MeshView{}; };
+    const auto texts = surfaceTexts({scene, 0, none, catalog}, {scene});
+    ASSERT_TRUE(texts) << patina::text(texts.error());
+    const auto families = gpuFamiliesIn("rdna2").value();
+    const auto predicted = compiledSurfaces(*texts, *catalog, families, {});
+    ASSERT_TRUE(predicted) << predicted.error().text();
+    const auto loops = varyingLoops(material, *catalog);
+    std::vector<int> rounds;
+    for (const VaryingLoop& loop : loops) {
+        rounds.push_back(static_cast<int>(std::round(loop.rounds)));
+    }
+    const auto whole = withRounds(texts->front().text.fragment, loops, rounds);
+    ASSERT_TRUE(whole);
+    const auto written = compileForFamilies(families, {{texts->front().text.vertex, *whole}}, {});
+    ASSERT_TRUE(written && written->programs.front());
+    const StageStatistics& got = predicted->programs.front()->at("rdna2").fragment;
+    const StageStatistics& right = written->programs.front()->at("rdna2").fragment;
+    EXPECT_EQ(got.loops, 0);
+    EXPECT_NEAR(got.cycles / right.cycles, 1.0, 0.05);
 }
 
 TEST(VaryingLoops, WrittenOut_HaveSoManyRounds) {

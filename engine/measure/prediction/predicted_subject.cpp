@@ -21,29 +21,41 @@ bool hasLoops(const Result<FamilyStatistics>& program) {
            });
 }
 
-/// Is a shader whose model has loops that vary: with one round of each, and then with two of each.
+/// Is a shader whose model has loops that vary: with two rounds of each, and then with three of
+/// each.
 struct CountedSurface {
-    std::size_t program = 0; ///< is its place among all
-    std::size_t first = 0;   ///< is the place of its texts among all of these
-    std::vector<VaryingLoop> loops{};
+    std::size_t program = 0;      ///< is its place among all
+    std::size_t first = 0;        ///< is the place of its texts among all of these
+    std::vector<double> rounds{}; ///< are those of the loops that vary
     std::vector<ProgramText> texts{};
 };
 
-CountedSurface countedSurface(const SurfaceText& surface, const Catalog& catalog) {
+constexpr int fewRounds = 2; ///< as one may be computed in the place of what leads to it
+
+CountedSurface countedSurface(const PredictedSurface& surface, const Catalog& catalog) {
     CountedSurface made;
-    made.loops = varyingLoops(surface.material, catalog);
-    for (std::size_t twice = 0; twice <= made.loops.size() && !made.loops.empty(); ++twice) {
-        std::vector<int> rounds(made.loops.size(), 1);
-        if (twice > 0) {
-            rounds[twice - 1] = 2;
-        }
-        auto fragment = withRounds(surface.text.fragment, made.loops, rounds);
-        if (!fragment) {
-            return {};
-        }
-        made.texts.push_back({surface.text.vertex, std::move(*fragment)});
+    const std::vector<VaryingLoop> loops = varyingLoops(surface.material, catalog);
+    std::vector<int> few;
+    for (const VaryingLoop& loop : loops) {
+        few.push_back(loop.isVarying ? fewRounds : static_cast<int>(loop.rounds));
     }
-    return made;
+    const auto add = [&](const std::vector<int>& rounds) {
+        auto fragment = withRounds(surface.text.fragment, loops, rounds);
+        if (fragment) {
+            made.texts.push_back({surface.text.vertex, std::move(*fragment)});
+        }
+        return fragment.has_value();
+    };
+    bool isWhole = !loops.empty() && add(few);
+    for (std::size_t i = 0; i < loops.size() && isWhole; ++i) {
+        if (loops[i].isVarying) {
+            std::vector<int> rounds = few;
+            ++rounds[i];
+            made.rounds.push_back(loops[i].rounds);
+            isWhole = add(rounds);
+        }
+    }
+    return isWhole ? std::move(made) : CountedSurface();
 }
 
 void correct(Result<FamilyStatistics>& program, const CountedSurface& surface,
@@ -62,14 +74,15 @@ void correct(Result<FamilyStatistics>& program, const CountedSurface& surface,
     }
     for (auto& [family, statistics] : *program) {
         StageStatistics& stage = statistics.fragment;
-        const StageStatistics& once = texts.front()->at(family).fragment;
-        stage.cycles = once.cycles;
-        stage.latency = once.latency;
-        stage.loops = once.loops;
-        for (std::size_t i = 0; i < surface.loops.size(); ++i) {
-            const StageStatistics& twice = texts[i + 1]->at(family).fragment;
-            stage.cycles += (surface.loops[i].rounds - 1.0) * (twice.cycles - once.cycles);
-            stage.latency += (surface.loops[i].rounds - 1.0) * (twice.latency - once.latency);
+        const StageStatistics& few = texts.front()->at(family).fragment;
+        stage.cycles = few.cycles;
+        stage.latency = few.latency;
+        stage.loops = few.loops;
+        for (std::size_t i = 0; i < surface.rounds.size(); ++i) {
+            const StageStatistics& more = texts[i + 1]->at(family).fragment;
+            const double others = surface.rounds[i] - fewRounds;
+            stage.cycles += others * (more.cycles - few.cycles);
+            stage.latency += others * (more.latency - few.latency);
         }
         stage.cycles = std::round(stage.cycles);
         stage.latency = std::round(stage.latency);
@@ -89,9 +102,9 @@ Checked<ProgramText> surfaceText(const PredictedSubject& subject) {
     return ProgramText{std::move(source->vertex.text), std::move(source->fragment.text)};
 }
 
-Checked<std::vector<SurfaceText>> surfaceTexts(const PredictedSubject& subject,
-                                               const std::vector<Scene>& scenes) {
-    std::vector<SurfaceText> texts;
+Checked<std::vector<PredictedSurface>> surfaceTexts(const PredictedSubject& subject,
+                                                    const std::vector<Scene>& scenes) {
+    std::vector<PredictedSurface> texts;
     for (const Scene& scene : scenes) {
         auto text = surfaceText({scene, subject.object, subject.meshes, subject.catalog});
         if (!text) {
@@ -102,12 +115,12 @@ Checked<std::vector<SurfaceText>> surfaceTexts(const PredictedSubject& subject,
     return texts;
 }
 
-Result<CompiledForFamilies> compiledSurfaces(const std::vector<SurfaceText>& surfaces,
+Result<CompiledForFamilies> compiledSurfaces(const std::vector<PredictedSurface>& surfaces,
                                              const Catalog& catalog,
                                              std::span<const GpuFamily* const> families,
                                              const FamilyCompilerOptions& options) {
     std::vector<ProgramText> texts;
-    for (const SurfaceText& surface : surfaces) {
+    for (const PredictedSurface& surface : surfaces) {
         texts.push_back(surface.text);
     }
     auto compiled = compileForFamilies(families, std::move(texts), options);

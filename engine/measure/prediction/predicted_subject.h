@@ -25,19 +25,19 @@ struct PredictedSubject {
 Checked<ProgramText> surfaceText(const PredictedSubject& subject);
 
 /// Is the text of an object's shader, with the material that says how often its loops run.
-struct SurfaceText {
+struct PredictedSurface {
     ProgramText text;
     Material material;
 };
 
 /// Returns the text of the subject's object in each of these scenes.
-Checked<std::vector<SurfaceText>> surfaceTexts(const PredictedSubject& subject,
-                                               const std::vector<Scene>& scenes);
+Checked<std::vector<PredictedSurface>> surfaceTexts(const PredictedSubject& subject,
+                                                    const std::vector<Scene>& scenes);
 
 /// Compiles shaders, in their order. Where the compiler guesses how often loops of a model run that
 /// vary with the directions, cycles and latency are those of their rounds on the mean
-/// (varyingLoops()): of the shader with one round, and what one more takes for each of the others.
-Result<CompiledForFamilies> compiledSurfaces(const std::vector<SurfaceText>& surfaces,
+/// (varyingLoops()): of the shader with two rounds, and what a third takes for each of the others.
+Result<CompiledForFamilies> compiledSurfaces(const std::vector<PredictedSurface>& surfaces,
                                              const Catalog& catalog,
                                              std::span<const GpuFamily* const> families,
                                              const FamilyCompilerOptions& options);

@@ -83,7 +83,7 @@ Checked<PredictedWays> predictedWays(std::span<const PredictedSubject> subjects,
                                      std::span<const GpuFamily* const> families,
                                      const FamilyCompilerOptions& options) {
     std::vector<std::vector<ChosenLevels>> levels;
-    std::vector<SurfaceText> texts;
+    std::vector<PredictedSurface> texts;
     for (const PredictedSubject& subject : subjects) {
         Ways ways = waysOf(subject, wanted);
         auto more = surfaceTexts(subject, ways.scenes);

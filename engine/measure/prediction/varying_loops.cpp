@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <numeric>
 #include <utility>
@@ -63,15 +64,15 @@ class RoundsCounter {
         }
     }
 
-    std::vector<VaryingLoop> varying() const {
+    std::vector<VaryingLoop> found() const {
         std::vector<VaryingLoop> found;
         for (const Counted& loop : loops_) {
-            const ShaderExpression& condition = expression(loop.statement->expression);
-            if (loop.isVarying && condition.owner >= 0 && condition.first < condition.last) {
-                const ParsedFunction& function =
-                    syntax_.functions[static_cast<std::size_t>(condition.owner)];
+            const bool isVarying = loop.isVarying && hasText(loop);
+            if (isVarying || isAroundVarying(loop)) {
+                const ShaderExpression& condition = expression(loop.statement->expression);
+                const ParsedFunction& function = functionAt(condition.owner);
                 found.push_back({std::string(function.name), loopsBefore(function, condition.first),
-                                 loop.all.rounds / loop.all.runs});
+                                 loop.all.rounds / loop.all.runs, isVarying});
             }
         }
         return found;
@@ -87,6 +88,45 @@ class RoundsCounter {
 
     const ShaderExpression& expression(int index) const {
         return syntax_.expressions[static_cast<std::size_t>(index)];
+    }
+    const ParsedFunction& functionAt(int index) const {
+        return syntax_.functions[static_cast<std::size_t>(index)];
+    }
+
+    bool hasText(const Counted& loop) const {
+        const ShaderExpression& condition = expression(loop.statement->expression);
+        return condition.owner >= 0 && condition.first < condition.last && loop.all.runs > 0.0;
+    }
+
+    /// Tells whether a loop that always has the same few rounds holds one that varies, or calls a
+    /// function that does.
+    bool isAroundVarying(const Counted& loop) const {
+        constexpr double maxRounds = 16.0;
+        const double rounds = hasText(loop) ? loop.all.rounds / loop.all.runs : 0.0;
+        return !loop.isVarying && rounds >= 1.0 && rounds <= maxRounds &&
+               rounds == std::floor(rounds) && holdsVarying(loop.statement->statements.front());
+    }
+
+    bool holdsVarying(int index) const {
+        const ShaderStatement& each = syntax_.statements[static_cast<std::size_t>(index)];
+        return std::ranges::any_of(loops_,
+                                   [&each](const Counted& loop) {
+                                       return loop.isVarying && loop.statement == &each;
+                                   }) ||
+               callsVarying(each.expression) || callsVarying(each.step) ||
+               std::ranges::any_of(each.statements,
+                                   [this](int inner) { return holdsVarying(inner); });
+    }
+
+    bool callsVarying(int index) const {
+        if (index < 0) {
+            return false;
+        }
+        const ShaderExpression& each = expression(index);
+        return (each.kind == ShaderExpression::Kind::Call &&
+                holdsVarying(functionAt(each.function).body)) ||
+               std::ranges::any_of(each.operands,
+                                   [this](int operand) { return callsVarying(operand); });
     }
 
     /// The step is evaluated once in each round, the condition once more in each run.
@@ -240,7 +280,7 @@ std::vector<VaryingLoop> varyingLoops(const Material& material, const Catalog& c
         static_cast<EvalPlace&>(*request) = place;
         counter.count(*request);
     }
-    return counter.varying();
+    return counter.found();
 }
 
 std::optional<std::string> withRounds(const std::string& glsl, std::span<const VaryingLoop> loops,
