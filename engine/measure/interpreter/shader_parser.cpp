@@ -165,9 +165,9 @@ class Parser {
         }
     }
 
-    /// Reads "[8]" behind a name, if there is one.
-    void readLength(ShaderType& type) {
-        if (!take("[")) {
+    /// Reads "[8]" behind a name or a type, if there is one; "[]" only where `isOpen`.
+    void readLength(ShaderType& type, bool isOpen = false) {
+        if (!take("[") || (isOpen && take("]"))) {
             return;
         }
         int length = 0;
@@ -244,12 +244,19 @@ class Parser {
         ++at_;
         skipQualifiers();
         auto type = typeNamed(word());
-        const std::string_view name = word(1);
-        if (!type || word(2) != "=") {
+        if (!type) {
             skipDeclaration();
             return;
         }
-        at_ += 3;
+        ++at_;
+        readLength(*type);
+        const std::string_view name = word();
+        ++at_;
+        readLength(*type);
+        if (!take("=")) {
+            skipDeclaration();
+            return;
+        }
         owner_ = -1;
         const int value = expression();
         if (problem_) {
@@ -463,8 +470,9 @@ class Parser {
         return add(std::move(made));
     }
 
-    int declaration(const ShaderType& type) {
+    int declaration(ShaderType type) {
         ShaderStatement whole;
+        readLength(type);
         do {
             auto& function = syntax_.functions[static_cast<std::size_t>(owner_)];
             ShaderVariable made{type, word(), function.frame, 0, false};
@@ -765,7 +773,38 @@ class Parser {
         if (word(1) == "(") {
             return call();
         }
-        return variable();
+        return word(1) == "[" && typeNamed(word()) ? arrayOf() : variable();
+    }
+
+    /// Reads "float[3](a, b, c)", whose length may be left out.
+    int arrayOf() {
+        const std::size_t start = at_;
+        ShaderExpression made{.kind = NodeKind::Construct, .type = *typeNamed(word())};
+        made.sign = word();
+        ++at_;
+        readLength(made.type, true);
+        expect("(");
+        made.operands = arguments();
+        made.type.length = made.type.length > 0
+                               ? made.type.length
+                               : std::max(static_cast<int>(made.operands.size()), 1);
+        if (problem_) {
+            return -1;
+        }
+        checkConstructor(made);
+        return finish(std::move(made), start);
+    }
+
+    /// Reads the arguments of a call, and its end.
+    std::vector<int> arguments() {
+        std::vector<int> all;
+        while (!take(")") && !problem_) {
+            all.push_back(expression());
+            if (!take(",") && word() != ")") {
+                complain(fmt::format("{} stands where , or ) is expected", word()));
+            }
+        }
+        return all;
     }
 
     int literal() {
@@ -812,13 +851,7 @@ class Parser {
         const std::size_t start = at_;
         const std::string_view name = word();
         at_ += 2;
-        std::vector<int> arguments;
-        while (!take(")") && !problem_) {
-            arguments.push_back(expression());
-            if (!take(",") && word() != ")") {
-                complain(fmt::format("{} stands where , or ) is expected", word()));
-            }
-        }
+        const std::vector<int> arguments = this->arguments();
         if (problem_) {
             return -1;
         }
