@@ -162,9 +162,22 @@ QString methodText(const FoundWays& found) {
 
 QString entryText(const FoundWays& found) {
     const auto choices = found.block.descriptor.find("accuracy");
-    return choices == found.block.descriptor.end() || choices->empty()
-               ? QString()
-               : asText(writeJson(choices->back()));
+    if (choices == found.block.descriptor.end() || choices->empty()) {
+        return {};
+    }
+    nlohmann::json tables = nlohmann::json::array();
+    for (const auto& table : found.block.descriptor.value("tables", nlohmann::json::array())) {
+        const bool isRead = std::ranges::any_of(found.ways.ways, [&table](const CheaperWay& way) {
+            return way.table && way.table->id == table.value("id", std::string());
+        });
+        if (isRead) {
+            tables.push_back(table);
+        }
+    }
+    return tables.empty()
+               ? asText(writeJson(choices->back()))
+               : asText(writeJson(
+                     {{"accuracy", nlohmann::json::array({choices->back()})}, {"tables", tables}}));
 }
 
 } // namespace patina

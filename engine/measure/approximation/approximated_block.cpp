@@ -285,6 +285,25 @@ std::map<std::string, std::string> ownNames(const Block& block, const Block& cop
     return names;
 }
 
+/// Returns the tables that ways read, each once.
+std::vector<BlockTable> tablesOf(const CheaperWays& ways) {
+    std::vector<BlockTable> tables;
+    for (const CheaperWay& way : ways.ways) {
+        if (way.table && std::ranges::find(tables, *way.table) == tables.end()) {
+            tables.push_back(*way.table);
+        }
+    }
+    return tables;
+}
+
+nlohmann::json tableJson(const BlockTable& table) {
+    nlohmann::json size{table.size.x};
+    if (table.size.y > 1) {
+        size.push_back(table.size.y);
+    }
+    return {{"id", table.id}, {"size", size}, {"of", table.of}};
+}
+
 nlohmann::json choiceJson(const CheaperWays& ways, const std::string& id) {
     nlohmann::json levels = nlohmann::json::array();
     levels.push_back({{"id", "exact"},
@@ -295,6 +314,9 @@ nlohmann::json choiceJson(const CheaperWays& ways, const std::string& id) {
         levels.push_back({{"id", foundLevelId(i)},
                           {"label", fmt::format("At most {:.2g} off", statedError(ways.ways[i]))},
                           {"doc", foundLevelDoc(ways, i)}});
+        if (ways.ways[i].table) {
+            levels.back()["table"] = ways.ways[i].table->id;
+        }
     }
     return {{"id", id},
             {"label", "Cheaper ways"},
@@ -402,6 +424,10 @@ Result<ApproximatedBlock> approximatedBlock(const EvalCase& subject, const Cheap
     made.glsl = LevelWriter(subject, ways, fieldName(made.choice)).written(*glsl);
     made.descriptor = std::move(descriptor->value);
     made.descriptor["accuracy"].push_back(choiceJson(ways, made.choice));
+    const std::vector<BlockTable> tables = tablesOf(ways);
+    for (const BlockTable& table : tables) {
+        made.descriptor["tables"].push_back(tableJson(table));
+    }
     if (naming.id == block.id) {
         return made;
     }
@@ -413,7 +439,10 @@ Result<ApproximatedBlock> approximatedBlock(const EvalCase& subject, const Cheap
         choice.values.push_back({foundLevelId(i), {}, {}});
     }
     copy.accuracy.push_back(std::move(choice));
-    made.glsl = renamed(made.glsl, ownNames(block, copy, made.glsl));
+    Block read = block;
+    read.tables.insert(read.tables.end(), tables.begin(), tables.end());
+    copy.tables = read.tables;
+    made.glsl = renamed(made.glsl, ownNames(read, copy, made.glsl));
     made.descriptor["id"] = made.id;
     made.descriptor["label"] = naming.label;
     made.descriptor.erase("formerIds");

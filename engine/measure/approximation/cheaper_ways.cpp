@@ -12,6 +12,7 @@
 #include "measure/approximation/cheap_moves.h"
 #include "measure/approximation/fitted_terms.h"
 #include "measure/approximation/shader_price.h"
+#include "measure/approximation/tabled_terms.h"
 #include "measure/error/parallel.h"
 
 namespace patina {
@@ -31,7 +32,11 @@ constexpr std::size_t beamWidth = 10;
 constexpr std::size_t triedPerRound = 48;
 constexpr double worthwhile = 0.995; ///< is the cost, over another one, that is a gain
 constexpr double secondsOfSollya = 60.0;
-constexpr double shareOfTrials = 0.9; ///< of the time; the rest is for what was found
+/// Are the largest and the smallest share of the time that trials may take; the rest is for the
+/// judgement of what was found.
+constexpr double maxShareOfTrials = 0.9;
+constexpr double minShareOfTrials = 0.3;
+constexpr double slowerThanExact = 1.5; ///< is the evaluation of ways, whose tables are computed
 
 /// Is a set of moves with what is known of it.
 struct TriedWay {
@@ -82,7 +87,9 @@ class CheaperSearch {
 
     bool isOver() const {
         return found_.isStopped || options_.isAbandoned() ||
-               secondsGone() > shareOfTrials * options_.seconds;
+               secondsGone() > std::clamp(options_.seconds - secondsOfJudging_,
+                                          minShareOfTrials * options_.seconds,
+                                          maxShareOfTrials * options_.seconds);
     }
 
     /// Reports, and keeps the wish to stop.
@@ -95,7 +102,12 @@ class CheaperSearch {
 
     void prepareCases() {
         const CaseWish wish{options_.cases, searchSeed, 0, rowsOfSearch, options_.ofValues};
+        const double before = secondsGone();
         cases_ = text_->judged(texelsOfCases(commonCases(subject_, wish)));
+        const auto judged = static_cast<double>(options_.heldOut) *
+                            (1.0 + slowerThanExact * static_cast<double>(options_.ways)) /
+                            static_cast<double>(std::max<std::size_t>(options_.cases, 1));
+        secondsOfJudging_ = judged * (secondsGone() - before);
         edgeCases_ =
             text_->judged(texelsOfCases(edgeCases(subject_, edgeCaseCount, options_.ofValues)));
         quick_.texels.assign(cases_.texels.begin(),
@@ -147,6 +159,7 @@ class CheaperSearch {
         if (options_.ofValues) {
             addMoves(foldedValues(shader()));
         }
+        addMoves(tabledTerms(shader(), *subject_.block.block));
         addMoves(droppedTerms(shader()));
     }
 
@@ -245,6 +258,7 @@ class CheaperSearch {
             CheaperWay shown{editsFor(way.moves), {},        way.error.worst,
                              way.error.mean,      *way.cost, false};
             for (const std::size_t move : way.moves) {
+                shown.table = moves_[move].table ? moves_[move].table : shown.table;
                 shown.isForValues = shown.isForValues || moves_[move].isForValues;
                 if (std::ranges::find(shown.words, moves_[move].words) == shown.words.end()) {
                     shown.words.push_back(moves_[move].words);
@@ -481,6 +495,7 @@ class CheaperSearch {
     ShaderPrice price_;
     double limit_; ///< is the largest error that may be stated
     Clock::time_point began_ = Clock::now();
+    double secondsOfJudging_ = 0.0; ///< is how long what is found will take, about
     JudgedCases cases_;
     JudgedCases quick_;
     JudgedCases edgeCases_;

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,7 @@ struct CheaperWay {
     double meanError = 0.0;
     double cost = 0.0;
     bool isForValues = false;
+    std::optional<BlockTable> table{}; ///< is one that it reads
 };
 
 /// Is what a search has found: the front of error and cost.

@@ -120,14 +120,14 @@ class DeviceCheck {
     }
 
   private:
-    /// Leaves out ways than which a cheaper one is no farther off on the device. They are from the
+    /// Leaves out ways than which a cheaper one states no larger an error. They are from the
     /// dearest to the cheapest.
     static std::vector<CheaperWay> frontOf(const std::vector<CheaperWay>& ways) {
         std::vector<CheaperWay> front;
         for (std::size_t i = 0; i < ways.size(); ++i) {
             const auto rest = std::span(ways).subspan(i + 1);
             if (std::ranges::none_of(rest, [&](const CheaperWay& cheaper) {
-                    return cheaper.error <= ways[i].error;
+                    return statedError(cheaper) <= statedError(ways[i]);
                 })) {
                 front.push_back(ways[i]);
             }

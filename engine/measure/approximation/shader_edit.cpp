@@ -2,17 +2,19 @@
 #include "measure/approximation/shader_edit.h"
 
 #include <algorithm>
+#include <map>
 
 #include <fmt/format.h>
 
 namespace patina {
 
 bool areCompatible(const CheapMove& a, const CheapMove& b) {
-    return std::ranges::none_of(a.edits, [&b](const ShaderEdit& edit) {
-        return std::ranges::any_of(b.edits, [&edit](const ShaderEdit& other) {
-            return edit.first < other.last && other.first < edit.last;
-        });
-    });
+    const bool isOneTable = !a.table || !b.table || *a.table == *b.table;
+    return isOneTable && std::ranges::none_of(a.edits, [&b](const ShaderEdit& edit) {
+               return std::ranges::any_of(b.edits, [&edit](const ShaderEdit& other) {
+                   return edit.first < other.last && other.first < edit.last;
+               });
+           });
 }
 
 std::vector<ShaderEdit> editsOf(std::span<const CheapMove* const> moves) {
@@ -53,17 +55,22 @@ std::string helpersOf(std::span<const ShaderEdit> edits) {
 
 ShaderSource editedSource(const ShaderSource& source, const ShaderSyntax& syntax,
                           std::span<const ShaderEdit> edits) {
-    ShaderSource edited = source;
-    std::size_t start = source.text.size();
+    std::map<std::string, std::size_t> helpers; // to the first function that calls them
     for (const ShaderEdit& edit : edits) {
-        const auto function = static_cast<std::size_t>(edit.function);
-        start = edit.function < 0 ? start : std::min(start, syntax.functions[function].first);
+        if (const std::string code = edit.helper + edit.tableComputed; !code.empty()) {
+            const auto function = static_cast<std::size_t>(edit.function);
+            const std::size_t place = syntax.functions[function].first;
+            const auto [known, isNew] = helpers.emplace(code, place);
+            known->second = isNew ? place : std::min(known->second, place);
+        }
     }
-    edited.text = editedPart(source.text, 0, start, edits);
-    if (const std::string helpers = helpersOf(edits); !helpers.empty()) {
-        edited.text += '\n' + helpers;
+    std::vector<ShaderEdit> all(edits.begin(), edits.end());
+    for (const auto& [code, place] : helpers) {
+        all.push_back({place, place, '\n' + code});
     }
-    edited.text += editedPart(source.text, start, source.text.size(), edits);
+    std::ranges::stable_sort(all, {}, &ShaderEdit::first);
+    ShaderSource edited = source;
+    edited.text = editedPart(source.text, 0, source.text.size(), all);
     return edited;
 }
 

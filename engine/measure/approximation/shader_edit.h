@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "catalog/block_table.h"
 #include "measure/interpreter/shader_syntax.h"
 #include "shading/glsl/shader_source.h"
 
@@ -17,6 +19,10 @@ struct ShaderEdit {
     std::string replacement;
     std::string helper{}; ///< is a function that the replacement calls, with its name in front
     int function = -1;    ///< is that in which the place is
+    /// Is the function that reads a table, whose entries `helper` computes: as it computes them on
+    /// the spot, and as it reads a texture (table_source.h).
+    std::string tableComputed{};
+    std::string tableRead{};
 };
 
 /// Is one way to compute a part of a block more cheaply: edits that belong together.
@@ -24,9 +30,10 @@ struct CheapMove {
     std::vector<ShaderEdit> edits;
     std::string words;        ///< say what it does, as "exponential by a polynomial of degree 4"
     bool isForValues = false; ///< holds for the values of a preset only
+    std::optional<BlockTable> table{}; ///< is one that it reads
 };
 
-/// Tells whether two moves change nothing in common.
+/// Tells whether two moves change nothing in common, and do not read two tables: a level has one.
 bool areCompatible(const CheapMove& a, const CheapMove& b);
 
 /// Returns the edits of several moves, in the order of the text.
@@ -40,7 +47,8 @@ std::string editedPart(std::string_view text, std::size_t first, std::size_t las
 /// Returns the helpers of edits, each once.
 std::string helpersOf(std::span<const ShaderEdit> edits);
 
-/// Returns the source with edits; their helpers precede the functions that are edited.
+/// Returns the source with edits. Their helpers, and the functions that read tables, precede the
+/// functions that are edited.
 ShaderSource editedSource(const ShaderSource& source, const ShaderSyntax& syntax,
                           std::span<const ShaderEdit> edits);
 

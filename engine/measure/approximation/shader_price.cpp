@@ -5,9 +5,12 @@
 
 #include <fmt/format.h>
 
+#include "catalog/table_source.h"
 #include "measure/eval/eval_source.h"
 #include "measure/time/instruction_count.h"
 #include "predict/family_compiler.h"
+#include "shading/glsl/shader_file.h"
+#include "shading/program/table_writer.h"
 
 namespace patina {
 namespace {
@@ -49,6 +52,27 @@ void replaceFunction(std::vector<ShaderEdit>& edits, const ShaderSyntax& syntax,
     }
 }
 
+/// Returns the text that tables of a block are read by: that of the shader passes. It is empty
+/// where it cannot be read, and then nothing that reads a table compiles.
+std::string tableReaders(const ShaderSource& source) {
+    for (const std::filesystem::path file : source.files) {
+        if (file.filename() == "evaluate.glsl") {
+            return readShaderFile(file.parent_path() / "block_tables.glsl").value_or(std::string());
+        }
+    }
+    return {};
+}
+
+/// Lets the tables of a block be read in place of being computed.
+void readTables(std::vector<ShaderEdit>& edits, const ShaderSyntax& syntax, const Block* block) {
+    if (block != nullptr) {
+        for (const BlockTable& table : block->tables) {
+            replaceFunction(edits, syntax, tableFunction(*block, table),
+                            readingCode(*block, table));
+        }
+    }
+}
+
 double weighed(const InstructionCount& count) {
     return count.arithmetic + count.branch + count.memory +
            weightOfTranscendental * (count.transcendental + count.texture);
@@ -56,12 +80,21 @@ double weighed(const InstructionCount& count) {
 
 } // namespace
 
+std::string readingCode(const Block& block, const BlockTable& table) {
+    TableLayout layout;
+    layout.places.push_back({&block, &table, TableReader::Model, 0, 0});
+    return textBehindBlock(block, layout, SurfaceOutput::Picture);
+}
+
 ShaderPrice::ShaderPrice(const EvalCase& subject, const ShaderSource& source,
                          const ShaderSyntax& syntax, const GpuFamily& family)
     : source_(source), syntax_(syntax), family_(family),
       places_(std::max<std::size_t>((placeTexels(subject).size() + 3) / 4, 1)),
       values_(std::max<std::size_t>((valueTexels(subject).size() + 3) / 4, 1)) {
-    replaceFunction(frame_, syntax, "caseData", pricedCaseData(places_, values_));
+    replaceFunction(frame_, syntax, "caseData",
+                    tableReaders(source) + pricedCaseData(places_, values_));
+    readTables(frame_, syntax, subject.block.block);
+    readTables(frame_, syntax, subject.slot.block);
     replaceFunction(frame_, syntax, "givenUnit",
                     "vec3 givenUnit(vec3 v, vec3 fallback) {\n    return v;\n}\n");
     replaceFunction(frame_, syntax, "tangentAlong",
@@ -70,6 +103,12 @@ ShaderPrice::ShaderPrice(const EvalCase& subject, const ShaderSource& source,
 
 ProgramText ShaderPrice::programOf(const std::vector<ShaderEdit>& edits) const {
     std::vector<ShaderEdit> all = edits;
+    for (ShaderEdit& edit : all) {
+        if (!edit.tableRead.empty()) {
+            edit.helper.clear();
+            edit.tableComputed = edit.tableRead;
+        }
+    }
     all.insert(all.end(), frame_.begin(), frame_.end());
     std::ranges::sort(all, {}, &ShaderEdit::first);
     return {vertexStage(places_), editedSource(source_, syntax_, all).text};

@@ -13,10 +13,14 @@
 
 namespace patina {
 
+/// Returns the function that reads a block's table from a texture, `tableFunction()`, in a text
+/// that has passes/block_tables.glsl.
+std::string readingCode(const Block& block, const BlockTable& table);
+
 /// Predicts what a block's function costs with edits: cycles of a family of graphics cards for 64
 /// pixels, or, where the driver that predicts them is missing, instructions, of which one that
 /// takes longer counts four times. The projections of light and viewer (Directions) are in every
-/// price.
+/// price, and tables are read from a texture, as in the programs that draw.
 class ShaderPrice {
   public:
     /// What it refers to must outlive it.

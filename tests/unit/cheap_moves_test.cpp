@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cheaper ways to compute a term, of small texts that are evaluated on the CPU.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "catalog/block_kind.h"
+#include "measure/approximation/cheap_moves.h"
+#include "measure/approximation/tabled_terms.h"
+#include "measure/interpreter/shader_parser.h"
+
+namespace patina::tests::cheap_moves_test {
+namespace {
+
+/// Is a text whose function f was evaluated where its first two numbers are 0 .. 1, as far as it
+/// has them, and all others are 0.5 or 0.6.
+class Observed {
+  public:
+    explicit Observed(std::string text) : source_{std::move(text), {"generated"}, {}} {
+        syntax_ = parsedShader(source_, "f").value();
+        for (std::size_t i = 0; i < syntax_.functions.size(); ++i) {
+            functions_.insert(static_cast<int>(i));
+        }
+        ShaderEvaluator evaluator(syntax_, ShaderPrecision::Double);
+        evaluator.observe(&values_);
+        for (int i = 0; i <= 400; ++i) {
+            evaluate(evaluator, syntax_, (i % 21) / 20.0, (i / 21) / 20.0, i % 2 ? 0.5 : 0.6);
+        }
+    }
+
+    ObservedShader shader() const { return {syntax_, values_, functions_}; }
+
+    double exact(double x, double y) const {
+        ShaderEvaluator evaluator(syntax_, ShaderPrecision::Double);
+        return evaluate(evaluator, syntax_, x, y);
+    }
+
+    /// Returns what the text with a move gives; NaN where that does not parse.
+    double with(const CheapMove& move, double x, double y = 0.5) const {
+        const ShaderSource edited = editedSource(source_, syntax_, move.edits);
+        const auto syntax = parsedShader(edited, "f");
+        if (!syntax) {
+            ADD_FAILURE() << syntax.error().text() << edited.text;
+            return NAN;
+        }
+        ShaderEvaluator evaluator(*syntax, ShaderPrecision::Double);
+        return evaluate(evaluator, *syntax, x, y);
+    }
+
+    std::string textWith(const CheapMove& move) const {
+        return editedSource(source_, syntax_, move.edits).text;
+    }
+
+  private:
+    static double evaluate(ShaderEvaluator& evaluator, const ShaderSyntax& syntax, double x,
+                           double y, double others = 0.5) {
+        const int f = syntax.functionNamed("f");
+        std::vector<double> numbers;
+        for (const ShaderVariable& each : syntax.functions[static_cast<std::size_t>(f)].arguments) {
+            numbers.push_back(numbers.empty() ? x : numbers.size() == 1 ? y : others);
+            EXPECT_EQ(each.size, 1u);
+        }
+        double result = NAN;
+        evaluator.call(f, numbers, {}, {&result, 1});
+        return result;
+    }
+
+    ShaderSource source_;
+    ShaderSyntax syntax_;
+    std::vector<ObservedValues> values_;
+    std::set<int> functions_;
+};
+
+const CheapMove* saying(const std::vector<CheapMove>& moves, std::string_view words) {
+    const auto found = std::ranges::find_if(
+        moves, [&](const CheapMove& move) { return move.words.find(words) != std::string::npos; });
+    return found == moves.end() ? nullptr : &*found;
+}
+
+TEST(BranchMove, Branch_IsTakenAlwaysAndNever) {
+    const Observed text("float f(float x) {\n    if (x > 0.5) {\n        return 2.0;\n    }\n"
+                        "    return 3.0;\n}\n");
+    const auto moves = droppedTerms(text.shader());
+    const CheapMove* always = saying(moves, "as if `x > 0.5` always held");
+    const CheapMove* never = saying(moves, "as if `x > 0.5` never held");
+    ASSERT_TRUE(always != nullptr && never != nullptr);
+    EXPECT_EQ(text.with(*always, 0.1), 2.0);
+    EXPECT_EQ(text.with(*never, 0.9), 3.0);
+}
+
+TEST(BranchMove, SwapInABranch_ComesWithItsConditionAndWithoutIt) {
+    const Observed text("float f(float x) {\n    float y = 0.0;\n    if (x > 0.25) {\n"
+                        "        y = pow(x, 4.0);\n    }\n    return y;\n}\n");
+    const auto moves = knownSwaps(text.shader());
+    const CheapMove* unasked = saying(moves, "as the power of 4, as if `x > 0.25` always held");
+    const auto asked = std::ranges::find_if(
+        moves, [](const CheapMove& move) { return move.words.ends_with("as the power of 4"); });
+    ASSERT_TRUE(unasked != nullptr && asked != moves.end());
+    EXPECT_NEAR(text.with(*unasked, 0.2), std::pow(0.2, 4.0), 1e-12);
+    EXPECT_EQ(text.with(*asked, 0.2), 0.0);
+}
+
+TEST(BranchMove, SwapBehindABranchThatReturns_ComesAsIfItNeverHeld) {
+    const Observed text("float f(float x) {\n    if (x <= 0.25) {\n        return 0.0;\n    }\n"
+                        "    return pow(x, 4.0);\n}\n");
+    const auto moves = knownSwaps(text.shader());
+    const CheapMove* unasked = saying(moves, "as the power of 4, as if `x <= 0.25` never held");
+    ASSERT_NE(unasked, nullptr);
+    EXPECT_NEAR(text.with(*unasked, 0.2), std::pow(0.2, 4.0), 1e-12);
+}
+
+TEST(BranchMove, SwapBehindABranchThatGoesOn_KeepsTheQuestion) {
+    const Observed text("float f(float x) {\n    float y = 1.0;\n    if (x <= 0.25) {\n"
+                        "        y = 2.0;\n    }\n    return y * pow(x, 4.0);\n}\n");
+    for (const CheapMove& move : knownSwaps(text.shader())) {
+        EXPECT_EQ(move.words.find("never held"), std::string::npos) << move.words;
+    }
+}
+
+TEST(BranchMove, SwapInAnotherFunction_KeepsTheQuestion) {
+    const Observed text("float g(float x) {\n    return pow(x, 4.0);\n}\n"
+                        "float f(float x) {\n    if (x <= 0.25) {\n        return 0.0;\n    }\n"
+                        "    return g(x);\n}\n");
+    for (const CheapMove& move : knownSwaps(text.shader())) {
+        EXPECT_EQ(move.edits.size(), 1u) << move.words;
+    }
+}
+
+Block wax() {
+    Block block;
+    block.kind = kinds::models;
+    block.id = "wax";
+    Parameter width;
+    width.id = "width";
+    width.type = ParameterType::Float;
+    block.parameters.push_back(width);
+    return block;
+}
+
+constexpr const char* waxStruct = "struct Wax {\n    float width;\n};\n";
+
+/// The best of the moves that say this is at most so far off.
+double smallestError(const Observed& text, const std::vector<CheapMove>& moves,
+                     std::string_view words) {
+    double best = INFINITY;
+    for (const CheapMove& move : moves) {
+        double worst = 0.0;
+        for (int i = 0; i <= 20 && move.words.find(words) != std::string::npos; ++i) {
+            const double x = 0.013 + 0.0487 * i;
+            const double y = 1.0 - 0.9 * x * x;
+            worst = std::max(worst, std::abs(text.with(move, x, y) - text.exact(x, y)));
+        }
+        best = worst > 0.0 ? std::min(best, worst) : best;
+    }
+    return best;
+}
+
+TEST(TabledTerm, LoopOfOneNumber_GoesIntoTheEntries) {
+    const Observed text(std::string(waxStruct) +
+                        "float f(float x, float y, Wax p) {\n    float sum = 0.0;\n"
+                        "    for (int i = 1; i < 9; ++i) {\n"
+                        "        sum += exp(-p.width * x * float(i)) / float(i);\n    }\n"
+                        "    float scaled = 2.0 * sum;\n    return scaled * scaled + y;\n}\n");
+    const auto moves = tabledTerms(text.shader(), wax());
+    EXPECT_LT(smallestError(text, moves, "table of 256 numbers along `x`"), 5e-4);
+    const CheapMove& best = moves.front();
+    ASSERT_TRUE(best.table);
+    EXPECT_EQ(best.table->of, std::vector<std::string>{"width"});
+    const std::string edited = text.textWith(best);
+    EXPECT_EQ(edited.find("for ("), edited.rfind("for (")) << "only the entries compute it:\n"
+                                                           << edited;
+}
+
+TEST(TabledTerm, TermOfTwoNumbers_IsATableOfTwoAxes) {
+    const Observed text(std::string(waxStruct) +
+                        "float g(float x, float y, float w) {\n"
+                        "    return exp(-w * x) * pow(y + 0.1, 1.7) / (1.0 + sqrt(x * y))"
+                        " * cos(x - y);\n}\n"
+                        "float f(float x, float y, Wax p) {\n    return g(x, y, p.width);\n}\n");
+    const auto moves = tabledTerms(text.shader(), wax());
+    EXPECT_LT(smallestError(text, moves, "table of 128 x 128 numbers along `x`, and along `y`"),
+              1e-3);
+}
+
+TEST(TabledTerm, TermOfTheValues_IsComputedOnce) {
+    const Observed text(std::string(waxStruct) +
+                        "float f(float x, float y, Wax p) {\n"
+                        "    float strength = pow(p.width, 2.2) / exp(p.width);\n"
+                        "    return strength * x + y;\n}\n");
+    const auto moves = tabledTerms(text.shader(), wax());
+    const CheapMove* once = saying(moves, "computed once for all pixels");
+    ASSERT_NE(once, nullptr);
+    EXPECT_NEAR(text.with(*once, 0.3), text.exact(0.3, 0.5), 1e-12);
+}
+
+TEST(TabledTerm, VariableThatIsGivenTwoValues_IsRead) {
+    const Observed text(std::string(waxStruct) +
+                        "float f(float x, float y, Wax p) {\n    float s = x;\n"
+                        "    if (x > y) {\n        s = y;\n    }\n"
+                        "    return exp(-s) * pow(s + p.width, 3.3) / (s + 1.0) * cos(s)"
+                        " * sqrt(s + 0.1) * sin(s + 1.0);\n}\n");
+    const auto moves = tabledTerms(text.shader(), wax());
+    EXPECT_LT(smallestError(text, moves, "numbers along `s`"), 1e-4);
+    EXPECT_LT(smallestError(text, moves, "along `x`, and along `y`"), 0.05)
+        << "or what leads to it";
+}
+
+TEST(TabledTerm, TermOfThreeNumbers_IsLeftOut) {
+    const Observed text("struct Wax {\n    float width;\n};\n"
+                        "float f(float x, float y, float z, Wax p) {\n"
+                        "    return pow(exp(x) * p.width, sin(y) / cos(z) + x);\n}\n");
+    for (const CheapMove& move : tabledTerms(text.shader(), wax())) {
+        EXPECT_EQ(move.words.find("`pow("), std::string::npos) << move.words;
+    }
+}
+
+TEST(TabledTerm, FunctionWithoutTheValues_HasNone) {
+    const Observed text("float f(float x, float y) {\n"
+                        "    return exp(-x) * pow(x, 3.3) / (x + 1.0) + y;\n}\n");
+    EXPECT_TRUE(tabledTerms(text.shader(), wax()).empty());
+    Block light = wax();
+    light.kind = kinds::lights;
+    const Observed lit(std::string(waxStruct) +
+                       "float f(float x, float y, Wax p) {\n"
+                       "    return exp(-x) * pow(x, 3.3) / (x + 1.0) + y * p.width;\n}\n");
+    EXPECT_TRUE(tabledTerms(lit.shader(), light).empty()) << "lights have no tables";
+    EXPECT_FALSE(tabledTerms(lit.shader(), wax()).empty());
+}
+
+TEST(TabledTerm, TwoTables_AreNotReadTogether) {
+    CheapMove first{{{0, 1, "a"}}, "a"};
+    CheapMove second{{{2, 3, "b"}}, "b"};
+    EXPECT_TRUE(areCompatible(first, second));
+    first.table = BlockTable{"one", {2, 1}, {}};
+    EXPECT_TRUE(areCompatible(first, second));
+    second.table = BlockTable{"other", {2, 1}, {}};
+    EXPECT_FALSE(areCompatible(first, second));
+}
+
+} // namespace
+} // namespace patina::tests::cheap_moves_test
