@@ -14,10 +14,12 @@
 namespace patina::tests::cost_test {
 namespace {
 
-/// Small and short: what is tested is not the time.
+const std::string threeLights = shipped("presets/three-lights.patina-scene.json").string();
+
+/// Small, short and without an environment: what is tested is not the time.
 Outcome cost(const std::vector<std::string>& more) {
-    std::vector<std::string> command{"cost", "--model", "phong", "--size", "32x32",
-                                     "--seconds", "3", "--singles"};
+    std::vector<std::string> command{"cost",   "--model", "phong",     "--scene", threeLights,
+                                     "--size", "32x32",   "--seconds", "3",       "--singles"};
     command.insert(command.end(), more.begin(), more.end());
     return patina(command);
 }
@@ -73,9 +75,9 @@ TEST(Cost, BudgetThatCannotBeMet_FailsAndNamesTheNearest) {
 
 TEST(Cost, BudgetsOfTwoPresets_NameThem) {
     const std::string folder = PATINA_SOURCE_DIR "/presets/phong/";
-    const Outcome outcome = patina({"cost", folder + "billiard-ball.patina.json",
-                                    folder + "soft-vinyl.patina.json", "--size", "16x16",
-                                    "--seconds", "1", "--singles", "--budget-error", "10"});
+    const Outcome outcome =
+        patina({"cost", folder + "billiard-ball.patina.json", folder + "soft-vinyl.patina.json",
+                "--size", "16x16", "--seconds", "1", "--singles", "--budget-error", "10"});
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
     for (const char* name : {"billiard-ball", "soft-vinyl"}) {
         EXPECT_NE(outcome.out.find(name + std::string(".patina.json: the budget buys")),
@@ -87,8 +89,7 @@ TEST(Cost, BudgetsOfTwoPresets_NameThem) {
 TEST(Cost, ErrorMapOfAWay_IsThatWays) {
     const TemporaryFolder folder;
     const std::string file = (folder / "errors.png").string();
-    const Outcome outcome =
-        cost({"--error-map", file, "--error-map-of", "power=gaussian"});
+    const Outcome outcome = cost({"--error-map", file, "--error-map-of", "power=gaussian"});
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_NE(outcome.err.find("power=gaussian is wrong"), std::string::npos) << outcome.err;
     const Outcome unknown = cost({"--error-map", file, "--error-map-of", "power=magic"});
@@ -112,8 +113,8 @@ std::vector<std::tuple<double, double, std::string>> labelsOfAChart() {
     const TemporaryFolder folder;
     const auto file = folder / "chart.svg";
     const Outcome outcome = patina({"cost", "--model", "cook-torrance", "--fresnel", "dielectric",
-                                    "--size", "32x32", "--seconds", "3", "--singles", "--plot",
-                                    file.string()});
+                                    "--scene", threeLights, "--size", "32x32", "--seconds", "3",
+                                    "--singles", "--plot", file.string()});
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
     std::stringstream bytes;
     bytes << std::ifstream(file).rdbuf();
@@ -156,7 +157,7 @@ TEST(Cost, ErrorMap_IsAPicture) {
 
 TEST(Cost, Scaling_HasALawForEachAxis) {
     const Outcome outcome = patina({"cost", "--model", "lambert", "--size", "32x32", "--scaling",
-                                    "--json"});
+                                    "--scene", threeLights, "--json"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     const auto json = nlohmann::json::parse(outcome.out);
     ASSERT_EQ(json.size(), 3u);
@@ -167,7 +168,7 @@ TEST(Cost, Scaling_HasALawForEachAxis) {
 
 TEST(Cost, Scaling_DrawsPixelsUpToTheSize) {
     const Outcome outcome = patina({"cost", "--model", "lambert", "--size", "48x48", "--scaling",
-                                    "--seconds", "2", "--csv"});
+                                    "--scene", threeLights, "--seconds", "2", "--csv"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("pixels,2304,"), std::string::npos) << outcome.out;
     EXPECT_EQ(outcome.out.find("pixels,4096,"), std::string::npos) << outcome.out;
@@ -243,8 +244,8 @@ TEST(Cost, Budgets_AreNumbersOrFractions) {
 }
 
 TEST(Cost, Interrupted_EndsAndSaysSo) {
-    const Outcome outcome = interrupted(
-        {"cost", "--model", "he-torrance", "--size", "1024x1024", "--seconds", "600"});
+    const Outcome outcome =
+        interrupted({"cost", "--model", "he-torrance", "--size", "1024x1024", "--seconds", "600"});
     EXPECT_EQ(outcome.exitCode, 130) << outcome.err;
     EXPECT_NE(outcome.err.find("stopped"), std::string::npos) << outcome.err;
 }

@@ -12,35 +12,52 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<fs::path> shippedPresets() {
-    std::vector<fs::path> presets;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(shipped("presets"))) {
+std::vector<std::string> presetsIn(const fs::path& folder) {
+    std::vector<std::string> presets;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
         if (entry.path().string().ends_with(".patina.json")) {
-            presets.push_back(entry.path());
+            presets.push_back(entry.path().string());
         }
     }
     std::ranges::sort(presets);
     return presets;
 }
 
-/// "he_torrance_aluminium_rough" of presets/he-torrance/aluminium-rough.patina.json.
+/// Each model's presets are in a folder of their own.
+std::vector<fs::path> foldersOfPresets() {
+    std::vector<fs::path> folders;
+    for (const fs::directory_entry& entry : fs::directory_iterator(shipped("presets"))) {
+        if (entry.is_directory() && !presetsIn(entry.path()).empty()) {
+            folders.push_back(entry.path());
+        }
+    }
+    std::ranges::sort(folders);
+    return folders;
+}
+
+/// "he_torrance" of presets/he-torrance.
 std::string nameOf(const testing::TestParamInfo<fs::path>& info) {
-    std::string name =
-        info.param.parent_path().filename().string() + '_' + info.param.stem().stem().string();
+    std::string name = info.param.filename().string();
     std::ranges::replace_if(
         name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
     return name;
 }
 
-class ShippedPreset : public testing::TestWithParam<fs::path> {};
+class ShippedPresets : public testing::TestWithParam<fs::path> {};
 
 /// The whole sweep that a user gets: fewer cases miss combinations that break.
-TEST_P(ShippedPreset, IsCheckedInItsEdgeCases_NothingBreaks) {
-    const Outcome outcome = patina({"check", GetParam().string()});
+TEST_P(ShippedPresets, AreCheckedInTheirEdgeCases_NothingBreaks) {
+    const std::vector<std::string> presets = presetsIn(GetParam());
+    Start start{.arguments = {"check"}, .environment = {}, .input = {}, .timeLimitSeconds = 240.0};
+    start.arguments.insert(start.arguments.end(), presets.begin(), presets.end());
+    const Outcome outcome = patina(start);
     EXPECT_EQ(outcome.exitCode, 0) << outcome.out << outcome.err;
+    for (const std::string& preset : presets) {
+        EXPECT_NE(outcome.out.find(preset), std::string::npos) << preset;
+    }
 }
 
-INSTANTIATE_TEST_SUITE_P(Every, ShippedPreset, testing::ValuesIn(shippedPresets()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Every, ShippedPresets, testing::ValuesIn(foldersOfPresets()), nameOf);
 
 } // namespace
 } // namespace patina::tests::shipped_presets_test
