@@ -135,9 +135,12 @@ class RequestDrawer {
         return maker_->drawInspected(scene, meshes, options_.picture.size, display, *shown);
     }
 
-    /// Starts the graphics driver, once.
+    /// Starts the graphics driver, and again after many scenes: each has programs that are kept.
     Result<void> start() {
-        if (!maker_) {
+        constexpr int maxScenes = 250;
+        if (!maker_ || ++scenes_ > maxScenes) {
+            scenes_ = 1;
+            maker_.reset();
             auto maker = PictureMaker::create(catalog_);
             if (!maker) {
                 return tl::unexpected(maker.error());
@@ -153,6 +156,7 @@ class RequestDrawer {
     std::optional<TextureLoader> textures_;
     std::optional<SceneMeshes> meshes_;
     std::optional<PictureMaker> maker_;
+    int scenes_ = 0; ///< counts those that the driver has drawn since it was started
 };
 
 Checked<void> write(const PictureFile& file, const Image& image, AssetClient& client) {
