@@ -160,7 +160,7 @@ double smallestError(const Observed& text, const std::vector<CheapMove>& moves,
 
 TEST(TabledTerm, LoopOfOneNumber_GoesIntoTheEntries) {
     const Observed text(std::string(waxStruct) +
-                        "float f(float x, float y, Wax p) {\n    float sum = 0.0;\n"
+                        "float f(float x, float y, Wax p) {\n    float sum = 0.0;\n#line 20\n"
                         "    for (int i = 1; i < 9; ++i) {\n"
                         "        sum += exp(-p.width * x * float(i)) / float(i);\n    }\n"
                         "    float scaled = 2.0 * sum;\n    return scaled * scaled + y;\n}\n");

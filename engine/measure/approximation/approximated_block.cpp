@@ -142,7 +142,7 @@ class LevelWriter {
         for (const CheaperWay& way : ways_.ways) {
             edits.insert(edits.end(), way.edits.begin(), way.edits.end());
         }
-        const std::string all = helpersOf(edits);
+        const std::string all = withoutPlaces(helpersOf(edits));
         return all.empty() ? all : all + '\n';
     }
 

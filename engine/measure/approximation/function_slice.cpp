@@ -182,7 +182,9 @@ class FunctionSlicer::Flow {
     bool readStatements() {
         const std::string code =
             withoutComments(syntax_.text.substr(function_.first, function_.last - function_.first));
-        const GlslTokens tokens = glslTokens(code);
+        GlslTokens tokens = glslTokens(code);
+        std::erase_if(tokens,
+                      [](const GlslToken& token) { return directiveName(token) == "line"; });
         const auto open = std::ranges::find(tokens, "{", &GlslToken::text);
         if (open == tokens.end() || function_.body < 0) {
             return false;
