@@ -2,6 +2,9 @@
 #include "ui/window_fixture.h"
 #include "catalog/catalog.h"
 
+#include <algorithm>
+#include <utility>
+
 #include <QApplication>
 #include <QCursor>
 #include <QEventLoop>
@@ -20,6 +23,20 @@ constexpr QSize smallWindow{1000, 490};
 constexpr int settleMs = 60;
 constexpr int panelsMs = 200;
 constexpr int frameLimitMs = 20000;
+
+/// Reads the blocks; those of the sources only once, where the user has none of his own.
+std::shared_ptr<const Catalog> readBlocks() {
+    const std::vector<BlockRoot> roots = standardBlockRoots();
+    const bool isOfSources = roots.front().folder == PATINA_SOURCE_DIR "/shaders";
+    const auto isThere = [](const BlockRoot& root) { return std::filesystem::exists(root.folder); };
+    if (!isOfSources || std::ranges::count_if(roots, isThere) != 1) {
+        return std::make_shared<const Catalog>(loadCatalog(roots));
+    }
+    static const Catalog shipped = loadCatalog(roots);
+    Catalog read = shipped;
+    read.roots = roots;
+    return std::make_shared<const Catalog>(std::move(read));
+}
 
 } // namespace
 
@@ -40,8 +57,7 @@ WindowFixture::~WindowFixture() {
 
 void WindowFixture::open() {
     theme_ = std::make_unique<Theme>();
-    window_ = std::make_unique<MainWindow>(
-        std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())), *theme_);
+    window_ = std::make_unique<MainWindow>(readBlocks(), *theme_);
     ASSERT_TRUE(window().documentFiles().openTemplate(threeLightsFile()));
     if (size_ == Size::Small && Session().windowGeometry().isEmpty()) {
         window_->resize(smallWindow);

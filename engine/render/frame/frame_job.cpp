@@ -324,7 +324,10 @@ void FrameJob::show(unsigned framebuffer, double share) {
     }
     const StretchedPicture picture(view_.size);
     showIn(picture.framebuffer(), view_.size, exposure_);
-    picture.show(framebuffer, size_);
+    if (!picture.draw(framebuffer, size_, *catalog_, shared_->programs())) {
+        picture.show(framebuffer, size_);
+    }
+    leaveState();
 }
 
 void FrameJob::showIn(unsigned framebuffer, glm::ivec2 size, double exposure, double share) {

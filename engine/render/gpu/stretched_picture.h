@@ -3,8 +3,10 @@
 
 #include <glm/vec2.hpp>
 
+#include "catalog/catalog.h"
 #include "gl/framebuffer.h"
 #include "gl/texture.h"
+#include "shading/program/program_cache.h"
 
 namespace patina {
 
@@ -22,6 +24,11 @@ class StretchedPicture {
 
     /// Draws the picture, stretched, into a framebuffer of `size` pixels and leaves that bound.
     void show(unsigned framebuffer, glm::ivec2 size) const;
+
+    /// Does the same by a program, since drivers that draw on the CPU keep what they compile of it
+    /// and compile what show() takes for each context anew. An error says why there is none.
+    Checked<void> draw(unsigned framebuffer, glm::ivec2 size, const Catalog& catalog,
+                       ProgramCache& cache) const;
 
   private:
     glm::ivec2 size_;

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A picture that is shown in another size.
+#include <vector>
+
+#include <epoxy/gl.h>
+
+#include "gpu_fixture.h"
+#include "render/gpu/stretched_picture.h"
+
+namespace patina::stretched_picture_test {
+namespace {
+
+constexpr glm::ivec2 size{5, 4};
+constexpr glm::ivec2 larger{17, 11};
+
+class StretchedPictureTest : public GpuTest {
+  protected:
+    /// Fills a picture with squares of two colours.
+    static void fill(const StretchedPicture& picture) {
+        glBindFramebuffer(GL_FRAMEBUFFER, picture.framebuffer());
+        glEnable(GL_SCISSOR_TEST);
+        for (int i = 0; i < size.x * size.y; ++i) {
+            const float shade = i % 3 == 0 ? 0.9f : 0.1f;
+            glScissor(i % size.x, i / size.x, 1, 1);
+            glClearColor(shade, 1.0f - shade, 0.05f * float(i), 1.0f);
+            glClear(GL_COLOR_BUFFER_BIT);
+        }
+        glDisable(GL_SCISSOR_TEST);
+    }
+
+    static std::vector<unsigned char> pixels() {
+        std::vector<unsigned char> bytes(std::size_t(4) * larger.x * larger.y);
+        glReadPixels(0, 0, larger.x, larger.y, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+        return bytes;
+    }
+};
+
+TEST_F(StretchedPictureTest, DrawnByAProgram_IsAsTheDriverStretchesIt) {
+    const StretchedPicture picture(size);
+    fill(picture);
+    const StretchedPicture target(larger);
+    picture.show(target.framebuffer(), larger);
+    const auto shown = pixels();
+    ProgramCache cache({});
+    ASSERT_TRUE(picture.draw(target.framebuffer(), larger, *catalog, cache));
+    const auto drawn = pixels();
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        EXPECT_NEAR(drawn[i], shown[i], 1) << i;
+    }
+}
+
+} // namespace
+} // namespace patina::stretched_picture_test
