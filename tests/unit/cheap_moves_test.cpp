@@ -2,6 +2,7 @@
 // Cheaper ways to compute a term, of small texts that are evaluated on the CPU.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -9,8 +10,10 @@
 
 #include "catalog/block_kind.h"
 #include "measure/approximation/cheap_moves.h"
+#include "measure/approximation/measured_text.h"
 #include "measure/approximation/tabled_terms.h"
 #include "measure/interpreter/shader_parser.h"
+#include "measure/stability/sweep_cases.h"
 
 namespace patina::tests::cheap_moves_test {
 namespace {
@@ -228,6 +231,24 @@ TEST(TabledTerm, FunctionWithoutTheValues_HasNone) {
                        "    return exp(-x) * pow(x, 3.3) / (x + 1.0) + y * p.width;\n}\n");
     EXPECT_TRUE(tabledTerms(lit.shader(), light).empty()) << "lights have no tables";
     EXPECT_FALSE(tabledTerms(lit.shader(), wax()).empty());
+}
+
+/// A level that reads a table has to name it, also one that the block's own levels read.
+TEST(TabledTerm, TableOfTheBlockItself_IsSeenWhereAMoveReadsIt) {
+    const std::filesystem::path shaders = PATINA_SOURCE_DIR "/shaders";
+    const Catalog catalog = loadCatalog(std::vector<BlockRoot>{{shaders, true}});
+    const EvalCase exact =
+        *sweepVariant(catalog, defaultMaterial(*catalog.find(kinds::models, "minnaert")));
+    const auto text = MeasuredText::of(exact, shaders);
+    ASSERT_TRUE(text) << patina::text(text.error());
+    const CaseTexels texels = texelsOfCases(commonCases(exact, {.count = 20, .rows = 4}));
+    const auto values = text->observed(texels);
+    const auto moves = droppedTerms({text->syntax(), values, text->ownFunctions()});
+    const CheapMove* table =
+        saying(moves, "also where `p.law == MINNAERT_LAW_TABLE` does not hold");
+    ASSERT_NE(table, nullptr);
+    EXPECT_FALSE(text->calledIn({}, texels).contains("minnaertLaw"));
+    EXPECT_TRUE(text->calledIn(table->edits, texels).contains("minnaertLaw"));
 }
 
 TEST(TabledTerm, TwoTables_AreNotReadTogether) {

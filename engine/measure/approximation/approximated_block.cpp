@@ -285,11 +285,12 @@ std::map<std::string, std::string> ownNames(const Block& block, const Block& cop
     return names;
 }
 
-/// Returns the tables that ways read, each once.
-std::vector<BlockTable> tablesOf(const CheaperWays& ways) {
+/// Returns the tables that ways read and the block has not, each once.
+std::vector<BlockTable> newTables(const CheaperWays& ways, const Block& block) {
     std::vector<BlockTable> tables;
     for (const CheaperWay& way : ways.ways) {
-        if (way.table && std::ranges::find(tables, *way.table) == tables.end()) {
+        if (way.table && block.table(way.table->id) == nullptr &&
+            std::ranges::find(tables, *way.table) == tables.end()) {
             tables.push_back(*way.table);
         }
     }
@@ -424,7 +425,7 @@ Result<ApproximatedBlock> approximatedBlock(const EvalCase& subject, const Cheap
     made.glsl = LevelWriter(subject, ways, fieldName(made.choice)).written(*glsl);
     made.descriptor = std::move(descriptor->value);
     made.descriptor["accuracy"].push_back(choiceJson(ways, made.choice));
-    const std::vector<BlockTable> tables = tablesOf(ways);
+    const std::vector<BlockTable> tables = newTables(ways, block);
     for (const BlockTable& table : tables) {
         made.descriptor["tables"].push_back(tableJson(table));
     }

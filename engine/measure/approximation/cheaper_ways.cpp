@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 
+#include "catalog/table_source.h"
 #include "measure/approximation/approximated_block.h"
 #include "measure/approximation/cheap_moves.h"
 #include "measure/approximation/fitted_terms.h"
@@ -43,9 +44,10 @@ struct TriedWay {
     std::vector<std::size_t> moves; ///< are sorted
     TextError error;
     std::optional<double> cost;
-    double guess = 0.0;    ///< is the cost as the single moves let expect
-    bool isJudged = false; ///< its error is that on unseen cases
-    bool isProven = false; ///< and on all of them
+    double guess = 0.0;                   ///< is the cost as the single moves let expect
+    std::optional<BlockTable> ownTable{}; ///< is one that the block has declared
+    bool isJudged = false;                ///< its error is that on unseen cases
+    bool isProven = false;                ///< and on all of them
 };
 
 bool isBetter(const TriedWay& a, const TriedWay& b) {
@@ -117,6 +119,7 @@ class CheaperSearch {
                             cases_.exact.begin() + static_cast<std::ptrdiff_t>(
                                                        quick_.texels.size() * text_->results()));
         observed_ = text_->observed(cases_.texels);
+        readExactly_ = text_->calledIn({}, cases_.texels);
     }
 
     bool priceExact() {
@@ -201,11 +204,34 @@ class CheaperSearch {
                     ways[i].error = text_->error(edits, cases_, limit_);
                 }
                 if (ways[i].error.isWithin(limit_)) {
-                    ways[i].error.isSafe = text_->isSafe(edits, edgeCases_);
+                    ways[i].error.isSafe =
+                        text_->isSafe(edits, edgeCases_) && readsOneTable(ways[i], edits);
                 }
             }
         });
         std::erase_if(ways, [this](const TriedWay& way) { return !way.error.isWithin(limit_); });
+    }
+
+    /// Finds the table of the block that a way reads and the exact text does not, as a level has to
+    /// name it; false where it reads more than one.
+    bool readsOneTable(TriedWay& way, const std::vector<ShaderEdit>& edits) const {
+        const Block& block = *subject_.block.block;
+        const auto called =
+            block.tables.empty() ? std::set<std::string>() : text_->calledIn(edits, cases_.texels);
+        bool hasTable = std::ranges::any_of(
+            way.moves, [this](std::size_t move) { return moves_[move].table.has_value(); });
+        for (const BlockTable& table : block.tables) {
+            const std::string function = tableFunction(block, table);
+            if (!called.contains(function) || readExactly_.contains(function)) {
+                continue;
+            }
+            if (hasTable) {
+                return false;
+            }
+            hasTable = true;
+            way.ownTable = table;
+        }
+        return true;
     }
 
     /// Compiles ways, puts them into the front, and returns those that have a cost.
@@ -255,8 +281,8 @@ class CheaperSearch {
     void publish(const std::vector<TriedWay>& front) {
         found_.ways.clear();
         for (const TriedWay& way : front) {
-            CheaperWay shown{editsFor(way.moves), {},        way.error.worst,
-                             way.error.mean,      *way.cost, false};
+            CheaperWay shown{editsFor(way.moves), {},    way.error.worst, way.error.mean,
+                             *way.cost,           false, way.ownTable};
             for (const std::size_t move : way.moves) {
                 shown.table = moves_[move].table ? moves_[move].table : shown.table;
                 shown.isForValues = shown.isForValues || moves_[move].isForValues;
@@ -500,6 +526,7 @@ class CheaperSearch {
     JudgedCases quick_;
     JudgedCases edgeCases_;
     std::vector<ObservedValues> observed_;
+    std::set<std::string> readExactly_; ///< are the functions that the exact text calls
     std::vector<CheapMove> moves_;
     std::vector<TriedWay> useful_; ///< are single moves that gain something
     std::vector<TriedWay> tried_;  ///< are all that have a cost

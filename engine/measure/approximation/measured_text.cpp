@@ -174,6 +174,30 @@ TextError MeasuredText::error(std::span<const ShaderEdit> edits, const JudgedCas
     return compared(evaluator, syntax->functionNamed(rootFunction), cases, limit);
 }
 
+std::set<std::string> MeasuredText::calledIn(std::span<const ShaderEdit> edits,
+                                             const CaseTexels& texels) const {
+    std::set<std::string> names;
+    const ShaderSource source = editedSource(*source_, *syntax_, edits);
+    const auto syntax = parsedShader(source, rootFunction);
+    if (!syntax) {
+        return names;
+    }
+    std::vector<ObservedValues> values;
+    std::vector<double> ignored(shape_.results);
+    ShaderEvaluator evaluator(*syntax, ShaderPrecision::Double);
+    evaluator.observe(&values);
+    for (const std::vector<double>& each : texels) {
+        evaluate(evaluator, syntax->functionNamed(rootFunction), each, ignored);
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const ShaderExpression& each = syntax->expressions[i];
+        if (each.kind == ShaderExpression::Kind::Call && values[i].count > 0) {
+            names.emplace(each.sign);
+        }
+    }
+    return names;
+}
+
 TextError MeasuredText::errorInHalf(const std::vector<bool>& halved, const JudgedCases& cases,
                                     double limit) const {
     ShaderEvaluator evaluator(*syntax_, ShaderPrecision::Float);

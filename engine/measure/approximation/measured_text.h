@@ -4,6 +4,7 @@
 #include <memory>
 #include <set>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/error.h"
@@ -52,6 +53,10 @@ class MeasuredText {
     /// further. The error is infinite where the text does not parse.
     TextError error(std::span<const ShaderEdit> edits, const JudgedCases& cases,
                     double limit) const;
+
+    /// Returns the names of the functions that the text with edits calls in any of these cases.
+    std::set<std::string> calledIn(std::span<const ShaderEdit> edits,
+                                   const CaseTexels& texels) const;
 
     /// Evaluates the text in float, and these of its expressions in floats of 16 bits, and compares
     /// it; where `limit` is passed it goes no further.
