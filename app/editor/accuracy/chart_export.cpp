@@ -197,7 +197,7 @@ class ChartPicture {
 QString askForChartFile(QWidget* parent, const QString& ending, const QString& name) {
     Session session;
     QFileDialog dialog(
-        parent, QCoreApplication::translate("ChartExport", "Export what was measured"),
+        parent, QCoreApplication::translate("ChartExport", "Export the plot"),
         session.folder("chart"), QStringLiteral("%1 (*.%2)").arg(ending.toUpper(), ending));
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(ending);

@@ -334,7 +334,7 @@ void MatchPage::showNumbers(bool stale) {
         }
     }
     list_->setSortingEnabled(true);
-    widenColumns(*list_, errorColumn);
+    widenColumns(*list_, modelColumn); // its words say which fit was stopped
     plot_->setMatches(shown, within, stale);
     plot_->setVisible(std::ranges::any_of(
         shown.rows, [](const ModelMatch& match) { return match.nanoseconds.has_value(); }));

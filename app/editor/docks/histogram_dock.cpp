@@ -91,9 +91,11 @@ void HistogramDock::read() {
         isOwed_ = frames.isDrawing();
         if (asks_ && !isOwed_) {
             asks_ = false;
-            frames.refresh();
+            frames.refresh(); // the next frame is read
+        } else if (!isOwed_) {
+            text_->setText(tr("Only the shaded picture is counted."));
         }
-        return; // the next frame is read
+        return;
     }
     asks_ = false;
     if (isOfLevels) {

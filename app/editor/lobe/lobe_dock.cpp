@@ -288,6 +288,7 @@ void LobeDock::takeTimes(const std::vector<LobeMaterial>& materials,
     if (materials != materials_) {
         return; // they have changed meanwhile
     }
+    times_.clear();
     for (const MaterialTime& each : *times) {
         times_ << (each.isBelowNoise ? tr("too quick to measure")
                                      : tr("%1 ns/pixel").arg(roundText(each.nanoseconds)));
@@ -326,6 +327,9 @@ QString LobeDock::leftOutText(const LobeMaterial& material) const {
 }
 
 void LobeDock::forgetTimes() {
+    if (times_.isEmpty()) {
+        return;
+    }
     times_.clear();
     say(&Note::times, {});
     polar_->setDetails({});
@@ -345,6 +349,8 @@ void LobeDock::connectParts(const DockContext& context) {
     };
     onChange(document_, DocumentChange::Drawn | DocumentChange::Current | DocumentChange::Snapshots,
              this, follow);
+    onChange(document_, DocumentChange::Lights | DocumentChange::Objects | DocumentChange::Scene,
+             this, [this] { forgetTimes(); }); // they are of the object in its scene
     onChange(document_, DocumentChange::Catalog, this, anew);
     connect(&context.tried, &TriedMaterial::changed, this, follow);
     connect(snapshots_, &QAction::toggled, this, follow);
@@ -438,7 +444,7 @@ void LobeDock::follow() {
     if (!isStale_ && now == materials_) {
         return;
     }
-    if (now != materials_ && !times_.isEmpty()) {
+    if (now != materials_) {
         forgetTimes();
     }
     materials_ = std::move(now);
@@ -580,10 +586,12 @@ void LobeDock::showEnergy(const LobeAnswer& answer, bool isOneOfSeveral) {
     }
     const Block* model = document_.catalog().find(kinds::models, answer.material.material.model.id);
     const bool isIsotropic = model != nullptr && model->hasClaim("isotropic");
-    if (answer.question.lines.isSketch && !isIsotropic) {
-        return; // a sketch knows nothing of light from other azimuths
-    }
     std::vector<LobeLine> albedos{std::get<LobeSubject>(*answer.plot).lines.lines.front()};
+    constexpr std::size_t enoughAngles = 8;
+    if (answer.question.lines.isSketch &&
+        (!isIsotropic || albedos.front().values.size() < enoughAngles)) {
+        return; // it knows too few angles, or nothing of light from other azimuths
+    }
     std::ranges::copy(answer.turned, std::back_inserter(albedos));
     std::erase_if(albedos, [](const LobeLine& line) { return line.values.size() < 2; });
     if (!albedos.empty()) {

@@ -168,9 +168,13 @@ QString LobePlotWidget::readingAt(const QPointF& place) const {
     }
     QStringList lines{abscissaText(at)};
     lines += marksAt(at);
+    const auto isPolarised = [](const LobeLine& line) {
+        return line.stroke == LobeStroke::Across || line.stroke == LobeStroke::Along;
+    };
     for (const LobeSubject& subject : subjects_) {
         for (const LobeLine& line : subject.lines.lines) {
-            if (line.values.empty()) {
+            // Of several materials these would hide the plot.
+            if (line.values.empty() || (subjects_.size() > 1 && isPolarised(line))) {
                 continue;
             }
             QString reading = tr("%1, %2: %3 %4")

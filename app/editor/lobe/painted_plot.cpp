@@ -11,7 +11,6 @@
 namespace patina {
 namespace {
 
-constexpr QSize paintedFileSize{960, 600};
 constexpr int paintedFileScale = 2;
 constexpr QSize minPaintedSize{180, 120};
 constexpr QSize usualPaintedSize{480, 260};
@@ -23,23 +22,27 @@ PaintedPlot::PaintedPlot(QWidget* parent) : PlotWidget(parent) {
     setMinimumSize(minPaintedSize);
 }
 
+QSize PaintedPlot::fileSize() const {
+    return {960, 600};
+}
+
 QByteArray PaintedPlot::png() const {
-    QImage image(paintedFileSize * paintedFileScale, QImage::Format_ARGB32_Premultiplied);
+    QImage image(fileSize() * paintedFileScale, QImage::Format_ARGB32_Premultiplied);
     image.setDevicePixelRatio(paintedFileScale);
     image.fill(palette().color(QPalette::Base));
     QPainter painter(&image);
     painter.setFont(font());
-    paint(painter, paintedFileSize);
+    paint(painter, fileSize());
     painter.end();
     return asPng(image);
 }
 
 QByteArray PaintedPlot::svg() const {
-    return asSvg(paintedFileSize, accessibleName(), {}, [this](QPaintDevice& device) {
+    return asSvg(fileSize(), accessibleName(), {}, [this](QPaintDevice& device) {
         QPainter painter(&device);
         painter.setFont(font());
-        painter.fillRect(QRect(QPoint(), paintedFileSize), palette().color(QPalette::Base));
-        paint(painter, paintedFileSize);
+        painter.fillRect(QRect(QPoint(), fileSize()), palette().color(QPalette::Base));
+        paint(painter, fileSize());
     });
 }
 

@@ -32,6 +32,9 @@ class PaintedPlot : public PlotWidget {
     /// Paints the plot, without its ground, into a room of that size.
     virtual void paint(QPainter& painter, const QSizeF& size) const = 0;
 
+    /// Returns the size of the plot in a file, in pixels of a screen.
+    virtual QSize fileSize() const;
+
     void draw() override;
     void paintEvent(QPaintEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;

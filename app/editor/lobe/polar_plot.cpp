@@ -103,7 +103,8 @@ void PolarPlot::addDisc(double largest) {
         const QPointF end = discPlace(degrees, 1.0);
         spoke->addData(0.0, 0.0, 0.0);
         spoke->addData(1.0, end.x(), end.y());
-        if (std::abs(degrees) < 90) {
+        constexpr double labelWidth = 14.0; // degrees that the light's label takes
+        if (std::abs(degrees) < 90 && std::abs(degrees + light_) > labelWidth) {
             addText(discPlace(degrees, 1.06), QStringLiteral("%1°").arg(std::abs(degrees)),
                     Qt::AlignCenter);
         }

@@ -62,7 +62,7 @@ SharePlot::SharePlot(LobePlot kind, QWidget* parent) : LobePlotWidget(kind, pare
     case LobePlot::Float16:
         setObjectName("float16Plot");
         setAccessibleName(tr("Error of 16 bits over the viewer's angle"));
-        quantity_ = tr("units in the last place of 16 bits");
+        quantity_ = tr("units in the last place");
         plot().xAxis->setRange(-90.0, 90.0);
         break;
     default:
@@ -119,6 +119,7 @@ void SharePlot::addMarks(double top) {
             label->setText(markText(mark));
             label->setFont(plot().font());
             label->setColor(mixed(base, own, 0.7));
+            label->setBrush(QColor(base.red(), base.green(), base.blue(), 200)); // lines run below
             markNames_.push_back(label);
         }
     }
@@ -240,7 +241,9 @@ double SharePlot::fitSpectrum() {
 void SharePlot::draw() {
     plot().clearGraphs();
     plot().clearItems();
-    plot().yAxis->setLabel(axisText(quantity_));
+    const QString label = axisText(quantity_);
+    plot().yAxis->setLabel(isOfErrors() ? QString(label).replace(", ", ",\n")
+                                        : label); // it is long
     colourPlot(plot(), palette(), false);
     const QColor text = palette().color(QPalette::Text);
     plot().yAxis2->setBasePen(plot().yAxis->basePen());

@@ -108,6 +108,13 @@ void SlicePlot::paint(QPainter& painter, const QSizeF& size) const {
         Qt::AlignLeft | Qt::AlignVCenter, what);
 }
 
+QSize SlicePlot::fileSize() const {
+    const QSize largest = PaintedPlot::fileSize();
+    const double textBelow = 2.0 * QFontMetricsF(font()).height() + 12.0;
+    const double height = squareOf(0, largest).bottom() + textBelow;
+    return {largest.width(), std::min(static_cast<int>(std::ceil(height)), largest.height())};
+}
+
 QString SlicePlot::readingAt(const QPointF& place) const {
     for (std::size_t i = 0; i < slices_.size(); ++i) {
         const QRectF square = squareOf(i);

@@ -29,6 +29,7 @@ class SlicePlot final : public PaintedPlot {
 
   protected:
     void paint(QPainter& painter, const QSizeF& size) const override;
+    QSize fileSize() const override; ///< is as high as the squares need
 
   private:
     QRectF squareOf(std::size_t material, const QSizeF& size) const;

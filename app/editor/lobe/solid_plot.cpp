@@ -11,6 +11,7 @@
 #include <QMouseEvent>
 #include <QPaintEngine>
 #include <QPainter>
+#include <QPainterPath>
 
 #include <glm/geometric.hpp>
 
@@ -212,12 +213,17 @@ void SolidPlot::paint(QPainter& painter, const QSizeF& size) const {
     painter.setPen(QPen(mixed(base, text, 0.6), 1.2, Qt::DashLine));
     const QPointF from = projection.at(light_.direction());
     painter.drawLine(from, projection.at({0.0, 0.0, 0.0}));
-    painter.setPen(mixed(base, text, 0.8));
     const QString light = tr("light %1°").arg(roundText(light_.angle / degree));
     const QFontMetricsF metrics(font());
-    painter.drawText(from - QPointF(0.5 * metrics.horizontalAdvance(light), 4.0), light);
+    const auto drawName = [&](const QPointF& place, const QString& name) {
+        QPainterPath letters;
+        letters.addText(place, font(), name);
+        painter.strokePath(letters, QPen(base, 3.0)); // a lobe may lie below
+        painter.fillPath(letters, mixed(base, text, 0.8));
+    };
+    drawName(from - QPointF(0.5 * metrics.horizontalAdvance(light), 4.0), light);
     if (viewer_) {
-        painter.drawText(projection.at(*viewer_) + QPointF(4.0, -4.0), tr("viewer"));
+        drawName(projection.at(*viewer_) + QPointF(4.0, -4.0), tr("viewer"));
         painter.setPen(QPen(mixed(base, text, 0.7), 1.2, Qt::DotLine));
         painter.drawLine(projection.at({0.0, 0.0, 0.0}), projection.at(*viewer_));
     }

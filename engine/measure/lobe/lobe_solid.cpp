@@ -36,9 +36,12 @@ LobeSolid lobeSolid(const LobeModel& model, const Incoming& incoming,
             const double horizon = std::atan2(mirror.z, -away.z);
             const double radius = horizon * ringShare(ring, fineness.rings);
             glm::dvec3 v = std::cos(radius) * mirror + std::sin(radius) * away;
-            v.z = std::max(v.z, 0.0); // rounding puts the horizon below itself
+            // On the horizon nothing is reflected, and rounding would put some of it below itself.
+            const glm::dvec3 seen =
+                glm::normalize(glm::dvec3(v.x, v.y, std::max(v.z, std::cos(maxIncoming))));
+            v.z = std::max(v.z, 0.0);
             solid.directions.push_back(v);
-            solid.f.push_back(model.reflectance(light, v));
+            solid.f.push_back(model.reflectance(light, seen));
         }
     }
     return solid;
