@@ -13,9 +13,16 @@ constexpr float background = 0.13f;  ///< sRGB, 0 .. 1
 constexpr double displayGamma = 2.2; ///< converts that grey alone, never a cell
 constexpr int maxScale = 4;
 
-/// Returns how much labels are magnified, so that they are legible and a few words fit a cell.
-int scaleFor(int cellPixels) {
-    return std::clamp(cellPixels / 64, 1, maxScale);
+/// Returns how much labels are magnified, so that they are legible and those of the columns fit.
+int scaleFor(const SheetPlan& plan, int cellPixels) {
+    int scale = std::clamp(cellPixels / 64, 1, maxScale);
+    const auto isTooWide = [&](const SheetStep& step) {
+        return !step.label.empty() && labelWidth(step.label, scale) > cellPixels;
+    };
+    while (scale > 1 && std::ranges::any_of(plan.x().steps, isTooWide)) {
+        --scale;
+    }
+    return scale;
 }
 
 int widestRowLabel(const SheetPlan& plan, int scale) {
@@ -30,7 +37,7 @@ int widestRowLabel(const SheetPlan& plan, int scale) {
 } // namespace
 
 SheetPicture::SheetPicture(const SheetPlan& plan, const std::string& name, const Look& look)
-    : plan_(plan), look_(look), scale_(scaleFor(look.cellPixels)) {
+    : plan_(plan), look_(look), scale_(scaleFor(plan, look.cellPixels)) {
     const int gap = 2 * scale_;
     const int line = labelHeight(scale_);
     left_ = widestRowLabel(plan, scale_) + gap;

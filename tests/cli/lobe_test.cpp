@@ -111,6 +111,17 @@ TEST(LobeCommand, Fresnel_OfGlassHasBothPolarisationsFromBothSides) {
     EXPECT_EQ(at60["from inside T_p"], 0.0);
 }
 
+TEST(LobeCommand, Fresnel_OfAFilmSaysThatItsPolarisationsAreOfTheBareInterface) {
+    std::map<std::string, double> facing;
+    for (const Row& row :
+         plotted({"--model", "cook-torrance", "--fresnel", "thin-film", "--plot", "fresnel"})) {
+        facing.try_emplace(row.line, row.red);
+    }
+    EXPECT_FALSE(facing.contains("from outside R"));
+    ASSERT_TRUE(facing.contains("bare: from outside R") && facing.contains("bare: from outside T"));
+    EXPECT_NEAR(facing["bare: from outside R"], 0.52 * 0.52 / (2.52 * 2.52), 1e-9);
+}
+
 TEST(LobeCommand, Spectrum_IsOverTheWavelength) {
     const Outcome outcome = patina(
         {"lobe", "--model", "cook-torrance", "--fresnel", "dispersive", "--plot", "spectrum"});

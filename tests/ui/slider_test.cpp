@@ -19,6 +19,17 @@ SliderRange range01() {
     return SliderRange(parameter);
 }
 
+TEST(SliderRange, StepFromAValueThatWasKeptAsAFloat_ShowsNoneOfItsRounding) {
+    Parameter parameter;
+    parameter.min = -10000.0;
+    parameter.max = 10000.0;
+    parameter.step = 0.001;
+    const SliderRange range(parameter);
+    EXPECT_EQ(range.stepped(double(0.3f), -1.0), 0.299);
+    EXPECT_EQ(range.stepped(double(100.1f), 1.0), 100.101);
+    EXPECT_EQ(range.stepped(1234.56789, 1.0), 1234.56889);
+}
+
 TEST(SliderRange, LogSliderWidenedBothWays_StaysLogarithmic) {
     Parameter parameter;
     parameter.min = 0.0;

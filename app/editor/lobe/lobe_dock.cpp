@@ -293,9 +293,7 @@ void LobeDock::takeTimes(const std::vector<LobeMaterial>& materials,
         times_ << (each.isBelowNoise ? tr("too quick to measure")
                                      : tr("%1 ns/pixel").arg(roundText(each.nanoseconds)));
     }
-    for (LobePlotWidget* plot : {static_cast<LobePlotWidget*>(polar_), albedo_}) {
-        plot->setDetails(times_);
-    }
+    showTimes();
     QStringList notes;
     for (std::size_t i = 0; i < materials.size(); ++i) {
         notes << tr("%1: %2; %3.")
@@ -332,8 +330,15 @@ void LobeDock::forgetTimes() {
     }
     times_.clear();
     say(&Note::times, {});
-    polar_->setDetails({});
-    albedo_->setDetails({});
+    showTimes();
+}
+
+/// Shows the times beside the names of the curves.
+void LobeDock::showTimes() {
+    for (LobePlotWidget* plot : findChildren<LobePlotWidget*>()) {
+        plot->setDetails(times_);
+    }
+    solid_->setDetails(times_);
 }
 
 void LobeDock::connectParts(const DockContext& context) {

@@ -76,6 +76,7 @@ class LobeDock : public QWidget {
     void takeTimes(const std::vector<LobeMaterial>& materials,
                    const Result<std::vector<MaterialTime>>& times);
     void forgetTimes();
+    void showTimes();
     /// Says what of the document a material's program does not have.
     QString leftOutText(const LobeMaterial& material) const;
     void connectParts(const DockContext& context);

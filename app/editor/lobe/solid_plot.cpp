@@ -102,6 +102,11 @@ void SolidPlot::setScale(LobeScale scale) {
     draw();
 }
 
+void SolidPlot::setDetails(QStringList details) {
+    details_ = std::move(details);
+    draw();
+}
+
 void SolidPlot::setSolids(std::vector<NamedSolid> solids, const Incoming& light) {
     solids_ = std::move(solids);
     light_ = light;
@@ -230,9 +235,11 @@ void SolidPlot::paint(QPainter& painter, const QSizeF& size) const {
     double top = metrics.ascent() + 4.0;
     for (std::size_t i = 0; i < solids_.size() && solids_.size() > 1; ++i) {
         painter.setPen(lobeColor(i, palette()));
+        const QString detail = details_.value(static_cast<qsizetype>(i));
         painter.drawText(QPointF(8.0, top),
                          asText(solids_[i].name) +
-                             (solids_[i].solid.f.empty() ? tr(": no lobe") : QString()));
+                             (solids_[i].solid.f.empty() ? tr(": no lobe") : QString()) +
+                             (detail.isEmpty() ? QString() : tr(", %1").arg(detail)));
         top += metrics.lineSpacing();
     }
 }

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include <QPolygonF>
+#include <QStringList>
 
 #include "lobe/painted_plot.h"
 #include "measure/lobe/lobe_scale.h"
@@ -24,6 +25,9 @@ class SolidPlot final : public PaintedPlot {
     /// Takes lobes that have the same directions; one without any keeps its place, and its colour.
     void setSolids(std::vector<NamedSolid> solids, const Incoming& light);
     const std::vector<NamedSolid>& solids() const { return solids_; }
+
+    /// Takes what is written behind the name of each material; nothing without an entry.
+    void setDetails(QStringList details);
 
     /// Marks the direction of a viewer, unit; none without one.
     void setViewer(const std::optional<glm::dvec3>& viewer);
@@ -64,6 +68,7 @@ class SolidPlot final : public PaintedPlot {
     void turnBy(double turn, double tilt);
 
     std::vector<NamedSolid> solids_;
+    QStringList details_;
     Incoming light_;
     std::optional<glm::dvec3> viewer_;
     LobeScale scale_ = LobeScale::Linear;

@@ -128,8 +128,15 @@ double SliderRange::continuedSnapAt(double position, double span) const {
 
 double SliderRange::stepped(double value, double steps) const {
     const double next = value + steps * step_;
-    // Adding 0.1 again and again must not show 0.30000000000000004.
-    const int exponent = static_cast<int>(std::floor(std::log10(step_))) - 6;
+    // Adding 0.1 again and again must not show 0.30000000000000004, nor one step from a value that
+    // was kept as a float 0.29900002.
+    constexpr int floatDigits = 6;
+    const auto exponentOf = [](double number) {
+        return static_cast<int>(std::floor(std::log10(number)));
+    };
+    const int step = exponentOf(step_);
+    const int last = next != 0.0 ? exponentOf(std::abs(next)) - floatDigits : step;
+    const int exponent = std::clamp(last, step - floatDigits, step - 2);
     return std::clamp(rounded(next, std::min(exponent, 0)), min_, max_);
 }
 

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "core/color.h"
 #include "material/blocks_in_use.h"
@@ -306,6 +307,20 @@ void addMarks(LobeLines& all, const InterfaceSide& side, bool isFromInside) {
     add("critical", side.critical);
 }
 
+/// Tells whether the term is more than the interface that it describes, as a film on it is.
+bool addsToItsInterface(const FresnelCurves& curves) {
+    constexpr double rounding = 1e-3;
+    const std::vector<PolarisedPoint>& bare = curves.fromOutside.points;
+    if (!curves.media || curves.media->isFromReflectance || bare.size() != curves.term.size()) {
+        return false;
+    }
+    return !std::ranges::equal(
+        bare, curves.term, [](const PolarisedPoint& point, const FresnelPoint& term) {
+            return glm::all(
+                glm::lessThan(glm::abs(point.mean() - term.exact), glm::dvec3(rounding)));
+        });
+}
+
 Result<LobeLines> fresnelLines(const Catalog& catalog, const Material& material) {
     const Result<FresnelCurves> curves = fresnelCurves(catalog, material);
     if (!curves) {
@@ -327,14 +342,16 @@ Result<LobeLines> fresnelLines(const Catalog& catalog, const Material& material)
     if (!isExact) {
         all.lines.push_back(std::move(exact));
     }
+    const bool isBare = addsToItsInterface(*curves);
     for (const bool isFromInside : {false, true}) {
         const InterfaceSide& side = isFromInside ? curves->fromInside : curves->fromOutside;
         for (const LobeStroke stroke : {LobeStroke::Across, LobeStroke::Along, LobeStroke::Main}) {
             if (!side.points.empty()) {
                 all.lines.push_back(sideLine(side, stroke, isFromInside));
+                all.lines.back().name.insert(0, isBare ? "bare: " : "");
             }
         }
-        if (curves->media && curves->media->isClear() && !side.points.empty()) {
+        if (curves->media && curves->media->isClear() && !side.points.empty() && !isBare) {
             addMarks(all, side, isFromInside);
         }
     }
@@ -349,6 +366,11 @@ Result<LobeLines> fresnelLines(const Catalog& catalog, const Material& material)
         if (!curves->media->isClear()) {
             const glm::dvec3& k = curves->media->extinction;
             all.note += fmt::format(", extinction {:.4g}, {:.4g}, {:.4g}", k.x, k.y, k.z);
+        }
+        if (isBare) {
+            all.note += fmt::format("; polarised light is that of the bare interface, without what "
+                                    "{} adds",
+                                    curves->label);
         }
     }
     return all;
@@ -449,7 +471,7 @@ glm::dvec3 valueAt(const LobeLine& line, double at) {
 }
 
 std::optional<LobeLine> transmittedLine(const LobeLine& line) {
-    if (!line.name.starts_with("from ")) {
+    if (line.name.find("from ") == std::string::npos) {
         return std::nullopt;
     }
     LobeLine passed = line;
