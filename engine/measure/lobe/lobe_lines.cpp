@@ -310,15 +310,13 @@ void addMarks(LobeLines& all, const InterfaceSide& side, bool isFromInside) {
 /// Tells whether the term is more than the interface that it describes, as a film on it is.
 bool addsToItsInterface(const FresnelCurves& curves) {
     constexpr double rounding = 1e-3;
-    const std::vector<PolarisedPoint>& bare = curves.fromOutside.points;
-    if (!curves.media || curves.media->isFromReflectance || bare.size() != curves.term.size()) {
+    if (!curves.media || curves.media->isFromReflectance) {
         return false;
     }
-    return !std::ranges::equal(
-        bare, curves.term, [](const PolarisedPoint& point, const FresnelPoint& term) {
-            return glm::all(
-                glm::lessThan(glm::abs(point.mean() - term.exact), glm::dvec3(rounding)));
-        });
+    return std::ranges::any_of(curves.term, [&curves](const FresnelPoint& point) {
+        const glm::dvec3 bare = reflectedAt(*curves.media, point.angle).mean();
+        return glm::any(glm::greaterThan(glm::abs(bare - point.exact), glm::dvec3(rounding)));
+    });
 }
 
 Result<LobeLines> fresnelLines(const Catalog& catalog, const Material& material) {
