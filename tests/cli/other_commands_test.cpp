@@ -291,7 +291,8 @@ TEST(EffectsCommand, List_NamesTheModel) {
 }
 
 TEST(EffectsCommand, Table_EndsWithTheWholeFrame) {
-    const Outcome outcome = patina({"effects", gold, "--size", "32x32"});
+    const std::string scene = shipped("presets/three-lights.patina-scene.json").string();
+    const Outcome outcome = patina({"effects", gold, "--scene", scene, "--size", "32x32"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("the whole frame"), std::string::npos) << outcome.out;
     EXPECT_NE(outcome.out.find("32 x 32 pixels"), std::string::npos) << outcome.out;
