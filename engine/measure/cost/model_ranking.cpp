@@ -93,9 +93,14 @@ class ModelRanking::Implementation {
     bool finished() const { return run_.isDone(); }
 
     double progress() const {
+        constexpr double firstTurn =
+            0.5; // makes the program, and few need all the pairs they may have
         double done = 0.0;
         for (const Ranked& each : ranked_) {
-            done += isDone(each) ? 1.0 : double(each.pairs.runs()) / double(options_.pairs.max);
+            const double share = double(each.pairs.runs()) / double(options_.pairs.max);
+            done += isDone(each)      ? 1.0
+                    : each.turns == 0 ? 0.0
+                                      : firstTurn + (1.0 - firstTurn) * share;
         }
         return finished() ? 1.0 : done / double(models_.size());
     }
