@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <initializer_list>
 #include <map>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -170,6 +172,26 @@ void measure(std::vector<Way>& ways) {
     }
 }
 
+/// Prints the ways whose places in both orders are farthest apart.
+void printOutliers(const std::vector<Way>& ways, const std::vector<double>& predictions,
+                   const std::vector<double>& times) {
+    constexpr std::size_t printed = 12;
+    const std::vector<double> predictedPlaces = ranks(predictions);
+    const std::vector<double> measuredPlaces = ranks(times);
+    std::vector<std::size_t> order(ways.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::ranges::sort(order, std::greater(), [&](std::size_t i) {
+        return std::abs(predictedPlaces[i] - measuredPlaces[i]);
+    });
+    order.resize(std::min(order.size(), printed));
+    for (const std::size_t i : order) {
+        fmt::print("    {} {}: place {:.0f} predicted with {:.0f} cycles, {:.0f} measured with "
+                   "{:.1f} ms\n",
+                   ways[i].material.name, levelsText(ways[i].levels), predictedPlaces[i],
+                   predictions[i], measuredPlaces[i], 1000.0 * times[i]);
+    }
+}
+
 bool isInOrder(const std::string& what, std::vector<Way> ways) {
     measure(ways);
     std::vector<double> times;
@@ -187,6 +209,9 @@ bool isInOrder(const std::string& what, std::vector<Way> ways) {
         report(fmt::format("predicted cost of {} {} on {}", ways.size(), what, family),
                fmt::format("{:.3f} rank correlation with measured times", correlation), isEnough,
                fmt::format("at least {}", wantedCorrelation));
+        if (!isEnough) {
+            printOutliers(ways, predictions, times);
+        }
         kept = kept && isEnough;
     }
     return kept;
