@@ -441,8 +441,10 @@ class FunctionSlicer::Flow {
                 edits_.push_back({number.first, number.last, known->name, {}, -1});
             }
             std::ranges::sort(edits_, {}, &ShaderEdit::first);
-            const auto same = std::ranges::unique(edits_, {}, &ShaderEdit::first);
-            edits_.erase(same.begin(), same.end());
+            const auto isSame = [](const ShaderEdit& a, const ShaderEdit& b) {
+                return a.first == b.first;
+            };
+            edits_.erase(std::unique(edits_.begin(), edits_.end(), isSame), edits_.end());
             for (const std::size_t i : cone_.statements) {
                 const BodyStatement& each = flow_.statements_[i];
                 made_.entry +=
