@@ -16,6 +16,7 @@
 
 #include "benchmarks.h"
 #include "cpu_clock.h"
+#include "material/blocks_in_use.h"
 #include "material/measured_preset.h"
 #include "measure/choice/choices.h"
 #include "stage.h"
@@ -112,6 +113,22 @@ bool isShadingAlone(const Material& material, const Catalog& catalog) {
            !hasMarks;
 }
 
+/// Tells whether a level reads a table: a texture, whose time a prediction leaves out, and which a
+/// software driver computes.
+bool readsTable(const Way& way, const Catalog& catalog) {
+    return std::ranges::any_of(blocksInUse(way.material, catalog), [&way](const Block* block) {
+        return std::ranges::any_of(block->accuracy, [&](const AccuracyChoice& choice) {
+            const auto level = std::ranges::find_if(way.levels, [&](const auto& each) {
+                return each.first == choice.id || each.first.ends_with('.' + choice.id);
+            });
+            return level != way.levels.end() &&
+                   std::ranges::any_of(choice.values, [&level](const EnumValue& value) {
+                       return value.id == level->second && !value.table.empty();
+                   });
+        });
+    });
+}
+
 void addWay(std::vector<Way>& ways, Way way, const nlohmann::json& predicted,
             const Catalog& catalog) {
     if (!isShadingAlone(way.material, catalog) || !predicted.contains("families")) {
@@ -144,8 +161,11 @@ std::vector<Way> presetWays(const Catalog& catalog) {
     for (const auto& preset : predicted.at("presets")) {
         const Material material =
             readPreset(preset.at("preset").get<std::string>(), catalog).value().material;
-        for (const auto& way : preset.at("ways")) {
-            addWay(ways, {material, way.at("levels").get<ChosenLevels>(), {}}, way, catalog);
+        for (const auto& predictedWay : preset.at("ways")) {
+            const Way way{material, predictedWay.at("levels").get<ChosenLevels>(), {}};
+            if (!readsTable(way, catalog)) {
+                addWay(ways, way, predictedWay, catalog);
+            }
         }
     }
     return ways;
