@@ -256,6 +256,11 @@ TEST(Approximate, TextThatDoesNotCompile_IsTheMistakeAtItsLine) {
     const Outcome outcome = approximated({(folder / "models/banks.glsl").string()});
     EXPECT_EQ(outcome.exitCode, 1);
     EXPECT_NE(outcome.err.find("banks.glsl:10"), std::string::npos) << outcome.err;
+    wrong.glsl.replace(wrong.glsl.find("* d.missing"), 11, "* ;");
+    writePaper(wrong, folder.path());
+    const Outcome unparsed = approximated({(folder / "models/banks.glsl").string()});
+    EXPECT_EQ(unparsed.exitCode, 1);
+    EXPECT_NE(unparsed.err.find("banks.glsl:10"), std::string::npos) << unparsed.err;
 }
 
 TEST(Approximate, FunctionWithNothingToLeaveOut_SaysSo) {

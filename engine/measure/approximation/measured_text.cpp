@@ -87,7 +87,9 @@ Checked<MeasuredText> MeasuredText::of(const EvalCase& subject,
     }
     made.source_ = std::make_unique<ShaderSource>(std::move(*source));
     if (const auto compiled = countInstructions(made.source_->text); !compiled) {
-        return tl::unexpected(compileErrors(compiled.error().problem, *made.source_));
+        const std::string& why = compiled.error().problem;
+        return tl::unexpected(compileErrors(why.substr(std::min(why.find("ERROR:"), why.size())),
+                                            *made.source_));
     }
     auto syntax = parsedShader(*made.source_, rootFunction);
     if (!syntax) {
