@@ -71,7 +71,7 @@ std::string percentText(int power) {
                        std::max(-power - ofHundred, 0));
 }
 
-void addGrid(Shapes& shapes, const Axes& axes) {
+void addGrid(Shapes& shapes, const CostChart& chart, const Axes& axes) {
     for (double e = axes.time.low; e <= axes.time.high; ++e) {
         const double x = axes.time.place(e);
         shapes.push_back(
@@ -93,7 +93,10 @@ void addGrid(Shapes& shapes, const Axes& axes) {
                       {axes.time.from, axes.error.from + 28.0},
                       {},
                       ink,
-                      "time to the exact one"});
+                      chart.predictedFor.empty()
+                          ? "time to the exact one"
+                          : fmt::format("time to the exact one, predicted for {} at {} x {}",
+                                        chart.predictedFor, chart.size.x, chart.size.y)});
 }
 
 /// Explains the rings, where there are any.
@@ -171,7 +174,7 @@ std::vector<PlotShape> costPlot(const CostChart& chart, glm::ivec2 size) {
     const std::vector<std::size_t> front = costFront(chart.points);
     const std::vector<Standing> standing = standings(chart.points);
     Shapes shapes;
-    addGrid(shapes, axes);
+    addGrid(shapes, chart, axes);
     addLegend(shapes, standing, size);
     addFront(shapes, chart, axes, front);
     for (std::size_t i = 0; i < chart.points.size(); ++i) {

@@ -37,9 +37,18 @@ TEST(CostTable, PointsThatTieWithTheFront_AreMarked) {
     EXPECT_NE(costText(chart).find("\n* exact"), std::string::npos) << costText(chart);
     EXPECT_NE(costText(chart).find("\n= a=same"), std::string::npos) << costText(chart);
     const std::string csv = costCsv(chart, "ball", true);
-    EXPECT_NE(csv.find("below_noise,tie\n"), std::string::npos) << csv;
-    EXPECT_NE(csv.find(",0,0\n"), std::string::npos) << csv;
-    EXPECT_TRUE(csv.ends_with(",0,1\n")) << csv;
+    EXPECT_NE(csv.find("below_noise,tie,predicted_for\n"), std::string::npos) << csv;
+    EXPECT_NE(csv.find(",0,0,\"\"\n"), std::string::npos) << csv;
+    EXPECT_TRUE(csv.ends_with(",0,1,\"\"\n")) << csv;
+}
+
+TEST(CostTable, PredictedTimes_AreCalledSo) {
+    CostChart chart = chartWith({{"a", "fast"}}, 0.5, 0.1);
+    EXPECT_EQ(costText(chart).find("predicted"), std::string::npos);
+    chart.predictedFor = "Steam Deck (RDNA 2)";
+    EXPECT_NE(costText(chart).find("predicted time"), std::string::npos);
+    EXPECT_EQ(costText(chart).find("of 95 % of runs"), std::string::npos);
+    EXPECT_TRUE(costCsv(chart, "ball", true).ends_with(",\"Steam Deck (RDNA 2)\"\n"));
 }
 
 TEST(CostTable, LeftOutCombinations_AreTold) {

@@ -36,10 +36,11 @@ std::string pointText(const CostPoint& point, const CostChart& chart) {
                        error.mean, error.rms, 100.0 * error.stepShare, error.flip);
 }
 
-std::string headText(std::size_t columns) {
-    return fmt::format("  {:<{}}    time (of 95 % of runs) ns/pixel  instr.   p99 err      max"
-                       "     mean      RMS    8-bit     FLIP\n",
-                       "", columns);
+std::string headText(const CostChart& chart, std::size_t columns) {
+    return fmt::format("  {:<{}}    {:<22} ns/pixel  instr.   p99 err      max     mean      RMS"
+                       "    8-bit     FLIP\n",
+                       "", columns,
+                       chart.predictedFor.empty() ? "time (of 95 % of runs)" : "predicted time");
 }
 
 /// Returns a line for each point on the front that others tie with.
@@ -136,7 +137,7 @@ nlohmann::json sameJson(const std::vector<SameLevel>& same) {
 std::string costText(const CostChart& chart) {
     const std::vector<Standing> standing = standings(chart.points);
     const std::size_t columns = widest(chart);
-    std::string text = headText(columns);
+    std::string text = headText(chart, columns);
     for (std::size_t i = 0; i < chart.points.size(); ++i) {
         const CostPoint& point = chart.points[i];
         text += fmt::format("{} {:<{}}  {}\n", signOf(standing[i]), levelsText(point.levels),
@@ -157,21 +158,21 @@ std::string costCsv(const CostChart& chart, const std::string& name, bool withNa
     std::string text =
         withNames ? "preset,levels,ratio,ratio_lower,ratio_upper,milliseconds,ns_per_pixel,"
                     "instructions,runs,p99,max,mean,rms,step_share,shown,flip,front,"
-                    "settled,below_noise,tie\n"
+                    "settled,below_noise,tie,predicted_for\n"
                   : "";
     const std::vector<Standing> standing = standings(chart.points);
     for (std::size_t i = 0; i < chart.points.size(); ++i) {
         const CostPoint& point = chart.points[i];
         const ChoiceCost& cost = point.cost;
         const FrameError& error = point.error;
-        text +=
-            fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csvText(name),
-                        csvText(levelsText(point.levels)), cost.ratio.median,
-                        boundsCsv(cost.ratio, cost.runs), cost.milliseconds.median,
-                        cost.nanosecondsPerPixel, instructionsText(point.instructions), cost.runs,
-                        error.p99, error.max, error.mean, error.rms, error.stepShare, error.shown,
-                        error.flip, standing[i] == Standing::OnFront ? 1 : 0, cost.settled ? 1 : 0,
-                        cost.belowNoise ? 1 : 0, standing[i] == Standing::Tie ? 1 : 0);
+        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+                            csvText(name), csvText(levelsText(point.levels)), cost.ratio.median,
+                            boundsCsv(cost.ratio, cost.runs), cost.milliseconds.median,
+                            cost.nanosecondsPerPixel, instructionsText(point.instructions),
+                            cost.runs, error.p99, error.max, error.mean, error.rms, error.stepShare,
+                            error.shown, error.flip, standing[i] == Standing::OnFront ? 1 : 0,
+                            cost.settled ? 1 : 0, cost.belowNoise ? 1 : 0,
+                            standing[i] == Standing::Tie ? 1 : 0, csvText(chart.predictedFor));
     }
     return text;
 }
