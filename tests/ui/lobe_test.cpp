@@ -414,6 +414,8 @@ TEST_F(LobePanel, Time_SaysNanosecondsAndWhatIsNotInTheProgram) {
         << note().toStdString();
     EXPECT_TRUE(note().contains("program")) << note().toStdString();
     EXPECT_TRUE(note().contains("no share of the light")) << note().toStdString();
+    removeLight(document(), 0);
+    EXPECT_FALSE(note().contains("program")) << "times are those of the lights that were there";
     time->click();
     window().dock("lobe")->hide();
     EXPECT_FALSE(dock().isTiming());
