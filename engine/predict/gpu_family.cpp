@@ -110,11 +110,12 @@ Result<CardOfFamily> graphicsCardIn(std::string_view name) {
     std::string names;
     for (const CardOfFamily& each : graphicsCards()) {
         const std::string& card = each.card->name;
-        const auto part = std::ranges::search(card, name, [](char a, char b) {
+        const auto isAlike = [](char a, char b) {
             return std::tolower(static_cast<unsigned char>(a)) ==
                    std::tolower(static_cast<unsigned char>(b));
-        });
-        if (!part.empty()) {
+        };
+        const auto part = std::search(card.begin(), card.end(), name.begin(), name.end(), isAlike);
+        if (!name.empty() && part != card.end()) {
             found.push_back(each);
         }
         names += (names.empty() ? "" : ", ") + card;
