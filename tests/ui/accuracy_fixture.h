@@ -189,8 +189,8 @@ class AccuracyPanel : public WindowFixture {
     }
 };
 
-/// Shows the panel with the chart of its scene, which is measured once for all tests that begin so:
-/// another session of theirs did, and its file is there.
+/// Shows the panel with the chart of its scene, which is measured once for all tests that begin so
+/// and is read from its file, as after a restart of the editor.
 class MeasuredPanel : public AccuracyPanel {
   protected:
     MeasuredPanel() : AccuracyPanel(sharedMeasurements()) {}

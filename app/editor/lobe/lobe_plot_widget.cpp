@@ -173,7 +173,7 @@ QString LobePlotWidget::readingAt(const QPointF& place) const {
     };
     for (const LobeSubject& subject : subjects_) {
         for (const LobeLine& line : subject.lines.lines) {
-            // Of several materials these would hide the plot.
+            // The polarised lines of several materials would hide the plot.
             if (line.values.empty() || (subjects_.size() > 1 && isPolarised(line))) {
                 continue;
             }

@@ -11,7 +11,6 @@
 #include "material/measured_preset.h"
 #include "measure/stability/edge_case_values.h"
 #include "measure/stability/pairwise.h"
-#include "measured/kept_tables.h"
 
 namespace patina {
 namespace {
