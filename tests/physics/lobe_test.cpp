@@ -140,7 +140,8 @@ TEST(NoReflectance, IsSaidOfDrawingsAlone) {
     for (const Block* block : catalog().ofKind(kinds::models)) {
         const bool draws = block->id == "gooch" || block->id == "toon" || block->id == "halftone" ||
                            block->id == "hatching" || block->id == "tonal-hatching" ||
-                           block->id == "engraving" || block->id == "surface-halftone";
+                           block->id == "engraving" || block->id == "surface-halftone" ||
+                           block->id == "tonal-art-maps";
         EXPECT_EQ(!whyNoReflectance(*block).empty(), draws) << block->id;
     }
 }

@@ -106,6 +106,71 @@ TEST(SurfaceHalftone, OnAnyScale_CoversTheTone) {
     }
 }
 
+/// The ink of strokes along x on a plane that faces the viewer, at a level of the maps.
+double artInk(double x, double y, double level, double dark) {
+    return inkOn("tonal-art-maps", {x, y, 0.0}, 0.05 * std::exp2(-level), 1.0 - dark,
+                 {{"map.size", 1.0}, {"line.direction", glm::dvec3(0.0, 1.0, 0.0)}});
+}
+
+TEST(TonalArtMaps, OfADarkerTone_KeepTheInkOfALighterOne) {
+    for (int i = 0; i < 200; ++i) {
+        double before = 0.0;
+        for (double dark = 0.0; dark < 1.01; dark += 1.0 / 12.0) {
+            const double ink = artInk(0.0137 * i, 0.0071 * i, 3.0, dark);
+            EXPECT_GE(ink, before - 1e-9) << i << ' ' << dark;
+            before = ink;
+        }
+    }
+}
+
+TEST(TonalArtMaps, OfAFinerLevel_KeepTheStrokesOfACoarserOne) {
+    int found = 0;
+    for (int i = 0; i < 300; ++i) {
+        const double x = 0.0137 * i;
+        const double y = 0.0071 * i;
+        if (artInk(x, y, 2.0, 2.0 / 6.0) < 0.999) {
+            continue;
+        }
+        ++found;
+        double finer = 0.0;
+        for (double aside = -0.012; aside < 0.012; aside += 0.001) {
+            finer = std::max(finer, artInk(x, y + aside, 3.0, 2.0 / 6.0));
+        }
+        EXPECT_GT(finer, 0.9) << x << ' ' << y;
+    }
+    EXPECT_GT(found, 5);
+}
+
+TEST(TonalArtMaps, OnAnyLevel_AreAboutAsDark) {
+    for (const double dark : {0.25, 0.9}) {
+        double coarse = 0.0;
+        double fine = 0.0;
+        for (int i = 0; i < 900; ++i) {
+            coarse += artInk(0.03301 * i, (i % 30) / 30.0, 1.0, dark);
+            fine += artInk(0.03301 * i, (i % 30) / 30.0, 3.0, dark);
+        }
+        EXPECT_NEAR(coarse / fine, 1.0, 0.2) << dark;
+    }
+}
+
+TEST(TonalArtMaps, ReadFromMaps_AreOnAverageAFortiethOfFullInkOff) {
+    double off = 0.0;
+    for (int i = 0; i < 900; ++i) {
+        const auto ink = [i](const char* level) {
+            const Subject subject("models", "tonal-art-maps",
+                                  {{"diffuse.color", glm::dvec3(0.0)},
+                                   {"ink.color", glm::dvec3(1.0)},
+                                   {"tone.light", 1.0},
+                                   {"place", glm::dvec3(0.03301 * i, (i % 30) / 30.0, 0.0)},
+                                   {"place.pixel", 0.007}},
+                                  {{"strokes", level}});
+            return subject.shade(geometry(direction(60.0, 20.0), {0, 0, 1})).x;
+        };
+        off += std::abs(ink("maps") - ink("exact")) / 900.0;
+    }
+    EXPECT_NEAR(off, 0.025, 0.005);
+}
+
 class DrawnOnTheSurface : public testing::TestWithParam<const char*> {};
 
 /// A scale of the lattice ends at some width of a pixel; nothing may change there.
@@ -133,7 +198,8 @@ TEST_P(DrawnOnTheSurface, WhereItIsDarker_HasMoreInk) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, DrawnOnTheSurface,
-                         testing::Values("tonal-hatching", "engraving", "surface-halftone"));
+                         testing::Values("tonal-hatching", "engraving", "surface-halftone",
+                                         "tonal-art-maps"));
 
 } // namespace
 } // namespace patina::physics::strokes_test

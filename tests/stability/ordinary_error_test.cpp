@@ -36,12 +36,25 @@ bool lists(const char* list, const std::string& id) {
     return std::find(ids.begin(), ids.end(), Json(id)) != ids.end();
 }
 
+bool hasLevel(const EvalBlock& block, const Json& level) {
+    const auto chosen = block.accuracy.find(level[0].get<std::string>());
+    return chosen != block.accuracy.end() && chosen->second == level[1].get<std::string>();
+}
+
 /// Whether the block computes its lobe at a level that takes cosines as they are rounded.
 bool isRounded(const EvalBlock& block) {
-    return std::ranges::any_of(bounds().at("rounded"), [&block](const Json& level) {
-        const auto chosen = block.accuracy.find(level[0].get<std::string>());
-        return chosen != block.accuracy.end() && chosen->second == level[1].get<std::string>();
-    });
+    return std::ranges::any_of(bounds().at("rounded"),
+                               [&block](const Json& level) { return hasLevel(block, level); });
+}
+
+/// What the place adds to the bound at which a table with steep entries is read.
+double growthOfEntries(const EvalBlock& block) {
+    double growth = 0.0;
+    for (const Json& level : bounds().at("entries")) {
+        growth = std::max(growth, hasLevel(block, level) ? std::ldexp(level[2].get<double>(), -25)
+                                                         : 0.0);
+    }
+    return growth;
 }
 
 /// What a power of this exponent adds to the bound.
@@ -52,7 +65,7 @@ double growthOfPower(double exponent, bool rounded) {
 /// What the sharpest lobe of a set of values adds to the bound.
 double growthOf(const EvalBlock& block, bool diffuse) {
     const bool rounded = isRounded(block);
-    double growth = 0.0;
+    double growth = growthOfEntries(block);
     for (const auto& [id, value] : block.values) {
         const auto* x = std::get_if<double>(&value);
         if (x == nullptr) {
