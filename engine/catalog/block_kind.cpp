@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "catalog/bending_roles.h"
 #include "catalog/measured_file.h"
 
 namespace patina {
@@ -99,6 +100,8 @@ constexpr auto inModels = std::to_array<ParameterRole>(
      {roles::placeNormal, ParameterType::Vec3},
      {roles::placeView, ParameterType::Vec3},
      {roles::placePixel},
+     {roles::placeCurvature, ParameterType::Vec3},
+     {roles::placeCurvatureMixed, ParameterType::Vec3},
      {grainRole, ParameterType::Measured},
      {.word = roles::diffuse, .type = ParameterType::Color, .mayRepeat = true}});
 constexpr auto inFresnel = std::to_array<ParameterRole>(

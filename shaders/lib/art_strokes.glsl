@@ -42,6 +42,16 @@ float artFirstTone(float finer, bool isAcross) {
     return isAcross ? 3.0 + later + last : 1.0 + later + 2.0 * last;
 }
 
+// How much maps count that are laid on the surface from each axis, together 1: only those from the
+// one that it faces, but that where another axis takes over, within 7 degrees, both count.
+vec3 axisShares(DrawnPlace at) {
+    vec3 a = at.n * at.n;
+    float nearly = max(max(a.x, a.y), a.z) - 0.25;
+    vec3 above = vec3(max(a.x - nearly, 0.0), max(a.y - nearly, 0.0), max(a.z - nearly, 0.0));
+    above = above * above;
+    return above * (1.0 / (above.x + above.y + above.z));
+}
+
 // The dots along a side of a level's map; the last one is the first one of the next map.
 float artDots(float level) {
     return exp2(5.0 + level);

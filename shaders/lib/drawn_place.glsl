@@ -53,16 +53,6 @@ vec2 clearMarks(vec2 drawn, float clear, vec2 even) {
     return clear * drawn + (1.0 - clear) * even;
 }
 
-// How much marks count that are laid on the surface from each axis, together 1: only those from the
-// one that it faces, but that where another axis takes over, within 7 degrees, both count.
-vec3 axisShares(DrawnPlace at) {
-    vec3 a = at.n * at.n;
-    float nearly = max(max(a.x, a.y), a.z) - 0.25;
-    vec3 above = vec3(max(a.x - nearly, 0.0), max(a.y - nearly, 0.0), max(a.z - nearly, 0.0));
-    above = above * above;
-    return above * (1.0 / (above.x + above.y + above.z));
-}
-
 // How many metres along `way`, of length 1, a pixel passes at most, where the surface is seen at an
 // angle. With g = way - (way.n) n it is |g - n (g.v) / (n.v)| of the pixel's width. Below a tenth
 // of that no line is drawn (clearOfPlanes).

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 #include "lib/art_strokes.glsl"
+#include "lib/drawn_curvature.glsl"
 
 vec3 tonalArtMapsMapsEntry(vec2 x, TonalArtMaps p) {
     return artEntry(x, artHand(p.spacing, p.penWidth, p.wobble));
@@ -19,13 +20,14 @@ vec2 artLevelInk(vec2 paper, float level, float dark, TonalArtMaps p) {
     float lower = min(floor(tone), ART_TONES - 1.0);
     float share = tone - lower;
     float side = artDots(level) - 1.0;
-    vec2 place = side * (paper - floor(paper));
     if (p.strokes == TONAL_ART_MAPS_STROKES_EXACT) {
-        ArtTones drawn =
-            artTones(place, level, lower, artHand(p.spacing, p.penWidth, p.wobble));
+        // To the nearest whole number: a place just below one keeps its digits.
+        vec2 near = side * (paper - floor(paper + vec2(0.5)));
+        ArtTones drawn = artTones(near, level, lower, artHand(p.spacing, p.penWidth, p.wobble));
         float bare = (lower + 1.0 - tone) * drawn.bare.x + share * drawn.bare.y;
         return vec2((lower + 1.0 - tone) * drawn.ink.x + share * drawn.ink.y, bare);
     }
+    vec2 place = side * (paper - floor(paper));
     float ink = (lower + 1.0 - tone) * artToneInk(place, level, lower, p) +
         share * artToneInk(place, level, lower + 1.0, p);
     return vec2(ink, max(1.0 - ink, 0.0));
@@ -91,8 +93,11 @@ vec2 artFrom(DrawnPlace at, vec3 right, vec3 up, vec3 way, float dark, TonalArtM
 vec3 tonalArtMaps(Directions d, TonalArtMaps p) {
     DrawnPlace at = drawnAt(p.place, p.placeNormal, p.placeView, p.placePixel);
     float dark = tones(d, p.toneDark, p.toneLight).x;
-    vec3 way = unitVector(cross(unitVector(p.lineDirection, vec3(0.0, 1.0, 0.0)), at.n),
+    vec3 cut = unitVector(cross(unitVector(p.lineDirection, vec3(0.0, 1.0, 0.0)), at.n),
         anyTangent(at.n));
+    // What bends by less than a twentieth within a map counts as flat.
+    vec3 way = bendingWay(drawnBend(p.placeCurvature, p.placeCurvatureMixed), at.n, cut,
+        0.05 / max(p.mapSize, 1e-6), p.follow);
     vec3 x = vec3(1.0, 0.0, 0.0);
     vec3 y = vec3(0.0, 1.0, 0.0);
     vec3 z = vec3(0.0, 0.0, 1.0);

@@ -106,6 +106,35 @@ TEST(SurfaceHalftone, OnAnyScale_CoversTheTone) {
     }
 }
 
+/// On a ball of radius 1 beside the origin, where lattices of two axes meet.
+TEST(SurfaceHalftone, WhereAnotherAxisTakesOver_KeepsTheToneWithoutASudden) {
+    double jump = 0.0;
+    double sum = 0.0;
+    int count = 0;
+    for (int row = 0; row < 30; ++row) {
+        double before = -1.0;
+        for (double angle = 40.0; angle < 50.0; angle += 0.025) {
+            const double turn = angle * std::numbers::pi / 180.0;
+            const double height = 0.011 * row;
+            const double across = std::sqrt(1.0 - height * height);
+            const glm::dvec3 n(across * std::sin(turn), height, across * std::cos(turn));
+            const double ink =
+                inkOn("surface-halftone", n + glm::dvec3(0.0137, 0.071, 0.0313), 0.005, 0.7,
+                      {{"cell", 8.0},
+                       {"place.normal", n},
+                       {"place.view", n},
+                       {"place.curvature", glm::dvec3(1.0) - n * n},
+                       {"place.curvature.mixed", -glm::dvec3(n.x * n.y, n.y * n.z, n.z * n.x)}});
+            jump = before < 0.0 ? jump : std::max(jump, std::abs(ink - before));
+            before = ink;
+            sum += ink;
+            ++count;
+        }
+    }
+    EXPECT_LT(jump, 0.15);
+    EXPECT_NEAR(sum / count, 0.3, 0.05);
+}
+
 /// The ink of strokes along x on a plane that faces the viewer, at a level of the maps.
 double artInk(double x, double y, double level, double dark) {
     return inkOn("tonal-art-maps", {x, y, 0.0}, 0.05 * std::exp2(-level), 1.0 - dark,
@@ -169,6 +198,28 @@ TEST(TonalArtMaps, ReadFromMaps_AreOnAverageAFortiethOfFullInkOff) {
         off += std::abs(ink("maps") - ink("exact")) / 900.0;
     }
     EXPECT_NEAR(off, 0.025, 0.005);
+}
+
+TEST(TonalArtMaps, OnATube_RunAroundIt) {
+    // A tube along x of radius 0.5: strokes run along y where they follow the form.
+    const auto change = [](const glm::dvec3& step, double follow) {
+        double sum = 0.0;
+        for (int i = 0; i < 400; ++i) {
+            const auto ink = [&](double aside) {
+                return inkOn("tonal-art-maps",
+                             glm::dvec3(0.0137 * i, 0.0371 * i, 0.0) + aside * step, 0.008, 0.75,
+                             {{"line.direction", glm::dvec3(0.0, 1.0, 0.0)},
+                              {"follow", follow},
+                              {"place.curvature", glm::dvec3(0.0, 2.0, 0.0)}});
+            };
+            sum += std::abs(ink(0.004) - ink(0.0));
+        }
+        return sum;
+    };
+    const glm::dvec3 x(1.0, 0.0, 0.0);
+    const glm::dvec3 y(0.0, 1.0, 0.0);
+    EXPECT_GT(change(x, 1.0), 3.0 * change(y, 1.0));
+    EXPECT_GT(change(y, 0.0), 3.0 * change(x, 0.0));
 }
 
 class DrawnOnTheSurface : public testing::TestWithParam<const char*> {};

@@ -51,8 +51,8 @@ bool isRounded(const EvalBlock& block) {
 double growthOfEntries(const EvalBlock& block) {
     double growth = 0.0;
     for (const Json& level : bounds().at("entries")) {
-        growth = std::max(growth, hasLevel(block, level) ? std::ldexp(level[2].get<double>(), -25)
-                                                         : 0.0);
+        growth = std::max(growth,
+                          hasLevel(block, level) ? std::ldexp(level[2].get<double>(), -25) : 0.0);
     }
     return growth;
 }

@@ -61,6 +61,9 @@ gl::VertexArray GpuMesh::makeArray() const {
     if (openness_) {
         array.shorts(opennessAttribute, *openness_);
     }
+    if (curvature_ && curvature_->isComplete()) {
+        curvature_->readBy(array);
+    }
     return array;
 }
 
@@ -81,6 +84,20 @@ void GpuMesh::takeOpenness(const MeshView& mesh) {
                        gl::Buffer::Content::Lasting);
     openness_->write(GL_COPY_WRITE_BUFFER, std::as_bytes(mesh.openness), 0);
     arrays_ = InstancedArrays();
+}
+
+bool GpuMesh::takeCurvature(const MeshView& mesh) {
+    if (!curvature_) {
+        curvature_.emplace(mesh);
+    }
+    if (curvature_->isComplete()) {
+        return true;
+    }
+    curvature_->proceed(mesh);
+    if (curvature_->isComplete()) {
+        arrays_ = InstancedArrays(); // new ones have two attributes more
+    }
+    return curvature_->isComplete();
 }
 
 void GpuMesh::draw(const InstanceBuffer& instances, const DrawRange& range) const {

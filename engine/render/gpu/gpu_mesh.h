@@ -8,6 +8,7 @@
 #include "core/mesh.h"
 #include "gl/buffer.h"
 #include "gl/vertex_array.h"
+#include "render/gpu/gpu_curvature.h"
 #include "render/gpu/gpu_edges.h"
 #include "render/gpu/gpu_marks.h"
 #include "render/gpu/instanced_arrays.h"
@@ -15,8 +16,8 @@
 namespace patina {
 
 /// Holds a mesh in the GPU's memory. Its attributes are 0 position, 1 normal, 2 tangent, 3 texture
-/// coordinates, 4 the sign of the bitangent, then those of Instance, and 11 openness. While
-/// openness is missing, nothing counts as hidden.
+/// coordinates, 4 the sign of the bitangent, then those of Instance, 11 openness, and 12 and 13
+/// curvature. While openness is missing, nothing counts as hidden; while curvature is, all is flat.
 class GpuMesh {
   public:
     /// Allocates buffers for this mesh; upload() fills them. `serial` must differ from that of any
@@ -30,6 +31,10 @@ class GpuMesh {
     /// Uploads the openness of the mesh that it was made for, unless that is still missing or
     /// already uploaded.
     void takeOpenness(const MeshView& mesh);
+
+    /// Finds and uploads some more of how it bends at its vertices, which takes some milliseconds;
+    /// returns true once that is complete.
+    bool takeCurvature(const MeshView& mesh);
 
     /// Draws a range of a mesh that is complete.
     void draw(const InstanceBuffer& instances, const DrawRange& range) const;
@@ -65,6 +70,7 @@ class GpuMesh {
     gl::Buffer vertices_ = gl::Buffer::create();
     gl::Buffer indices_ = gl::Buffer::create();
     std::optional<gl::Buffer> openness_;
+    std::optional<GpuCurvature> curvature_;
     std::size_t uploaded_ = 0; ///< bytes of the vertices, then of the indices
     int triangles_ = 0;
     std::uint64_t serial_ = 0;

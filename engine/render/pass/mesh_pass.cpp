@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/pass/mesh_pass.h"
 
+#include "catalog/bending_roles.h"
+#include "catalog/block_kind.h"
 #include "render/gpu/step_budget.h"
 #include "render/pass/frame_gpu.h"
 
@@ -8,6 +10,11 @@ namespace patina {
 namespace {
 
 constexpr std::size_t uploadBytes = std::size_t(4) << 20;
+
+bool readsCurvature(const Material& material, const Catalog& catalog) {
+    const Block* model = catalog.find(kinds::models, material.model.id);
+    return model != nullptr && model->withRole(roles::placeCurvature) != nullptr;
+}
 
 } // namespace
 
@@ -30,7 +37,8 @@ bool MeshPass::draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budge
         }
         mesh.takeOpenness(view);
     }
-    return findEdges(frame, gpu, budget) && setMarks(frame, gpu, budget);
+    return findEdges(frame, gpu, budget) && findCurvature(frame, gpu, budget) &&
+           setMarks(frame, gpu, budget);
 }
 
 /// Finds and uploads the edges of meshes with outlines or fins; returns false when the budget is
@@ -44,6 +52,23 @@ bool MeshPass::findEdges(const PreparedFrame& frame, FrameGpu& gpu, const StepBu
         GpuEdges& edges = gpu.shared.meshes.prepareEdges(*frame.meshes[i], item.view);
         while (!edges.isComplete()) {
             edges.proceed(item.view);
+            if (budget.isOver()) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/// Finds and uploads how meshes bend whose models read it; returns false when the budget is used
+/// up.
+bool MeshPass::findCurvature(const PreparedFrame& frame, FrameGpu& gpu, const StepBudget& budget) {
+    for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
+        const PlannedItem& item = frame.plan.items[i];
+        if (!readsCurvature(frame.plan.material(item.material), *gpu.shared.catalog)) {
+            continue;
+        }
+        while (!frame.meshes[i]->takeCurvature(item.view)) {
             if (budget.isOver()) {
                 return false;
             }

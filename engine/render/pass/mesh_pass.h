@@ -5,8 +5,8 @@
 
 namespace patina {
 
-/// Uploads the meshes of a frame to the GPU, with the edges of those with outlines or fins and the
-/// marks of those with strokes.
+/// Uploads the meshes of a frame to the GPU, with the edges of those with outlines or fins, the
+/// marks of those with strokes, and how those bend whose models read that.
 class MeshPass : public Pass {
   public:
     /// Allocates meshes that are new.
@@ -17,6 +17,7 @@ class MeshPass : public Pass {
 
   private:
     static bool findEdges(const PreparedFrame& frame, FrameGpu& gpu, const StepBudget& budget);
+    static bool findCurvature(const PreparedFrame& frame, FrameGpu& gpu, const StepBudget& budget);
     static bool setMarks(const PreparedFrame& frame, FrameGpu& gpu, const StepBudget& budget);
 };
 

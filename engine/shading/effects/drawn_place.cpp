@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "catalog/bending_roles.h"
 #include "shading/effects/effect_set.h"
 #include "shading/effects/surface_text.h"
 #include "shading/program/block_source.h"
@@ -14,11 +15,17 @@ namespace patina {
 namespace {
 
 /// Are the roles, each with what a program of a picture sets its parameter to.
-constexpr std::array<std::pair<std::string_view, const char*>, 4> placeSources{
+constexpr std::array<std::pair<std::string_view, const char*>, 6> placeSources{
     {{roles::place, "drawnPlace"},
      {roles::placeNormal, "drawnFacing()"},
      {roles::placeView, "drawnView()"},
-     {roles::placePixel, "drawnPixel()"}}};
+     {roles::placePixel, "drawnPixel()"},
+     {roles::placeCurvature, "drawnSide() * drawnCurvature"},
+     {roles::placeCurvatureMixed, "drawnSide() * drawnCurvatureMixed"}}};
+
+bool readsCurvature(const Block& block) {
+    return block.withRole(roles::placeCurvature) != nullptr;
+}
 
 } // namespace
 
@@ -41,6 +48,9 @@ void DrawnPlaceEffect::writeLight(SurfaceText& text) const {
         return;
     }
     text.out.addFile("passes/drawn_place.glsl");
+    if (readsCurvature(*drawing)) {
+        text.out.addFile("passes/drawn_curvature.glsl");
+    }
     for (const auto& [role, source] : placeSources) {
         if (const Parameter* parameter = drawing->withRole(role)) {
             text.main += fmt::format("    model.{} = {};\n", fieldName(parameter->id), source);
@@ -53,7 +63,11 @@ std::string DrawnPlaceEffect::writeVertex(SourceBuilder& vertex) const {
         return {};
     }
     vertex.addFile("passes/drawn_place.vert");
-    return "    placeDrawing();\n";
+    if (!readsCurvature(*drawing)) {
+        return "    placeDrawing();\n";
+    }
+    vertex.addFile("passes/drawn_curvature.vert");
+    return "    placeDrawing();\n    placeCurvature();\n";
 }
 
 } // namespace patina
