@@ -9,6 +9,7 @@
 
 #include "catalog/bending_roles.h"
 #include "catalog/measured_file.h"
+#include "catalog/picture_roles.h"
 
 namespace patina {
 namespace {
@@ -93,6 +94,9 @@ constexpr std::array<std::string_view, 3> polarisations{"unpolarised", "s", "p"}
 constexpr std::array<std::string_view, 2> falloffs{"polynomial", "inverse-square"};
 constexpr std::array<std::string_view, 3> backdrops{"sharp", "blurred", "hidden"};
 
+constexpr std::array<std::string_view, 5> blends{"replace", "over", "multiply", "screen", "add"};
+constexpr std::array<std::string_view, 3> depthTests{"everywhere", "surfaces", "background"};
+
 constexpr auto inModels = std::to_array<ParameterRole>(
     {{roles::index},
      {roles::wavelengths, ParameterType::Vec3},
@@ -104,6 +108,11 @@ constexpr auto inModels = std::to_array<ParameterRole>(
      {roles::placeCurvatureMixed, ParameterType::Vec3},
      {grainRole, ParameterType::Measured},
      {.word = roles::diffuse, .type = ParameterType::Color, .mayRepeat = true}});
+constexpr auto inPass = std::to_array<ParameterRole>(
+    {{.word = roles::blend, .type = ParameterType::Enum, .choices = blends},
+     {roles::blendAmount},
+     {roles::threshold, ParameterType::Texture},
+     {.word = roles::depthTest, .type = ParameterType::Enum, .choices = depthTests}});
 constexpr auto inFresnel = std::to_array<ParameterRole>(
     {{roles::indexOutside},
      {roles::indexInside},
@@ -285,7 +294,8 @@ constexpr auto rows = std::to_array<BlockKind>({
      .isPart = false,
      .isInRow = true,
      .hasReference = false,
-     .isInBlockLabels = true},
+     .isInBlockLabels = true,
+     .roles = inPass},
 });
 
 using Folders = std::map<BlockOwner, std::vector<std::string_view>>;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "catalog/descriptor_checker.h"
+#include "catalog/picture_roles.h"
 #include "catalog/suggestion.h"
 
 namespace patina {
@@ -80,6 +81,7 @@ class RoleChecker : DescriptorChecker {
                 "the role at one parameter");
         } else {
             checkChoices(parameter, *role, pointer);
+            checkState(parameter, pointer);
         }
     }
 
@@ -93,6 +95,24 @@ class RoleChecker : DescriptorChecker {
                     fmt::format("\"{}\" is no choice of the role \"{}\"", id, role.word),
                     oneOf(id, known));
             }
+        }
+    }
+
+    /// Checks what is a state of a pass, which its program has in its text.
+    void checkState(const Parameter& parameter, const std::string& pointer) {
+        const bool isTest = parameter.role == patina::roles::depthTest;
+        if ((isTest || parameter.role == patina::roles::blend) &&
+            parameter.compiled == Compiled::No) {
+            add(pointer, fmt::format("the \"{}\" of a pass is part of its program", parameter.role),
+                "\"compiled\": true");
+        }
+        if (isTest && !block_.picture.readsSurfaces) {
+            add(pointer + "/role", "without depths nothing can be tested by them",
+                "\"surfaces\": true in \"picture\"");
+        }
+        if (parameter.role == patina::roles::blendAmount &&
+            (parameter.min < 0.0 || parameter.max > 1.0)) {
+            add(pointer, "an amount is a share", "a \"min\" and a \"max\" from 0 to 1");
         }
     }
 

@@ -206,9 +206,7 @@ class SceneReader {
         const Json* passes = reader_.array("passes");
         for (std::size_t i = 0; passes != nullptr && i < passes->size(); ++i) {
             JsonReader reader(document_, fmt::format("/passes/{}", i), errors_);
-            BlockValues values = blocks_.read(reader, kinds::pass);
-            values.unknown.update(reader.unknown());
-            scene().passes.push_back(std::move(values));
+            scene().passes.push_back(partFrom(std::move(reader), kinds::pass));
         }
     }
 

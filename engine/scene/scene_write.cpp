@@ -114,7 +114,7 @@ nlohmann::json toJson(const Scene& scene, const std::filesystem::path& folder) {
     if (!scene.passes.empty()) {
         json["passes"] = Json::array();
         for (const BlockValues& pass : scene.passes) {
-            json["passes"].push_back(toJson(pass));
+            json["passes"].push_back(toJson(pass, folder));
         }
     }
     json["extras"] = scene.extras;

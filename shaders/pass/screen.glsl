@@ -16,6 +16,17 @@ float screenDisk(float r) {
     return min(pi * r * r - 4.0 * (r * r * acos(min(0.5 / r, 1.0)) - 0.5 * beside), 1.0);
 }
 
+// The threshold of an image and how much it changes within a pixel, a place being in pixels.
+vec2 screenImage(vec2 place, float width) {
+    float across = 1.0 / width;
+    float up = across / pictureThresholdHeight();
+    vec2 at = vec2(place.x * across, place.y * up);
+    float here = pictureThreshold(at);
+    float beside = abs(pictureThreshold(at + vec2(across, 0.0)) - here);
+    float above = abs(pictureThreshold(at + vec2(0.0, up)) - here);
+    return vec2(here, 0.5 * max(beside, above));
+}
+
 // The threshold of a place in units of the spacing: the share of the plane with less is the
 // threshold itself.
 float screenThreshold(vec2 place, ScreenPass p) {
@@ -36,8 +47,14 @@ float screenThreshold(vec2 place, ScreenPass p) {
 }
 
 // How much of a pixel is inked by a tone, 0 .. 1. Edges are a pixel wide, less where the mark is
-// narrower, so that the share of the plane stays the tone.
-float screenInk(vec2 place, float dark, float spacing, ScreenPass p) {
+// narrower, so that the share of the plane stays the tone. `pixels` are those of the picture in one
+// of a picture that is 512 pixels high.
+float screenInk(vec2 place, float dark, float spacing, float pixels, ScreenPass p) {
+    if (p.mark == SCREEN_PASS_MARK_IMAGE) {
+        vec2 threshold = screenImage(place * spacing, max(p.imageWidth * pixels, 1.0));
+        float edge = max(min(threshold.y, min(dark, 1.0 - dark)), 1e-4);
+        return clamp(0.5 + (dark - threshold.x) / (2.0 * edge), 0.0, 1.0);
+    }
     float soft = max(min(1.0 / spacing, min(dark, 1.0 - dark)), 1e-4);
     return clamp(0.5 + (dark - screenThreshold(place, p)) / (2.0 * soft), 0.0, 1.0);
 }
@@ -61,7 +78,7 @@ vec3 screenPass(PicturePoint at, ScreenPass p) {
         float light = 0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b;
         return mix(p.paper, p.ink,
                    screenInk(screenPlace(place, p.angle, spacing), screenDark(light, p), spacing,
-                             p));
+                             at.scale, p));
     }
     // Black takes the grey that all plates have in common, and half of it stays to them.
     float most = max(max(color.r, color.g), color.b);
@@ -69,12 +86,12 @@ vec3 screenPass(PicturePoint at, ScreenPass p) {
     vec3 left = color * (1.0 / max(most, 1e-4));
     float degrees15 = 0.26179939;
     float c = screenInk(screenPlace(place, p.angle - 2.0 * degrees15, spacing),
-                        screenDark(left.r, p), spacing, p);
+                        screenDark(left.r, p), spacing, at.scale, p);
     float m = screenInk(screenPlace(place, p.angle + 2.0 * degrees15, spacing),
-                        screenDark(left.g, p), spacing, p);
+                        screenDark(left.g, p), spacing, at.scale, p);
     float y = screenInk(screenPlace(place, p.angle - 3.0 * degrees15, spacing),
-                        screenDark(left.b, p), spacing, p);
-    float k = screenInk(screenPlace(place, p.angle, spacing), grey, spacing, p);
+                        screenDark(left.b, p), spacing, at.scale, p);
+    float k = screenInk(screenPlace(place, p.angle, spacing), grey, spacing, at.scale, p);
     vec3 shown = p.paper;
     shown *= mix(vec3(1.0), vec3(0.01, 0.34, 0.75), c);
     shown *= mix(vec3(1.0), vec3(0.8, 0.01, 0.25), m);

@@ -194,6 +194,78 @@ TEST_F(PicturePassesTest, ScreenedTone_CoversThatShareOfThePaper) {
     }
 }
 
+/// The image is mostly dark, so that its own tones are far from even.
+TEST_F(PicturePassesTest, ToneScreenedByAnImage_CoversThatShareOfThePaper) {
+    FileImage image{{64, 64, 1, {}}, 8};
+    for (int i = 0; i < 64 * 64; ++i) {
+        image.image.pixels.push_back(std::pow((float(i % 64) + 0.5f) / 64.0f, 4.0f));
+    }
+    const auto picture =
+        std::make_shared<const TexturePicture>(madeTexture(image, TextureDecoding::Linear));
+    for (const bool isThere : {true, false}) {
+        View view = viewOf(with("screen"));
+        view.size = glm::ivec2(128);
+        renderer->setTextures([&](const TextureUse&, TextureDecoding) {
+            return TextureLookup{isThere ? picture : nullptr, !isThere};
+        });
+        for (const double light : {0.15, 0.85}) {
+            Scene scene = with("screen");
+            scene.objects[0].visible = false;
+            scene.background = glm::dvec3(light);
+            set(scene, "mark", std::string("image"));
+            set(scene, "image", std::string("/some/image.png"));
+            set(scene, "image.width", 256.0); // 64 pixels of this picture
+            set(scene, "angle", 0.0);
+            set(scene, "ink", glm::dvec3(0.0));
+            set(scene, "paper", glm::dvec3(1.0));
+            const auto shown = renderer->capture(scene, view, meshSource(), true);
+            ASSERT_TRUE(shown);
+            double paper = 0.0;
+            for (int i = 0; i < 128 * 128; ++i) {
+                paper += std::pow(static_cast<double>(pixel(*shown, i % 128, i / 128).g), 2.2);
+            }
+            const double expected = isThere ? light : std::round(light);
+            EXPECT_NEAR(paper / (128.0 * 128.0), expected, 0.03) << isThere;
+        }
+    }
+}
+
+/// The pass returns 0.5 of linear light everywhere.
+TEST_F(PicturePassesTest, BlendOfAPass_IsThatOfItsFormula) {
+    const auto linear = [&](const std::string& blend, double amount, double light) {
+        Scene scene = with("screen");
+        scene.objects[0].visible = false;
+        scene.background = glm::dvec3(light);
+        set(scene, "ink", glm::dvec3(0.5));
+        set(scene, "paper", glm::dvec3(0.5));
+        set(scene, "blend", blend);
+        set(scene, "amount", amount);
+        const double shown = pixel(capture(scene, true, 8), 4, 4).g;
+        return shown <= 0.04045 ? shown / 12.92 : std::pow((shown + 0.055) / 1.055, 2.4);
+    };
+    for (const double light : {0.1, 0.7}) {
+        EXPECT_NEAR(linear("replace", 0.25, light), 0.5, 0.01);
+        EXPECT_NEAR(linear("over", 0.25, light), 0.75 * light + 0.125, 0.01);
+        EXPECT_NEAR(linear("multiply", 1.0, light), 0.5 * light, 0.01);
+        EXPECT_NEAR(linear("screen", 1.0, light), 0.5 + 0.5 * light, 0.01);
+        EXPECT_NEAR(linear("add", 1.0, light), std::min(0.5 + light, 1.0), 0.01);
+    }
+}
+
+TEST_F(PicturePassesTest, PassOnSurfaces_LeavesTheBackgroundAsItWas) {
+    Scene scene = with("screen");
+    scene.background = glm::dvec3(0.5);
+    set(scene, "ink", glm::dvec3(1.0, 0.0, 0.0));
+    set(scene, "paper", glm::dvec3(1.0, 0.0, 0.0));
+    for (const char* where : {"surfaces", "background"}) {
+        set(scene, "where", std::string(where));
+        const Image shown = capture(scene, true, 32);
+        const bool isOnSurfaces = std::string(where) == "surfaces";
+        EXPECT_EQ(pixel(shown, 0, 0).g > 0.1f, isOnSurfaces);
+        EXPECT_EQ(pixel(shown, 16, 16).g < 0.1f, isOnSurfaces);
+    }
+}
+
 TEST_F(PicturePassesTest, BarePaper_IsWhereNoObjectIs) {
     Scene scene = with("watercolour");
     scene.background = glm::dvec3(0.0);

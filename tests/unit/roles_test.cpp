@@ -56,6 +56,26 @@ TEST(Roles, ThatTheKindDoesNotKnow_AreMistakes) {
                        "highlights have no role \"width\""));
 }
 
+nlohmann::json state(const std::string& role, const std::string& choice, bool isCompiled) {
+    nlohmann::json parameter{{"id", "state"},  {"label", "L"},
+                             {"type", "enum"}, {"default", choice},
+                             {"role", role},   {"values", {{{"id", choice}, {"label", "L"}}}}};
+    if (isCompiled) {
+        parameter["compiled"] = true;
+    }
+    return parameter;
+}
+
+TEST(Roles, OfAPassesState_AreToldWhatIsWrong) {
+    EXPECT_TRUE(isTold(mistakes("pass", {state("blend", "overlay", true)}),
+                       "\"overlay\" is no choice of the role \"blend\""));
+    EXPECT_TRUE(isTold(mistakes("pass", {state("blend", "multiply", false)}),
+                       "the \"blend\" of a pass is part of its program"));
+    EXPECT_TRUE(isTold(mistakes("pass", {state("depthTest", "surfaces", true)}),
+                       "without depths nothing can be tested by them"));
+    EXPECT_TRUE(isTold(mistakes("pass", {number("share", "blendAmount")}), "an amount is a share"));
+}
+
 TEST(Roles, OfParametersOfAnotherType_AreMistakes) {
     EXPECT_TRUE(isTold(mistakes("fog", {number("density", "color")}),
                        "a parameter of type float cannot be the \"color\""));

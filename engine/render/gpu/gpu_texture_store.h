@@ -43,6 +43,11 @@ class GpuTextureStore {
     void bind(std::span<glm::vec4> data, const Pipeline& pipeline, const Material& material,
               TextureBudget& budget, ShownTextures& shown);
 
+    /// Returns the image of a use as its source has it, for what is no material.
+    TextureLookup look(const TextureUse& use, TextureDecoding decoding) const {
+        return source_ ? source_(use, decoding) : TextureLookup{nullptr, true};
+    }
+
     /// Returns a number that changes when bind() would show another state of one image of the
     /// material.
     std::uint64_t stateOf(const BoundTexture& image, const Material& material) const;

@@ -25,14 +25,15 @@ Result<bool> DisplayPass::prepare(PreparedFrame& frame, FrameGpu& gpu) {
     }
     if (!frame.plan.isUnseen) {
         current_ = *made;
-        pack(*frame.plan.scene);
+        images_ = &gpu.shared.textures;
+        gpu.textures.budget.isWaiting = !pack(*frame.plan.scene) || gpu.textures.budget.isWaiting;
     }
     return false;
 }
 
 bool DisplayPass::take(const Scene& scene, const Scene& effects, const Catalog& catalog) {
     const auto known = stages_.find(EffectKey::ofDisplay(effects, catalog));
-    if (known == stages_.end()) {
+    if (known == stages_.end() || images_ == nullptr) {
         return false;
     }
     current_ = &known->second;
@@ -73,8 +74,8 @@ Result<DisplayPass::Stage*> DisplayPass::make(const Scene& scene, const Catalog&
 }
 
 /// Packs the values of the scene's tone curve and passes; the defaults where the program has
-/// another curve.
-void DisplayPass::pack(const Scene& scene) {
+/// another curve. Returns false while images of passes are being loaded.
+bool DisplayPass::pack(const Scene& scene) {
     static const Values none;
     static const AccuracyLevels exact;
     tone_.resize(current_->layout.floats / 4);
@@ -84,7 +85,7 @@ void DisplayPass::pack(const Scene& scene) {
         packInto(tone_, current_->layout, isOfProgram ? part->parameters : none, exact,
                  glm::dmat4(1.0));
     }
-    chain_.pack(current_->passes, scene);
+    return chain_.pack(current_->passes, scene, *images_);
 }
 
 void DisplayPass::show(const gl::Texture& linear, unsigned framebuffer, double exposure,

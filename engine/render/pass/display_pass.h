@@ -57,13 +57,14 @@ class DisplayPass : public Pass {
     };
 
     Result<Stage*> make(const Scene& scene, const Catalog& catalog, ProgramCache& cache);
-    void pack(const Scene& scene);
+    bool pack(const Scene& scene);
     void drawDisplayed(const gl::Texture& linear, double exposure, double share);
 
     gl::VertexArray noVertices_ = gl::VertexArray::create();
     std::map<std::uint64_t, Stage> stages_; ///< maps EffectKey::ofDisplay()
     const Stage* current_ = nullptr;
-    std::vector<glm::vec4> tone_; ///< holds the packed values of the tone curve
+    const GpuTextureStore* images_ = nullptr; ///< is set by prepare()
+    std::vector<glm::vec4> tone_;             ///< holds the packed values of the tone curve
     PassChain chain_;
 };
 

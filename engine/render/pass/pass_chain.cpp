@@ -8,6 +8,7 @@
 #include <epoxy/gl.h>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "catalog/picture_roles.h"
 #include "render/pass/depth_normal_pass.h"
 #include "shading/program/parameter_packer.h"
 
@@ -16,10 +17,18 @@ namespace {
 
 constexpr unsigned pictureUnit = 0;
 constexpr unsigned stageUnit = 1;
+constexpr unsigned thresholdUnit = 4; ///< follows those of DepthNormalPass
 
 /// Returns the number of the level that is one pixel wide and high.
 int lastLevel(glm::ivec2 size) {
     return std::bit_width(static_cast<unsigned>(std::max(size.x, size.y))) - 1;
+}
+
+/// Returns the file that a pass names for its thresholds; empty: it names none.
+std::string thresholdFile(const Parameter& parameter, const Values& values) {
+    const auto found = values.find(parameter.id);
+    const auto* file = found == values.end() ? nullptr : std::get_if<std::string>(&found->second);
+    return file == nullptr ? std::string() : *file;
 }
 
 void bindImage(unsigned unit, const gl::Texture& texture) {
@@ -39,6 +48,7 @@ Result<PassPrograms::Step> stepFor(const PassUse& pass, std::string_view stage,
     }
     found.program->bindSampler("pictureImage", pictureUnit);
     found.program->bindSampler("stageImage", stageUnit);
+    found.program->bindSampler("thresholdImage", thresholdUnit);
     DepthNormalPass::nameUnits(*found.program);
     return PassPrograms::Step{found.program, found.program->uniform("passData"),
                               found.program->uniform("pictureLevels")};
@@ -67,18 +77,25 @@ Result<std::vector<PassPrograms>> passPrograms(const PassesEffect& passes, const
     return all;
 }
 
-void PassChain::pack(const std::vector<PassPrograms>& passes, const Scene& scene) {
+bool PassChain::pack(const std::vector<PassPrograms>& passes, const Scene& scene,
+                     const GpuTextureStore& images) {
     static const Values none;
     static const AccuracyLevels exact;
+    bool hasImages = true;
     data_.resize(passes.size());
+    thresholds_.resize(passes.size());
     for (std::size_t i = 0; i < passes.size(); ++i) {
         const PassPrograms& pass = passes[i];
         const bool isThere =
             pass.place < scene.passes.size() && scene.passes[pass.place].id == pass.block->id;
+        const Values& values = isThere ? scene.passes[pass.place].parameters : none;
         data_[i].resize(pass.layout.floats / 4);
-        packInto(data_[i], pass.layout, isThere ? scene.passes[pass.place].parameters : none, exact,
-                 glm::dmat4(1.0));
+        packInto(data_[i], pass.layout, values, exact, glm::dmat4(1.0));
+        if (const Parameter* threshold = pass.block->withRole(roles::threshold)) {
+            hasImages = thresholds_[i].take(thresholdFile(*threshold, values), images) && hasImages;
+        }
     }
+    return hasImages;
 }
 
 void PassChain::fit(Image& image, glm::ivec2 size) {
@@ -124,7 +141,7 @@ void PassChain::draw(const std::vector<PassPrograms>& passes, unsigned framebuff
             bindPicture(pictures_[picture], pass.steps[step]);
             bindImage(stageUnit,
                       step > 0 ? stages_[(step - 1) % 2].texture : pictures_[picture].texture);
-            drawStep(pass.steps[step], data_[i]);
+            drawStep(pass.steps[step], i);
         }
         const bool isLast = i + 1 == passes.size();
         if (!isLast) {
@@ -136,7 +153,7 @@ void PassChain::draw(const std::vector<PassPrograms>& passes, unsigned framebuff
         bindPicture(pictures_[picture], pass.steps[last]);
         bindImage(stageUnit,
                   last > 0 ? stages_[(last - 1) % 2].texture : pictures_[picture].texture);
-        drawStep(pass.steps[last], data_[i]);
+        drawStep(pass.steps[last], i);
         picture = 1 - picture;
     }
     glDisable(GL_BLEND);
@@ -145,8 +162,10 @@ void PassChain::draw(const std::vector<PassPrograms>& passes, unsigned framebuff
     glActiveTexture(GL_TEXTURE0);
 }
 
-void PassChain::drawStep(const PassPrograms::Step& step, const std::vector<glm::vec4>& data) const {
+void PassChain::drawStep(const PassPrograms::Step& step, std::size_t pass) const {
+    const std::vector<glm::vec4>& data = data_[pass];
     step.program->use();
+    thresholds_[pass].bind(thresholdUnit);
     if (step.levelsUniform >= 0) {
         glUniform1f(step.levelsUniform, static_cast<float>(lastLevel(size_)));
     }

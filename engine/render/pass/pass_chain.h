@@ -14,6 +14,7 @@
 #include "gl/framebuffer.h"
 #include "gl/texture.h"
 #include "gl/vertex_array.h"
+#include "render/pass/threshold_image.h"
 #include "scene/scene.h"
 #include "shading/effects/passes_effect.h"
 #include "shading/program/program_cache.h"
@@ -43,7 +44,9 @@ Result<std::vector<PassPrograms>> passPrograms(const PassesEffect& passes, const
 class PassChain {
   public:
     /// Packs the values that the scene has for the passes; defaults where it has another pass.
-    void pack(const std::vector<PassPrograms>& passes, const Scene& scene);
+    /// Takes their images from `images`, and returns false while one of them is being loaded.
+    bool pack(const std::vector<PassPrograms>& passes, const Scene& scene,
+              const GpuTextureStore& images);
 
     /// Fits the images to a picture's size, in pixels, and returns the framebuffer that the picture
     /// is to be drawn into.
@@ -64,13 +67,14 @@ class PassChain {
 
     static void fit(Image& image, glm::ivec2 size);
     static void bindPicture(const Image& picture, const PassPrograms::Step& step);
-    void drawStep(const PassPrograms::Step& step, const std::vector<glm::vec4>& data) const;
+    void drawStep(const PassPrograms::Step& step, std::size_t pass) const;
 
     gl::VertexArray noVertices_ = gl::VertexArray::create();
     glm::ivec2 size_{0};
     std::array<Image, 2> pictures_;            ///< hold the picture before and behind a pass
     std::array<Image, 2> stages_;              ///< hold what the stages of a pass draw
     std::vector<std::vector<glm::vec4>> data_; ///< has the packed values of each pass
+    std::vector<ThresholdImage> thresholds_;   ///< has the image of each pass that has one
 };
 
 /// Sets the state for blending what is drawn next by `share` with what is there.

@@ -5,9 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "catalog/picture_roles.h"
 #include "shading/effects/neutral_values.h"
-#include "shading/program/source_builder.h"
 #include "shading/program/block_source.h"
+#include "shading/program/source_builder.h"
 
 namespace patina {
 namespace {
@@ -33,6 +34,9 @@ void addBegin(SourceBuilder& fragment, const BlockUse& pass) {
     if (block.picture.readsSurfaces) {
         fragment.addFile("passes/picture_surface.glsl");
     }
+    if (block.withRole(roles::threshold) != nullptr) {
+        fragment.addFile("passes/picture_threshold.glsl");
+    }
     if (const int vec4s = vec4Count(block); vec4s > 0) {
         fragment.add(fmt::format("uniform vec4 passData[{}];\n", vec4s));
     }
@@ -48,6 +52,61 @@ std::string stageCall(const Block& block, std::string_view stage) {
 
 std::string resultCall(const Block& block) {
     return fmt::format("shownColor({}(picturePoint(), unpackPass(0)))", functionName(block));
+}
+
+/// Returns the word that a pass has for a state; nothing for that of a pass without one.
+std::string_view stateOf(const BlockUse& pass, std::string_view role) {
+    const Parameter* parameter = pass.block().withRole(role);
+    for (const CompiledValue& value : pass.compiled()) {
+        if (parameter != nullptr && value.id == parameter->id) {
+            return value.value;
+        }
+    }
+    return {};
+}
+
+/// Returns the function that puts the picture and what the pass returns together.
+std::string_view blendFunction(std::string_view word) {
+    return word == "multiply" ? "pictureMultiply"
+           : word == "screen" ? "pictureScreen"
+           : word == "add"    ? "pictureAdd"
+                              : "pictureOver";
+}
+
+bool isBlended(const BlockUse& pass) {
+    const std::string_view word = stateOf(pass, roles::blend);
+    return !word.empty() && word != "replace";
+}
+
+bool isTested(const BlockUse& pass) {
+    const std::string_view word = stateOf(pass, roles::depthTest);
+    return !word.empty() && word != "everywhere";
+}
+
+/// Returns the main function that draws a pass's result with its state; that of a pass without one
+/// only stores what it returns.
+std::string resultMain(const BlockUse& pass) {
+    const Block& block = pass.block();
+    if (!isBlended(pass) && !isTested(pass)) {
+        return fmt::format("void main() {{\n    drawn = {};\n}}\n", resultCall(block));
+    }
+    std::string text = fmt::format("void main() {{\n    PicturePoint at = picturePoint();\n"
+                                   "    {} p = unpackPass(0);\n"
+                                   "    vec3 below = pictureColor(at.pixel);\n"
+                                   "    vec3 above = {}(at, p);\n",
+                                   structName(block), functionName(block));
+    if (isBlended(pass)) {
+        const Parameter* amount = block.withRole(roles::blendAmount);
+        text += fmt::format("    above = mix(below, {}(below, clamp(above, 0.0, 1.0)), {});\n",
+                            blendFunction(stateOf(pass, roles::blend)),
+                            amount ? "p." + fieldName(amount->id) : std::string("1.0"));
+    }
+    if (isTested(pass)) {
+        text += fmt::format("    bool isSurface = pictureSurface(at.pixel).number > 0.0;\n"
+                            "    above = isSurface == {} ? above : below;\n",
+                            stateOf(pass, roles::depthTest) == "surfaces");
+    }
+    return text + "    drawn = shownColor(above);\n}\n";
 }
 
 } // namespace
@@ -119,8 +178,15 @@ Checked<ProgramSource> pictureProgram(const BlockUse& pass, std::string_view sta
     return screenProgram(catalog, [&](SourceBuilder& fragment) {
         addBegin(fragment, pass);
         const Block& block = pass.block();
-        fragment.add(fmt::format("void main() {{\n    drawn = {};\n}}\n",
-                                 stage.empty() ? resultCall(block) : stageCall(block, stage)));
+        if (!stage.empty()) {
+            fragment.add(
+                fmt::format("void main() {{\n    drawn = {};\n}}\n", stageCall(block, stage)));
+            return;
+        }
+        if (isBlended(pass)) {
+            fragment.addFile("passes/picture_blend.glsl");
+        }
+        fragment.add(resultMain(pass));
     });
 }
 
