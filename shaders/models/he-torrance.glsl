@@ -23,8 +23,9 @@ float heTorranceTabled(HeTorrance p, float g, float x) {
 
 // The directional diffuse part of one wavelength without |F|^2, times pi (n.l):
 //   G S D / (n.v), D = pi^2 tau^2 / (4 lambda^2) sum_m g^m e^-g / (m! m) e^(-x / m)
-// with x = (pi tau / lambda)^2 |H - (n.H) n|^2 and g = (2 pi sigma / lambda (n.H))^2. For ordinary
-// light the paper's G is (H.H / n.H)^2; it is multiplied into g, whose (n.H)^2 it cancels.
+// with x = (pi tau / lambda)^2 |H - (n.H) n|^2 and g = (2 pi sigma / lambda (n.H))^2. The paper's G is
+// (H.H / n.H)^2 for light of any polarisation, since (s_r.l)^2 + (p_r.l)^2 = |v x l|^2; it is
+// multiplied into g, whose (n.H)^2 it cancels.
 float heTorranceDiffuse(Directions d, HeTorrance p, float sigma2, float wavelength, float g) {
     float q = sqr(PI * p.tau / wavelength);
     float x = q * d.sin2h;
@@ -55,7 +56,9 @@ float heTorranceMirror(Directions d, float size, float g) {
     return exp2(-1.4426950408889634 * g) * lobe * 2.0 * d.nl / d.nH;
 }
 
-// rho_sp + rho_dd + rho_ud of He, Torrance, Sillion and Greenberg 1991, unpolarised.
+// rho_sp + rho_dd + rho_ud of He, Torrance, Sillion and Greenberg 1991. The slot's term is their
+// |F|^2, (c_s |F_s|)^2 + (c_p |F_p|)^2 at half the angle between light and viewer, and alone knows
+// how light is polarised.
 vec3 heTorrance(Directions d, HeTorrance p) {
     float Kl = roughnessLoss(d.nl, d.sin2l, p.sigma0, p.tau);
     float Kv = roughnessLoss(d.nv, d.sin2v, p.sigma0, p.tau);

@@ -115,6 +115,35 @@ TEST_F(PolarisedLight, OnMetals_IsReflectedByFresnelsEquations) {
     }
 }
 
+/// |F|^2 of He et al. 1991 is (c_s |F_s|)^2 + (c_p |F_p|)^2 at half the angle between light and
+/// viewer, and nothing else in their model knows of polarisation.
+TEST_F(PolarisedLight, OnARoughWaveSurface_IsReflectedByFresnelsEquations) {
+    for (const char* fresnel : {"dielectric", "conductor"}) {
+        const auto media =
+            interfaceOf(*catalog->find("fresnel", fresnel), defaults("fresnel", fresnel));
+        ASSERT_TRUE(media);
+        for (const double degrees : {30.0, 50.0, 70.0}) {
+            Scene scene = mirror(fresnel, degrees);
+            scene.objects[0].material.model = block("models", "he-torrance");
+            Values& model = scene.objects[0].material.model.parameters;
+            model["diffuse.color"] = glm::dvec3(0.0);
+            model["sigma0"] = 0.4;
+            model["tau"] = 2.0;
+            scene.objects[0].rotation.y += 4.0; // beside the mirror direction
+            const PolarisedPoint right = reflectedAt(*media, glm::radians(degrees), false);
+            const glm::dvec3 s = seen(polarised(scene, across));
+            const glm::dvec3 p = seen(polarised(scene, along));
+            const glm::dvec3 both = seen(scene);
+            for (int channel = 0; channel < 3; ++channel) {
+                EXPECT_GT(both[channel], 1e-4);
+                EXPECT_NEAR(p[channel] / s[channel], right.p[channel] / right.s[channel], 4e-3)
+                    << fresnel << ' ' << degrees << ' ' << channel;
+                EXPECT_NEAR(s[channel] + p[channel], 2.0 * both[channel], 4e-3 * both[channel]);
+            }
+        }
+    }
+}
+
 /// A degree between is so much of the one, the rest ordinary; a slanted line is both.
 TEST_F(PolarisedLight, InPart_IsAMixture) {
     const Scene scene = mirror("dielectric", 50.0);

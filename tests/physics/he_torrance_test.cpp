@@ -100,6 +100,28 @@ TEST(HeTorrance, VeryRoughSurface_IsBeckmanns) {
     EXPECT_NEAR(model.shade(geometry(l, v), everything()).x / facets, 1.0, 1e-4);
 }
 
+/// With s or p light alone the model is |F_s|^2 or |F_p|^2 times what it is with |F|^2 = 1.
+TEST(HeTorrance, OfLightOfOnePolarisation_HasItsFresnelReflectance) {
+    const Subject model("models", "he-torrance", measured(sigma0));
+    const glm::dvec3 l = direction(50.0, 0.0);
+    const glm::dvec3 v = direction(62.0, 170.0);
+    const double c = std::sqrt(0.5 * (1.0 + glm::dot(l, v)));
+    const double t = std::sqrt(1.0 - (1.0 - c * c) / 2.25);
+    const double plain = model.shade(geometry(l, v), everything()).x;
+    const auto with = [&](const char* polarisation) {
+        const Subject glass("fresnel", "dielectric",
+                            {{"index.outside", 1.0},
+                             {"index.inside", 1.5},
+                             {"polarisation", std::string(polarisation)}});
+        return model.shade(geometry(l, v), glass.filler()).x / plain;
+    };
+    const double s = (c - 1.5 * t) / (c + 1.5 * t);
+    const double p = (1.5 * c - t) / (1.5 * c + t);
+    EXPECT_NEAR(with("s"), s * s, 1e-12);
+    EXPECT_NEAR(with("p"), p * p, 1e-12);
+    EXPECT_NEAR(with("unpolarised"), 0.5 * (s * s + p * p), 1e-12);
+}
+
 TEST(HeTorrance, PolishedSurface_ScattersNothing) {
     const Subject model("models", "he-torrance", measured(0.0));
     EXPECT_EQ(model.shade(geometry(direction(30, 0), direction(20, 90)), everything()).x, 0.0);
