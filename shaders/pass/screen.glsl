@@ -51,7 +51,7 @@ float screenThreshold(vec2 place, ScreenPass p) {
 // of a picture that is 512 pixels high.
 float screenInk(vec2 place, float dark, float spacing, float pixels, ScreenPass p) {
     if (p.mark == SCREEN_PASS_MARK_IMAGE) {
-        vec2 threshold = screenImage(place * spacing, max(p.imageWidth * pixels, 1.0));
+        vec2 threshold = screenImage(place * spacing, max(p.thresholdWidth * pixels, 1.0));
         float edge = max(min(threshold.y, min(dark, 1.0 - dark)), 1e-4);
         return clamp(0.5 + (dark - threshold.x) / (2.0 * edge), 0.0, 1.0);
     }

@@ -213,8 +213,8 @@ TEST_F(PicturePassesTest, ToneScreenedByAnImage_CoversThatShareOfThePaper) {
             scene.objects[0].visible = false;
             scene.background = glm::dvec3(light);
             set(scene, "mark", std::string("image"));
-            set(scene, "image", std::string("/some/image.png"));
-            set(scene, "image.width", 256.0); // 64 pixels of this picture
+            set(scene, "threshold", std::string("/some/image.png"));
+            set(scene, "threshold.width", 256.0); // 64 pixels of this picture
             set(scene, "angle", 0.0);
             set(scene, "ink", glm::dvec3(0.0));
             set(scene, "paper", glm::dvec3(1.0));

@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <QToolButton>
 
+#include "catalog/picture_roles.h"
 #include "parameters/dropped_files.h"
 #include "parameters/editor_factory.h"
 #include "session/session.h"
@@ -22,6 +23,14 @@ struct FileWords {
     QString filter;
 };
 
+/// Returns the kinds of files to choose from: panoramas, or any picture for thresholds.
+QString pictureFilter(const Parameter& parameter) {
+    return parameter.role == roles::threshold
+               ? PictureFileEditor::tr("Pictures") +
+                     QStringLiteral(" (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.exr *.hdr)")
+               : PictureFileEditor::tr("HDR pictures") + QStringLiteral(" (*.hdr *.exr)");
+}
+
 FileWords wordsOf(const Parameter& parameter) {
     return infoOf(parameter.type).isTable
                ? FileWords{QStringLiteral("measured"),
@@ -31,7 +40,7 @@ FileWords wordsOf(const Parameter& parameter) {
                            PictureFileEditor::tr("Measured surfaces") + " (*.binary *.bsdf)"}
                : FileWords{QStringLiteral("picture"), PictureFileEditor::tr("Choose a picture"),
                            PictureFileEditor::tr("Choose a picture, or drop one here"),
-                           PictureFileEditor::tr("HDR pictures") + " (*.hdr *.exr)"};
+                           pictureFilter(parameter)};
 }
 
 /// Returns the first local file that is dragged; empty for anything else.
