@@ -9,7 +9,7 @@
 namespace patina::benchmarks {
 namespace {
 
-constexpr int limitMs = 60000;
+constexpr int limitMs = 300000;
 constexpr int restMs = 600;
 
 } // namespace

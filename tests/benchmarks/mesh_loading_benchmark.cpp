@@ -15,7 +15,7 @@ constexpr int meshes = 3;
 
 bool meshLoading() {
     const tests::TemporaryFolder folder;
-    tests::Start start{.arguments = {}, .environment = {}, .input = {}, .timeLimitSeconds = 400.0};
+    tests::Start start{.arguments = {}, .environment = {}, .input = {}, .timeLimitSeconds = 3000.0};
     for (int mesh = 0; mesh < meshes; ++mesh) {
         start.arguments.push_back(folder / fmt::format("large{}.obj", mesh));
         writeLargeObj(start.arguments.back());
