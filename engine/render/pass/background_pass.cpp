@@ -6,6 +6,7 @@
 #include <epoxy/gl.h>
 
 #include "render/gpu/slow_allocation.h"
+#include "render/gpu/step_budget.h"
 #include "render/pass/frame_gpu.h"
 #include "shading/effects/refraction.h"
 #include "shading/program/storable.h"
@@ -28,7 +29,9 @@ Result<bool> BackgroundPass::prepare(PreparedFrame& frame, FrameGpu& gpu) {
     return gpu.environment.begin(packing, *frame.plan.view, catalog, shared);
 }
 
-bool BackgroundPass::draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget&) {
+/// Ends the step while the device is at work on the pixels of the environment, since the next object
+/// would have to wait for them.
+bool BackgroundPass::draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget) {
     if (std::exchange(isDrawn_, true)) {
         return true;
     }
@@ -40,7 +43,7 @@ bool BackgroundPass::draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget&
     gpu.environment.drawBackground(frame.plan.view->camera, frame.plan.cameraToWorld,
                                    double(frame.plan.view->size.x) /
                                        double(frame.plan.view->size.y));
-    return true;
+    return budget.isEndless() || !budget.mustStop();
 }
 
 } // namespace patina
