@@ -17,6 +17,7 @@
 #include "render/pass/shadow_pass.h"
 #include "render/pass/solid_pass.h"
 #include "render/pass/stroke_pass.h"
+#include "render/pass/target_pass.h"
 
 namespace patina {
 
@@ -24,21 +25,23 @@ namespace patina {
 struct FramePasses {
     /// Returns the passes in the order of preparing: each needs only what those before it have
     /// added to the plan.
-    std::array<Pass*, 15> prepared(FrameData& data) {
-        return {&meshes, &shadows, &display, &background, &programs, &data,         &layers, &solid,
-                &fins,   &ground,  &strokes, &outlines,   &blended,  &depthNormals, &resolve};
+    std::array<Pass*, 16> prepared(FrameData& data) {
+        return {&meshes,   &shadows, &display,      &target, &background, &programs,
+                &data,     &layers,  &solid,        &fins,   &ground,     &strokes,
+                &outlines, &blended, &depthNormals, &resolve};
     }
 
     /// Returns the passes that are drawn first, in their order; then objects() are drawn, then
     /// `depthNormals` and `resolve`.
-    std::array<Pass*, 3> beforeObjects() { return {&meshes, &shadows, &background}; }
-    std::array<Pass*, 7> objects() {
-        return {&solid, &fins, &ground, &strokes, &outlines, &blended, &layers};
+    std::array<Pass*, 3> beforeObjects() { return {&meshes, &shadows, &target}; }
+    std::array<Pass*, 8> objects() {
+        return {&solid, &fins, &background, &ground, &strokes, &outlines, &blended, &layers};
     }
 
     MeshPass meshes;
     ShadowPass shadows;
     DisplayPass display;
+    TargetPass target;
     BackgroundPass background;
     ProgramPass programs;
     LayerPass layers;

@@ -5,11 +5,13 @@
 
 namespace patina {
 
-/// Clears the target to the background colour and draws an environment's picture behind the
-/// objects.
+/// Prepares an environment's light, and draws its picture where no solid object is.
 class BackgroundPass : public Pass {
   public:
     Result<bool> prepare(PreparedFrame& frame, FrameGpu& gpu) override;
+
+    /// Ends the step while a software driver is at work on the picture, since what is drawn next
+    /// would have to wait for it.
     bool draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget) override;
 
   private:

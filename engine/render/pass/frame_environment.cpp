@@ -136,11 +136,17 @@ void FrameEnvironment::drawBackground(const Camera& camera, const glm::dmat4& ca
     glUniform2f(program->uniform("backgroundSize"), static_cast<float>(viewport[2]),
                 static_cast<float>(viewport[3]));
     glUniform1f(program->uniform("backgroundBlur"), static_cast<float>(light_.backgroundBlur()));
-    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
+    glDepthMask(GL_FALSE);
+    glDepthRange(1.0, 1.0);
     glDisable(GL_BLEND);
     noVertices_.bind();
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glBindVertexArray(0);
+    glDepthRange(0.0, 1.0);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_LESS);
 }
 
 void FrameEnvironment::bind() const {
