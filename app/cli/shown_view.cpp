@@ -26,6 +26,8 @@ constexpr NamedView namedViews[] = {
     {"normals", InspectedView::Normals},         {"tangents", InspectedView::Tangents},
     {"coordinates", InspectedView::Coordinates}, {"fresnel", InspectedView::Fresnel},
     {"diffuse", InspectedView::Diffuse},         {"highlight", InspectedView::Highlight},
+    {"occlusion", InspectedView::Occlusion},     {"glow", InspectedView::Glow},
+    {"opacity", InspectedView::Opacity},
 };
 
 } // namespace

@@ -3,7 +3,8 @@
 
 uniform sampler2D linearImage;
 uniform float exposureFactor;
-uniform int shown; // as in inspection.glsl: 1 energy, 2 normals, 3 tangents, 6 places, 7 Fresnel
+uniform int shown; // as in inspection.glsl: 1 energy, 2 normals, 3 tangents, 6 places, 7 Fresnel,
+                   // 9 occlusion, 11 opacity
 
 layout(location = 0) out vec4 displayed;
 
@@ -32,7 +33,7 @@ vec3 valueShown(vec3 value) {
     if (shown == 6) {
         return vec3(value.r, value.g, 0.0) * (0.75 + 0.25 * value.b);
     }
-    if (shown == 7) { // a share, whatever the exposure
+    if (shown == 7 || shown == 9 || shown == 11) { // a share, whatever the exposure
         return srgbEncoded(value);
     }
     return shown <= 3 ? vec3(0.5) + 0.5 * value : srgbEncoded(value * exposureFactor);

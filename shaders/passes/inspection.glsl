@@ -34,6 +34,9 @@ const int SHOWN_HIGHLIGHT = 5;
 const int SHOWN_COORDINATES = 6;
 const int SHOWN_FRESNEL = 7;
 const int SHOWN_LIGHT = 8;
+const int SHOWN_OCCLUSION = 9;
+const int SHOWN_GLOW = 10;
+const int SHOWN_OPACITY = 11;
 
 uniform int shown;
 uniform int shownLight; // its place in the order of the program; -1 where it is not there
@@ -50,6 +53,8 @@ float share = 1.0;         // what was blended with last
 vec3 modelledTerm = vec3(0.0); // the shown term of what the model returned last
 vec4 litTerm = vec4(0.0);      // its sum over the lights; w: 1 where there is one
 vec4 fresnelTerm = vec4(0.0);  // at the viewer's angle; w: 1 where there is one
+vec4 opennessTerm = vec4(0.0); // w: 1 where it is known
+vec3 glow = vec3(0.0);
 
 // How many squares of the checker lie between 0 and 1 of a texture coordinate.
 const float CHECKS = 8.0;
@@ -74,6 +79,7 @@ void lookAt(vec3 value) {
 }
 
 void noteTerm(int index, vec3 value, float detail) {
+    glow += index == TERM_EMISSION ? value : vec3(0.0);
     int place = index - firstTerm;
     if (place >= 0 && place < WINDOW) {
         terms[place] += vec4(value, detail);
@@ -110,7 +116,7 @@ vec4 shownCoordinates(vec2 place) {
 }
 
 // The shown thing; alpha is a half where it is not known of this surface.
-vec4 shownOf(Surface s, vec4 albedo) {
+vec4 shownOf(Surface s, vec4 albedo, float opacity) {
     if (shown == SHOWN_ENERGY) {
         return vec4(albedo.rgb, 0.5 + 0.5 * albedo.a);
     }
@@ -126,6 +132,15 @@ vec4 shownOf(Surface s, vec4 albedo) {
     if (shown == SHOWN_LIGHT) { // black where none of it arrives
         return shownTerm(vec4(litTerm.rgb, 1.0));
     }
+    if (shown == SHOWN_GLOW) { // black where there is none
+        return shownTerm(vec4(glow, 1.0));
+    }
+    if (shown == SHOWN_OPACITY) {
+        return shownTerm(vec4(vec3(opacity), 1.0));
+    }
+    if (shown == SHOWN_OCCLUSION) {
+        return shownTerm(opennessTerm);
+    }
     return shownTerm(shown == SHOWN_FRESNEL ? fresnelTerm : litTerm);
 }
 
@@ -140,7 +155,7 @@ void storeInspected(Surface s, vec3 color, vec4 albedo, float alpha) {
     noteTerm(TERM_ALBEDO, albedo.rgb, albedo.a);
     noteTerm(TERM_STORED, color, alpha);
     storedColor = shown == SHOWN_NUMBERS ? vec4(shownGrey(color), defect, objectNumber, 1.0)
-                                         : shownOf(s, albedo);
+                                         : shownOf(s, albedo, alpha);
     for (int i = 0; i < WINDOW; ++i) {
         storedTerms[i] = terms[i];
     }

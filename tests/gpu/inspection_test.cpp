@@ -252,6 +252,26 @@ TEST_F(InspectionTest, ViewsOfEachLightAlone_AreItsShareOfThePicture) {
     EXPECT_EQ(shownInTheMiddle(scene, {InspectedView::Light, 2}), glm::vec3(0.0f)); // is off
 }
 
+/// The glow is linear light; without one a place is black, and not unknown.
+TEST_F(InspectionTest, GlowView_IsTheLightOfTheSurfaceItself) {
+    makeRenderer();
+    Scene scene = simpleScene("lambert");
+    EXPECT_EQ(shownInTheMiddle(scene, InspectedView::Glow, true), glm::vec3(0.0f));
+    scene.objects[0].material.model.parameters["emissive.color"] = glm::dvec3(0.5, 0.25, 2.0);
+    EXPECT_EQ(shownInTheMiddle(scene, InspectedView::Glow), glm::vec3(0.5f, 0.25f, 2.0f));
+}
+
+TEST_F(InspectionTest, OpacityView_IsTheShareThatTheSurfaceHides) {
+    makeRenderer();
+    Scene scene = simpleScene("lambert");
+    EXPECT_EQ(shownInTheMiddle(scene, InspectedView::Opacity), glm::vec3(1.0f));
+    scene.objects[0].material.opacity = 0.25;
+    scene.exposure = 3.0;
+    EXPECT_EQ(shownInTheMiddle(scene, InspectedView::Opacity), glm::vec3(0.25f));
+    const glm::vec3 display = shownInTheMiddle(scene, InspectedView::Opacity, true);
+    EXPECT_NEAR(display.g, 0.537f, 0.01f); // sRGB of 0.25
+}
+
 TEST_F(InspectionTest, ProbeBesideTheObject_FindsNothing) {
     makeRenderer();
     EXPECT_FALSE(probe(simpleScene(), {0, 0}));

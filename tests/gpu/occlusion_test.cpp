@@ -101,6 +101,20 @@ class OcclusionTest : public EnvironmentTest {
     }
 };
 
+/// What a view shows in place of the picture; stripes where the scene does not ask for it.
+TEST_F(OcclusionTest, ViewOfItAlone_IsTheShareThatAPlaceSees) {
+    const auto shown = [this](const Scene& scene, bool display) {
+        const auto image = renderer->inspection().capture(scene, viewOf(scene, 65), meshSource(),
+                                                          display, InspectedView::Occlusion);
+        return image ? *image : Image();
+    };
+    const Image image = shown(occluded(plate()), false);
+    ASSERT_EQ(image.width, 65);
+    EXPECT_NEAR(middle(image).r, share(), 0.02f);
+    EXPECT_NEAR(besideTheGroove(image).r, 1.0f, 0.02f);
+    EXPECT_NEAR(middle(shown(plate(), true)).r, 0.385f, 0.05f); // of either stripe
+}
+
 TEST_F(OcclusionTest, WhiteSkyWithoutTheEffect_IsWhiteInTheGrooveToo) {
     for (const Scene& scene : {plate(), fitted(plate()), ambient()}) {
         const Image image = settled(scene, 1024);

@@ -32,15 +32,18 @@ RefractionPanel::RefractionPanel(Document& document, TextureLibrary& textures, Q
     update();
 }
 
-/// Shows why a refraction that is chosen has no effect, where that is so.
+/// Shows why a refraction that is chosen has no effect, where that is so, or else what its block
+/// says of itself: how it bends light, and what it cannot follow.
 void RefractionPanel::update() {
     const Material* material = document_.material(document_.selection().side());
     const BlockValues* part = material ? material->part(kinds::refraction) : nullptr;
     chooser_->setEnabled(material != nullptr);
     chooser_->show(part ? QString::fromStdString(part->id) : QString());
-    const char* whyNot = part ? refractionChoice(*material, document_.catalog()).whyNot : "";
-    hint_->setText(QString::fromUtf8(whyNot));
-    hint_->setVisible(*whyNot != '\0');
+    const RefractionChoice choice =
+        part ? refractionChoice(*material, document_.catalog()) : RefractionChoice();
+    hint_->setText(choice.block ? QString::fromStdString(choice.block->summary)
+                                : QString::fromUtf8(choice.whyNot));
+    hint_->setVisible(!hint_->text().isEmpty());
 }
 
 } // namespace patina

@@ -64,7 +64,10 @@ QString number(float x) {
 QString titleOf(const Inspected& shown, const Scene& scene) {
     switch (shown.view) {
     case InspectedView::Energy:
-        return InspectionPanel::tr("Energy: the share of a white sky, red above 1");
+        return InspectionPanel::tr(
+            "Energy: the share of a white sky, red above 1.\n"
+            "What is dark is absorbed by the colours, or lost by a rough highlight: most formulas\n"
+            "follow light to the first facet that it meets and not to a second one.");
     case InspectedView::Normals:
         return InspectionPanel::tr("Normals: x, y, z as red, green, blue");
     case InspectedView::Tangents:
@@ -80,6 +83,13 @@ QString titleOf(const Inspected& shown, const Scene& scene) {
         return InspectionPanel::tr("Fresnel term at the viewer's angle; stripes: there is none");
     case InspectedView::Light:
         return InspectionPanel::tr("Light of %1 alone").arg(shownLightName(scene, shown.light));
+    case InspectedView::Occlusion:
+        return InspectionPanel::tr(
+            "Occlusion: white sees all of its surroundings; stripes: not in this scene");
+    case InspectedView::Glow:
+        return InspectionPanel::tr("Glow: the surface's own light");
+    case InspectedView::Opacity:
+        return InspectionPanel::tr("Opacity: white hides all that is behind it");
     default:
         return {};
     }

@@ -66,6 +66,21 @@ void InspectionMenu::addViews() {
          {},
          tr("The lamps' light in the highlight alone"),
          InspectedView::Highlight},
+        {"show occlusion",
+         tr("&Occlusion"),
+         {},
+         tr("How much of its surroundings each place sees past its own object: dark in grooves"),
+         InspectedView::Occlusion},
+        {"show glow",
+         tr("&Glow"),
+         {},
+         tr("The light that the surface sends out by itself"),
+         InspectedView::Glow},
+        {"show opacity",
+         tr("O&pacity"),
+         {},
+         tr("How much of what is behind it the surface hides: white hides everything"),
+         InspectedView::Opacity},
     };
     for (const auto& row : rows) {
         auto* action = new QAction(row.text, this);

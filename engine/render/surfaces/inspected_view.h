@@ -17,7 +17,10 @@ enum class InspectedView {
     Coordinates, ///< of images: u as red, v as green, each from 0 to 1 again and again, over a
                  ///< checker
     Fresnel,     ///< the share that the Fresnel term reflects at the viewer's angle
-    Light        ///< light of one lamp alone, as the model returned it
+    Light,       ///< light of one lamp alone, as the model returned it
+    Occlusion,   ///< the share of its surroundings that a place sees past its own object
+    Glow,        ///< the light that a surface sends out by itself
+    Opacity      ///< the share of what is behind it that a surface hides
 };
 
 /// Says what a view shows in place of the picture.
