@@ -37,12 +37,15 @@ TEST_F(RefractionInTheWindow, Chosen_IsShownAndUndoneInOneStep) {
     EXPECT_EQ(chooser->currentText(), "None: straight through");
 }
 
+/// Where it has an effect it says how it bends light and what it cannot follow.
 TEST_F(RefractionInTheWindow, ThatHasNoEffect_SaysWhy) {
     auto* hint = panel()->findChild<QLabel*>("hint");
     ASSERT_NE(hint, nullptr);
     choose("solid-body");
     EXPECT_EQ(hint->text(), "The material's opacity is 1: nothing passes.");
     document().setValue(document().selection().currentPath(settings::material), "opacity", 0.2);
+    EXPECT_TRUE(hint->text().contains("Exact for bodies without dents"));
+    choose("");
     EXPECT_EQ(hint->text(), "");
 }
 

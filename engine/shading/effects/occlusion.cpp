@@ -53,7 +53,9 @@ void OcclusionEffect::writeLight(SurfaceText& text) const {
     if (isOccluded) {
         text.out.addFile("passes/openness.glsl");
         text.main += "    opened = openness(s);\n";
-        text.main += text.isInspected() ? "    opennessTerm = vec4(vec3(opened.share), 1.0);\n" : "";
+        if (text.isInspected()) {
+            text.main += "    opennessTerm = vec4(vec3(opened.share), 1.0);\n";
+        }
         text.around = {"facingOpen(s)", " * opened.share", "passes/openness_directions.glsl"};
     }
 }
