@@ -60,7 +60,7 @@ class Handles : public WindowFixture {
         const std::size_t index = document().scene().lights.size() - 1;
         document().selection().setLight(int(index));
         LightPose above = pose(index);
-        above.point = {0.3, 1.4, 0.2};
+        above.point = {0.5, 0.95, 0.4};
         above.direction = glm::normalize(glm::dvec3(0.0) - above.point);
         document().setValues(pathOf(kinds::lights, int(index)), valuesAt(above, camera()), "place");
         newFrames();
@@ -191,6 +191,30 @@ TEST_F(Handles, DragOfALampsDistance_MovesItAlongItsAxis) {
     EXPECT_NEAR(glm::distance(*pose(spot).direction, *before.direction), 0.0, 1e-6);
 }
 
+/// A new spot light stands above the view: its lamp is seen at the edge and follows the pointer
+/// from there.
+TEST_F(Handles, LampBesideTheView_IsPulledInFromItsEdge) {
+    const std::size_t spot = addSpot();
+    LightPose above = pose(spot);
+    above.point = {2.0, 3.0, 2.0};
+    above.direction = glm::normalize(-above.point);
+    document().setValues(pathOf(kinds::lights, int(spot)), valuesAt(above, camera()), "place");
+    newFrames();
+    ASSERT_LT(placeOf(above.point).y(), 0);
+    const LightHandles handles(document(), window().views().handleModes(),
+                               [](const Ray&) { return std::nullopt; });
+    const ViewGeometry geometry{camera(), size()};
+    std::optional<QPoint> lamp;
+    for (int x = 0; x < view().width() && !lamp; ++x) {
+        lamp = handles.handleAt(geometry, QPointF(x, 22)) ? std::optional(QPoint(x, 22)) : lamp;
+    }
+    ASSERT_TRUE(lamp);
+    dragFrom(*lamp, {-30, 60});
+    const QPoint there = placeOf(pose(spot).point);
+    EXPECT_NEAR(there.x(), lamp->x() - 30, 10); // within the lamp's reach
+    EXPECT_NEAR(there.y(), lamp->y() + 60, 10);
+}
+
 TEST_F(Handles, LightsThatAreNotShown_AreNotDragged) {
     const std::size_t spot = addSpot();
     window().views().handleModes().setShowsLights(false);
@@ -238,6 +262,35 @@ TEST_F(Handles, LShiftAndClick_PutTheShadowUnderThePointer) {
     const auto met = cast({pose(spot).point, *pose(spot).direction}, document().scene(), meshes);
     ASSERT_TRUE(met);
     EXPECT_EQ(met->object, 0); // the caster is between the light and the place
+}
+
+/// The ground is no object, but shadows fall on it.
+TEST_F(Handles, ShadowPutOnTheGround_FallsThere) {
+    document().setValue(document().selection().currentPath(settings::scene), "ground.mode",
+                        std::string("plane"));
+    document().selection().setObject(0);
+    const std::size_t spot = addSpot();
+    window().views().active().awaitLightPick(true);
+    const QPoint place(view().width() - 30, view().height() - 30);
+    QTest::mouseClick(&view(), Qt::LeftButton, Qt::NoModifier, place);
+    const Ray way{pose(spot).point, *pose(spot).direction};
+    const auto meshes = [this](const Object& each) { return window().meshes().pickMesh(each); };
+    EXPECT_TRUE(cast(way, document().scene(), meshes)); // the caster is on the way
+    const Ray seen = rayThrough(camera(), {place.x(), place.y()}, size());
+    ASSERT_FALSE(cast(seen, document().scene(), meshes));
+    const auto ground = castWithGround(seen, document().scene(), eye(camera()), meshes);
+    ASSERT_TRUE(ground);
+    EXPECT_EQ(ground->object, -1);
+    EXPECT_NEAR(glm::length(glm::cross(ground->point - way.origin, way.direction)), 0.0, 1e-6);
+}
+
+TEST_F(Handles, EscBeforeTheClick_LeavesTheLight) {
+    const std::size_t spot = addSpot();
+    const LightPose before = pose(spot);
+    window().views().active().awaitLightPick(false);
+    key(Qt::Key_Escape);
+    QTest::mouseClick(&view(), Qt::LeftButton, Qt::NoModifier, view().rect().center());
+    EXPECT_EQ(pose(spot).point, before.point);
 }
 
 TEST_F(Handles, SoloTwice_LeavesTheLightsAsTheyWere) {

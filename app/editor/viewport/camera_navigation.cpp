@@ -163,6 +163,9 @@ bool CameraNavigation::keyPress(const QKeyEvent& event) {
         Q_EMIT dragCancelled();
         return true;
     }
+    if (event.key() == Qt::Key_Escape) {
+        Q_EMIT pickCancelled();
+    }
     if (event.key() == Qt::Key_L && (event.modifiers() & ~Qt::ShiftModifier) == Qt::NoModifier) {
         lightKey_ = true;
         return true;

@@ -40,6 +40,7 @@ class CameraNavigation : public QObject {
   Q_SIGNALS:
     void dragBegan();
     void dragCancelled(); ///< asks to restore what was there when the drag began; sent by Esc
+    void pickCancelled(); ///< says that no click is to be waited for; sent by Esc
     void orbitWished(double yaw, double pitch); ///< degrees
     void panWished(QPointF pixels);
     void dollyWished(double factor);

@@ -24,12 +24,16 @@ constexpr double lampReach = 9.0;
 /// Is how far from its target the lamp of a light without a position is at least, as a share of the
 /// view's shorter side: beside what fills two thirds of it.
 constexpr double lampDistance = 0.44;
+/// Is how far inside the view the lamp of a light beside it is shown, in pixels.
+constexpr double edgeInset = 22.0;
 constexpr double iconPixels = 8.0;
 constexpr double dotPixels = 4.5;
 constexpr double lampDegreesPerPixel = 0.4;
 constexpr double angleStep = 5.0; ///< degrees
-/// Says where the handle of the distance is, as a share of the line from the light to its target.
-constexpr double distanceShare = 0.45;
+/// Says where the handle of the distance may be, as shares of the line from the light to its
+/// target: the first that is in the view.
+constexpr double distanceShares[] = {0.45, 0.6, 0.75, 0.88};
+constexpr double coneAhead = 0.1; ///< is how much farther along that line the ring of the cone is
 constexpr double nearestTarget = 0.05; ///< metres
 const QColor hotLampColor(255, 220, 90);
 
@@ -63,6 +67,29 @@ void drawDot(QPainter& painter, QPointF at, double radius, const QColor& color) 
     painter.setBrush(color);
     painter.drawEllipse(at, radius, radius);
     painter.setBrush(Qt::NoBrush);
+}
+
+QRectF insideOf(const ViewGeometry& view) {
+    return {edgeInset, edgeInset, view.size.x - 2.0 * edgeInset, view.size.y - 2.0 * edgeInset};
+}
+
+/// Returns the place where the way from a place in the view to one beside it leaves the view;
+/// `to` itself where that is in the view, or where neither is.
+QPointF keptInView(const ViewGeometry& view, QPointF from, QPointF to) {
+    const QRectF inside = insideOf(view);
+    if (inside.contains(to) || !inside.contains(from)) {
+        return to;
+    }
+    const QPointF way = to - from;
+    double share = 1.0;
+    const auto limit = [&share](double start, double by, double low, double high) {
+        if (by != 0.0) {
+            share = std::min(share, ((by > 0.0 ? high : low) - start) / by);
+        }
+    };
+    limit(from.x(), way.x(), inside.left(), inside.right());
+    limit(from.y(), way.y(), inside.top(), inside.bottom());
+    return from + way * share;
 }
 
 /// Draws a disc with rays for a light, or a grey disc without rays where it is off.
@@ -100,8 +127,24 @@ std::optional<LightHandles::Shown> LightHandles::shown(const ViewGeometry& view,
     if (!place) {
         return std::nullopt;
     }
-    return Shown{*place, targetOf(view, *place), light.enabled,
-                 lampColorOf(light.block.parameters, *block)};
+    Shown shown{*place, targetOf(view, *place), light.enabled,
+                lampColorOf(light.block.parameters, *block)};
+    shown.distanceShare = distanceShareOf(view, index, shown);
+    return shown;
+}
+
+/// Stays as it was while the light is dragged, so that its handle does not leave the pointer.
+double LightHandles::distanceShareOf(const ViewGeometry& view, int index,
+                                     const Shown& light) const {
+    if (isDragging_ && index == light_) {
+        return start_.distanceShare;
+    }
+    const QRectF inside = insideOf(view);
+    const auto* const seen = std::ranges::find_if(distanceShares, [&](double share) {
+        const auto place = view.place(glm::mix(light.place.point, light.target, share));
+        return place && inside.contains(*place);
+    });
+    return seen == std::end(distanceShares) ? distanceShares[0] : *seen;
 }
 
 /// Returns where its axis meets a surface, or else a point on the axis as far away as the pivot;
@@ -129,15 +172,17 @@ std::optional<glm::dvec3> LightHandles::pointOf(const Shown& light, int part) co
     case TargetPart:
         return place.hasPoint() && place.direction ? std::optional(light.target) : std::nullopt;
     case DistancePart:
-        return place.hasPoint() ? std::optional(glm::mix(place.point, light.target, distanceShare))
-                                : std::nullopt;
+        return place.hasPoint()
+                   ? std::optional(glm::mix(place.point, light.target, light.distanceShare))
+                   : std::nullopt;
     case ConePart: {
         if (!place.angleOf || !place.hasPoint()) {
             return std::nullopt;
         }
         const glm::dvec3& axis = *place.direction;
         const double angle = glm::radians(std::min(place.angle, 89.0));
-        const double away = glm::distance(place.point, light.target) * (1.0 - distanceShare);
+        const double away =
+            glm::distance(place.point, light.target) * (light.distanceShare + coneAhead);
         return circle(place.point + axis * (away * std::cos(angle)), axis, away * std::sin(angle))
             .front();
     }
@@ -146,15 +191,19 @@ std::optional<glm::dvec3> LightHandles::pointOf(const Shown& light, int part) co
     }
 }
 
-/// Returns where the handle of a part is seen. The lamp of a light without a position says nothing
-/// but a direction, so it stands beside what it shines on rather than before that.
+/// Returns where the handle of a part is seen. A lamp beside the view is seen at its edge. That of
+/// a light without a position says nothing but a direction, so it stands beside what it shines on
+/// rather than before that.
 std::optional<QPointF> LightHandles::placeOf(const ViewGeometry& view, const Shown& light,
                                              int part) const {
     const auto point = pointOf(light, part);
     const auto place = point ? view.place(*point) : std::nullopt;
     const auto target = view.place(light.target);
-    if (part != PlacePart || light.place.hasPoint() || !place || !target) {
+    if (part != PlacePart || !place || !target) {
         return place;
+    }
+    if (light.place.hasPoint()) {
+        return keptInView(view, *target, *place);
     }
     const double minLength = lampDistance * std::min(view.size.x, view.size.y);
     const QPointF way = *place - *target;
@@ -243,6 +292,8 @@ void LightHandles::begin(const ViewGeometry& view, int handle, QPointF place) {
     from_ = place;
     document_.selection().setLight(light_);
     start_ = *shown(view, light_);
+    lampAt_ = placeOf(view, start_, PlacePart).value_or(place);
+    isDragging_ = true;
     const BlockPath path = pathOf(kinds::lights, light_);
     held_.clear();
     for (const Parameter* part :
@@ -257,7 +308,7 @@ void LightHandles::begin(const ViewGeometry& view, int handle, QPointF place) {
 void LightHandles::drag(const ViewGeometry& view, QPointF place, bool isStepped) {
     LightPose moved = start_.place;
     if (part_ == PlacePart && moved.hasPoint()) {
-        moved.point += view.pointBeside(place, moved.point) - view.pointBeside(from_, moved.point);
+        moved.point = view.pointBeside(lampAt_ + (place - from_), moved.point);
     } else if (part_ == PlacePart) {
         const QPointF turn = (place - from_) * lampDegreesPerPixel;
         const glm::dvec3 tilted = turnedAbout(*moved.direction, rightOf(view.camera), turn.y());
@@ -275,7 +326,7 @@ void LightHandles::drag(const ViewGeometry& view, QPointF place, bool isStepped)
         // The handle moves by a share of what the light moves by.
         const double by = (view.alongAxis(place, start_.target, axis) -
                            view.alongAxis(from_, start_.target, axis)) /
-                          (1.0 - distanceShare);
+                          (1.0 - start_.distanceShare);
         moved.point = start_.target + axis * std::max(length + by, nearestTarget);
     } else {
         const glm::dvec3 edge = view.pointBeside(place, *pointOf(start_, ConePart));
@@ -299,6 +350,7 @@ void LightHandles::store(const Values& values) {
 }
 
 void LightHandles::end() {
+    isDragging_ = false;
     document_.interaction().end();
 }
 

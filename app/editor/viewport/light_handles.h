@@ -38,10 +38,14 @@ class LightHandles : public HandleSet {
         glm::dvec3 target{0.0};
         bool isOn = true;
         QColor color;
+        /// Says where the handle of the distance is, as a share of the way from the light to its
+        /// target.
+        double distanceShare = 0.0;
     };
 
     std::optional<Shown> shown(const ViewGeometry& view, int light) const;
     glm::dvec3 targetOf(const ViewGeometry& view, const LightPose& place) const;
+    double distanceShareOf(const ViewGeometry& view, int index, const Shown& light) const;
     std::optional<glm::dvec3> pointOf(const Shown& light, int part) const;
     std::optional<QPointF> placeOf(const ViewGeometry& view, const Shown& light, int part) const;
     void drawLight(const ViewGeometry& view, QPainter& painter, int index,
@@ -55,8 +59,10 @@ class LightHandles : public HandleSet {
     int light_ = -1; ///< is the index of the dragged light; -1 before the first drag
     int part_ = 0;   ///< says which Part of the light is dragged
     QPointF from_;   ///< says where the drag began, in the view
-    Shown start_;    ///< holds the light as it was when the drag began
-    Values held_;    ///< holds the light's values as they were when the drag began
+    QPointF lampAt_; ///< says where the lamp was seen then
+    bool isDragging_ = false;
+    Shown start_; ///< holds the light as it was when the drag began
+    Values held_; ///< holds the light's values as they were when the drag began
 };
 
 } // namespace patina

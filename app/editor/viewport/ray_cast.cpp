@@ -9,6 +9,8 @@
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "render/lights/ground_place.h"
+
 namespace patina {
 namespace {
 
@@ -136,6 +138,32 @@ Ray inObjectSpace(const Ray& ray, const Object& object) {
             glm::dvec3(inverse * glm::dvec4(ray.direction, 0.0))};
 }
 
+std::optional<Hit> castOnGround(const Ray& ray, const Scene& scene, const glm::dvec3& eye,
+                                const std::function<PickMesh(const Object&)>& meshes) {
+    if (!isSeen(scene.ground)) {
+        return std::nullopt;
+    }
+    GroundUnder under;
+    for (const Object& object : scene.objects) {
+        if (object.visible) {
+            const MeshView mesh = meshes(object).mesh;
+            const glm::dmat4 world = worldMatrix(object);
+            under.add(mesh.bounds, world, lowestPoint(mesh, world));
+        }
+    }
+    const std::optional<GroundPlace> place = under.place(scene.ground, eye);
+    const double below = place ? place->middle.y - ray.origin.y : 0.0;
+    if (!(below < 0.0) || !(ray.direction.y < 0.0)) {
+        return std::nullopt; // it is met from above
+    }
+    const double distance = below / ray.direction.y;
+    const glm::dvec3 point = ray.origin + distance * ray.direction;
+    const glm::dvec3 up(0.0, 1.0, 0.0);
+    return glm::distance(point, place->middle) < place->radius
+               ? std::optional(Hit{-1, distance, point, up, {1.0, 0.0, 0.0}})
+               : std::nullopt;
+}
+
 } // namespace
 
 Ray rayThrough(const Camera& camera, const glm::dvec2& place, const glm::dvec2& size) {
@@ -179,6 +207,13 @@ std::optional<Hit> cast(const Ray& ray, const Scene& scene,
         }
     }
     return hit.object < 0 ? std::nullopt : std::optional(hit);
+}
+
+std::optional<Hit> castWithGround(const Ray& ray, const Scene& scene, const glm::dvec3& eye,
+                                  const std::function<PickMesh(const Object&)>& meshes) {
+    const std::optional<Hit> object = cast(ray, scene, meshes);
+    const std::optional<Hit> ground = castOnGround(ray, scene, eye, meshes);
+    return object && (!ground || object->distance <= ground->distance) ? object : ground;
 }
 
 } // namespace patina

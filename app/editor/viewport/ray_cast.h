@@ -49,4 +49,8 @@ double pixelsPerMetre(const Camera& camera, const glm::dvec3& point, double heig
 std::optional<Hit> cast(const Ray& ray, const Scene& scene,
                         const std::function<PickMesh(const Object&)>& meshes);
 
+/// Does the same with the scene's ground, which `eye` sees, among the surfaces; it is no object.
+std::optional<Hit> castWithGround(const Ray& ray, const Scene& scene, const glm::dvec3& eye,
+                                  const std::function<PickMesh(const Object&)>& meshes);
+
 } // namespace patina

@@ -140,7 +140,7 @@ SideView::SideView(const ViewSources& sources, const ViewTools& tools, Side side
     std::vector<std::unique_ptr<HandleSet>> sets;
     sets.push_back(std::make_unique<ObjectGizmo>(document_, tools.modes));
     sets.push_back(std::make_unique<LightHandles>(document_, tools.modes,
-                                                  [this](const Ray& ray) { return hitOf(ray); }));
+                                                  [this](const Ray& ray) { return litBy(ray); }));
     auto* handles = new ViewHandles(*viewport_, std::move(sets));
     auto* overlay = new ViewOverlay(*viewport_, document_, meshes_, *handles, tools.modes);
     connect(&tools.turntable, &ViewTurntable::changed, overlay,
@@ -256,6 +256,11 @@ void SideView::connectNavigation() {
     connect(&navigation, &CameraNavigation::bookmarkWished, this, &SideView::bookmark);
     connect(&navigation, &CameraNavigation::dragBegan, this, &SideView::beginDrag);
     connect(&navigation, &CameraNavigation::dragCancelled, this, &SideView::cancelDrag);
+    connect(&navigation, &CameraNavigation::pickCancelled, this, [this] {
+        if (std::exchange(awaited_, std::nullopt)) {
+            viewport_->unsetCursor();
+        }
+    });
     connect(&navigation, &CameraNavigation::directionWished, this,
             [this](double yaw, double pitch) {
                 Camera camera = viewport_->camera();
@@ -370,14 +375,20 @@ void SideView::cancelDrag() {
     }
 }
 
-std::optional<Hit> SideView::hitAt(QPointF place) const {
-    return hitOf(rayThrough(viewport_->camera(), {place.x(), place.y()},
-                            {viewport_->width(), viewport_->height()}));
+Ray SideView::rayAt(QPointF place) const {
+    return rayThrough(viewport_->camera(), {place.x(), place.y()},
+                      {viewport_->width(), viewport_->height()});
 }
 
-std::optional<Hit> SideView::hitOf(const Ray& ray) const {
+std::optional<Hit> SideView::hitAt(QPointF place) const {
     const auto meshes = [this](const Object& object) { return meshes_.pickMesh(object); };
-    return cast(ray, document_.scene(side_), meshes);
+    return cast(rayAt(place), document_.scene(side_), meshes);
+}
+
+/// Returns what a light shines on along a ray: objects and the ground.
+std::optional<Hit> SideView::litBy(const Ray& ray) const {
+    const auto meshes = [this](const Object& object) { return meshes_.pickMesh(object); };
+    return castWithGround(ray, document_.scene(side_), eye(viewport_->camera()), meshes);
 }
 
 void SideView::pivotOn(QPointF place) {
@@ -438,7 +449,7 @@ void SideView::await(Awaited awaited) {
 /// Moves the current light so that its highlight, or the shadow of the current object, falls on
 /// what is under the pointer.
 void SideView::placeLight(QPointF place, bool isShadow) {
-    const std::optional<Hit> hit = hitAt(place);
+    const std::optional<Hit> hit = litBy(rayAt(place));
     const int index =
         lightToTurn(document_.scene(), document_.catalog(), document_.selection().light());
     const BlockPath path = pathOf(kinds::lights, index);

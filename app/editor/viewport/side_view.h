@@ -108,7 +108,8 @@ class SideView : public QFrame {
     void beginTurn(std::function<void()> restore);
     void endTurn();
     std::optional<Hit> hitAt(QPointF place) const;
-    std::optional<Hit> hitOf(const Ray& ray) const;
+    std::optional<Hit> litBy(const Ray& ray) const;
+    Ray rayAt(QPointF place) const;
     void placeLight(QPointF place, bool isShadow);
     void pivotOn(QPointF place);
     void pick(QPointF place, bool adds);
