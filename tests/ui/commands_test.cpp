@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QDialog>
 #include <QDockWidget>
+#include <QGroupBox>
 #include <QKeySequenceEdit>
 #include <QLabel>
 #include <QLineEdit>
@@ -143,6 +144,34 @@ TEST_F(Commands, TabOfAPanel_IsFoundByItsName) {
             QStringLiteral("Panels \u203a Pages of Accuracy \u203a ") + pages->tabText(i);
         EXPECT_NE(rowOf(dialog("shortcutSheet"), row), nullptr) << row.toStdString();
     }
+}
+
+/// What moves a camera is told as the chosen scheme has it.
+TEST_F(Commands, F1_ListsTheDragsOfTheMouseScheme) {
+    Session().setMouseHabits({MouseScheme::Blender, false});
+    key(&view(), Qt::Key_F1);
+    const auto keysOf = [this](const char* what) {
+        const QTreeWidgetItem* row = rowOf(dialog("shortcutSheet"), what);
+        return row == nullptr ? QString() : row->text(1);
+    };
+    EXPECT_TRUE(keysOf("Orbit").startsWith("Middle drag"));
+    EXPECT_TRUE(keysOf("Move nearer or farther").contains("Ctrl+middle"));
+}
+
+/// The scene's dock has no tabs but is longer than it is high.
+TEST_F(Commands, SectionOfADock_IsScrolledToByItsName) {
+    key(&view(), Qt::Key_K, Qt::ControlModifier);
+    QDialog* palette = dialog("commandPalette");
+    ASSERT_NE(palette, nullptr);
+    QTest::keyClicks(palette->findChild<QLineEdit*>(), "picture passes");
+    key(palette->findChild<QLineEdit*>(), Qt::Key_Return);
+    EXPECT_TRUE(QTest::qWaitFor([this] {
+        const QWidget* dock = window().dock("scene");
+        const auto all = dock->findChildren<QGroupBox*>();
+        const auto passes = std::ranges::find(all, "Picture Passes", &QGroupBox::title);
+        return passes != all.end() && !(*passes)->visibleRegion().isEmpty() &&
+               (*passes)->visibleRegion().boundingRect().top() == 0;
+    }));
 }
 
 TEST_F(Commands, CtrlKWithoutAMatch_SaysSo) {

@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// Names a tab of a dock, and says what it shows.
+/// Names a tab of a dock, or a titled section of one without tabs, and says what it shows.
 struct DockPage {
     QString title;
     QString what;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <QEvent>
+#include <QGroupBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
@@ -60,6 +61,18 @@ QWidget* scrolledUpDown(QWidget* content) {
     layout->addStretch(1);
     area->setWidget(holder);
     return area;
+}
+
+void scrollToSection(const QWidget& panel, const QString& title) {
+    const auto sections = panel.findChildren<QGroupBox*>();
+    const auto section = std::ranges::find(sections, title, &QGroupBox::title);
+    auto* area = panel.findChild<QScrollArea*>();
+    if (section == sections.end() || area == nullptr) {
+        return;
+    }
+    const int top = (*section)->mapTo(area->widget(), QPoint()).y();
+    area->ensureVisible(0, top + area->viewport()->height(), 0, 0);
+    area->ensureVisible(0, top, 0, 0);
 }
 
 QWidget* labelled(const QString& text, QWidget* widget) {

@@ -18,6 +18,9 @@ void fillPanel(QWidget* panel, const std::vector<QWidget*>& rows, QWidget* scrol
 /// least as wide as its content, up to 340 pixels; wider content scrolls sideways, too.
 QWidget* scrolledUpDown(QWidget* content);
 
+/// Scrolls a panel of fillPanel() so far that the section with a title is seen from its top.
+void scrollToSection(const QWidget& panel, const QString& title);
+
 /// Returns a row of a label and a widget, which is the label's buddy.
 QWidget* labelled(const QString& text, QWidget* widget);
 

@@ -47,6 +47,16 @@ QGroupBox* titled(const QString& title, QWidget* content) {
 
 } // namespace
 
+std::vector<DockPage> SceneDock::pages() {
+    return {
+        {tr("Object"), tr("Place, rotation and scale")},
+        {tr("Scene"), tr("Ground, background, ambient light, occlusion, exposure, wavelengths")},
+        {tr("Display"), tr("Tone curve")},
+        {tr("Picture Passes"), tr("Painterly, watercolour, dither, halftone screens")},
+        {tr("Camera"), tr("Field of view, near and far, distance and pivot")},
+    };
+}
+
 SceneDock::SceneDock(const DockContext& context)
     : document_(context.document), files_(context.files), list_(new CheckList(this)),
       add_(textButton(tr("Add"), tr("Add an object"), this)),
@@ -109,7 +119,7 @@ QWidget* SceneDock::display(const DockContext& context) {
     auto* layout = new QVBoxLayout(box);
     layout->setContentsMargins(0, 0, 0, 0);
     tone_->setAccessibleName(tr("Tone curve"));
-    layout->addWidget(labelled(tr("&Tone curve"), tone_));
+    layout->addWidget(labelled(tr("Tone &curve"), tone_));
     layout->addWidget(new DocumentForm(document_, context.textures, kinds::tone));
     connect(tone_, &BlockChooser::chosen, this, [this](const QString& id) {
         document_.setBlock(pathOf(kinds::tone), id.toStdString());

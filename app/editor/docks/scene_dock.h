@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include <QWidget>
 
 #include "docks/dock_context.h"
+#include "docks/dock_page.h"
 
 class QMenu;
 class QToolButton;
@@ -21,6 +24,9 @@ class SceneDock : public QWidget {
 
   public:
     explicit SceneDock(const DockContext& context);
+
+    /// Returns its sections from top to bottom.
+    static std::vector<DockPage> pages();
 
   private:
     void addAutoExposure(ParameterForm& form, CompareArea& views);

@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QRegularExpression>
 #include <QVBoxLayout>
 
 #include "window/command_keys.h"
@@ -17,6 +18,25 @@ namespace patina {
 namespace {
 
 constexpr QSize paletteSize(460, 320);
+
+/// Returns the places of the commands that have all words, those that have them in their own name
+/// first, then those that have them in the names of their menus.
+std::vector<std::size_t> found(const std::vector<Command>& commands, const QString& words) {
+    std::vector<std::size_t> ranks[3];
+    for (std::size_t i = 0; i < commands.size(); ++i) {
+        const Command& command = commands[i];
+        const QString texts[] = {command.id.section('/', -1), command.id,
+                                 command.id + ' ' + command.action->whatsThis()};
+        const auto* const text = std::ranges::find_if(
+            texts, [&words](const QString& each) { return hasAllWords(each, words); });
+        if (command.action->isEnabled() && text != std::end(texts)) {
+            ranks[text - std::begin(texts)].push_back(i);
+        }
+    }
+    ranks[0].insert(ranks[0].end(), ranks[1].begin(), ranks[1].end());
+    ranks[0].insert(ranks[0].end(), ranks[2].begin(), ranks[2].end());
+    return ranks[0];
+}
 
 } // namespace
 
@@ -45,12 +65,8 @@ CommandPalette::CommandPalette(const CommandKeys& keys, QWidget* parent)
 void CommandPalette::fill(const QString& words) {
     list_->clear();
     const std::vector<Command>& commands = keys_.commands();
-    for (std::size_t i = 0; i < commands.size(); ++i) {
+    for (const std::size_t i : found(commands, words)) {
         const Command& command = commands[i];
-        const QString text = command.id + ' ' + command.action->whatsThis();
-        if (!command.action->isEnabled() || !hasAllWords(text, words)) {
-            continue;
-        }
         const QString path = QString(command.id).replace('/', QStringLiteral(" \u203a "));
         const QString shortcut = command.action->shortcut().toString(QKeySequence::NativeText);
         auto* item = new QListWidgetItem(
@@ -92,7 +108,8 @@ bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
 }
 
 bool hasAllWords(const QString& text, const QString& words) {
-    return std::ranges::all_of(words.split(' ', Qt::SkipEmptyParts), [&](const QString& word) {
+    static const QRegularExpression between(QStringLiteral("[\\s:/\u203a]+"));
+    return std::ranges::all_of(words.split(between, Qt::SkipEmptyParts), [&](const QString& word) {
         return text.contains(word, Qt::CaseInsensitive);
     });
 }

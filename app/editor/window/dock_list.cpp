@@ -53,7 +53,8 @@ std::vector<DockEntry> dockList() {
         {"fog", tr("Fog"), DockPlace::RightBottom, make<FogDock>},
         {"scene", tr("Scene"), DockPlace::RightBottom, make<SceneDock>,
          tr("objects, camera, ground, background, ambient, occlusion, exposure, tone curve, "
-            "picture passes")},
+            "picture passes"),
+         SceneDock::pages()},
         {"messages", tr("Messages"), DockPlace::Bottom, make<MessagesDock>},
         {"stability", tr("Stability"), DockPlace::Bottom, make<StabilityDock>},
         {"effects", tr("Effects"), DockPlace::Bottom, make<EffectsDock>, tr("cost")},
@@ -61,8 +62,8 @@ std::vector<DockEntry> dockList() {
          tr("GLSL, program, source, registers")},
         {"accuracy", tr("Accuracy"), DockPlace::Bottom, make<AccuracyDock>,
          tr("cost, error, predicted times"), AccuracyDock::pages()},
-        {"lobe", tr("Lobe"), DockPlace::Bottom, make<LobeDock>,
-         tr("reflectance, plots"), LobeDock::pages()},
+        {"lobe", tr("Lobe"), DockPlace::Bottom, make<LobeDock>, tr("reflectance, plots"),
+         LobeDock::pages()},
         {"histogram", tr("Histogram"), DockPlace::Bottom, make<HistogramDock>},
         {"sheets", tr("Contact Sheet"), DockPlace::Bottom, make<SheetsDock>},
     };

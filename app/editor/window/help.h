@@ -5,6 +5,8 @@
 
 #include <QString>
 
+#include "session/mouse_scheme.h"
+
 class QWidget;
 
 namespace patina {
@@ -15,8 +17,11 @@ struct KeyRow {
     QString what;
 };
 
-/// Lists what the mouse and the keys do that no menu names.
-std::vector<KeyRow> viewKeys();
+/// Lists what the mouse and the keys do in a view and no menu names.
+std::vector<KeyRow> viewKeys(const MouseHabits& habits);
+
+/// Lists what they do on a value and in a list.
+std::vector<KeyRow> valueKeys();
 
 /// Shows what the program is, its version and its licence.
 void showAbout(QWidget* window);

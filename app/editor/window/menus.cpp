@@ -441,8 +441,9 @@ void Menus::makeLookMenu(QMenu* menu) {
 
 void Menus::makeHelpMenu() {
     QMenu* menu = parts_.window.menuBar()->addMenu(tr("He&lp"));
-    QAction* sheet = add(menu, tr("&Mouse and Keys…"), {},
-                         [this] { (new ShortcutSheet(*keys_, &parts_.window))->open(); });
+    QAction* sheet = add(menu, tr("&Mouse and Keys…"), {}, [this] {
+        (new ShortcutSheet(*keys_, parts_.session.mouseHabits(), &parts_.window))->open();
+    });
     sheet->setShortcuts({QKeySequence(Qt::Key_F1), QKeySequence("?")});
     add(menu, tr("&Run a Command…"), QKeySequence("Ctrl+K"),
         [this] { (new CommandPalette(*keys_, &parts_.window))->open(); });

@@ -22,10 +22,11 @@ constexpr int whatWidth = 470;
 
 } // namespace
 
-ShortcutSheet::ShortcutSheet(CommandKeys& keys, QWidget* parent)
-    : QDialog(parent), keys_(keys), search_(new QLineEdit(this)), list_(new QTreeWidget(this)),
-      edit_(new QKeySequenceEdit(this)), set_(new QPushButton(tr("Set"), this)),
-      reset_(new QPushButton(tr("As Usual"), this)), conflict_(new QLabel(this)) {
+ShortcutSheet::ShortcutSheet(CommandKeys& keys, const MouseHabits& habits, QWidget* parent)
+    : QDialog(parent), keys_(keys), habits_(habits), search_(new QLineEdit(this)),
+      list_(new QTreeWidget(this)), edit_(new QKeySequenceEdit(this)),
+      set_(new QPushButton(tr("Set"), this)), reset_(new QPushButton(tr("As Usual"), this)),
+      conflict_(new QLabel(this)) {
     setAttribute(Qt::WA_DeleteOnClose);
     setObjectName("shortcutSheet");
     setWindowTitle(tr("Mouse and Keys"));
@@ -73,10 +74,14 @@ void ShortcutSheet::fill() {
     const Command* chosen = current();
     const QString before = chosen ? chosen->id : QString();
     list_->clear();
-    auto* mouse = new QTreeWidgetItem(list_, {tr("Mouse and keys in a view")});
-    for (const KeyRow& row : viewKeys()) {
-        auto* item = new QTreeWidgetItem(mouse, {row.what, row.keys});
-        item->setData(0, Qt::UserRole, -1);
+    const std::pair<QString, std::vector<KeyRow>> groups[] = {
+        {tr("Mouse and keys in a view"), viewKeys(habits_)}, {tr("Values and lists"), valueKeys()}};
+    for (const auto& [title, rows] : groups) {
+        auto* group = new QTreeWidgetItem(list_, {title});
+        for (const KeyRow& row : rows) {
+            auto* item = new QTreeWidgetItem(group, {row.what, row.keys});
+            item->setData(0, Qt::UserRole, -1);
+        }
     }
     QTreeWidgetItem* menu = nullptr;
     const std::vector<Command>& commands = keys_.commands();

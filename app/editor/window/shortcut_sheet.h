@@ -3,6 +3,8 @@
 
 #include <QDialog>
 
+#include "session/mouse_scheme.h"
+
 class QKeySequenceEdit;
 class QLabel;
 class QLineEdit;
@@ -20,7 +22,8 @@ class ShortcutSheet : public QDialog {
     Q_OBJECT
 
   public:
-    ShortcutSheet(CommandKeys& keys, QWidget* parent);
+    /// The habits say which drags move a camera.
+    ShortcutSheet(CommandKeys& keys, const MouseHabits& habits, QWidget* parent);
 
   private:
     void makeLayout();
@@ -32,6 +35,7 @@ class ShortcutSheet : public QDialog {
     const Command* current() const;
 
     CommandKeys& keys_;
+    MouseHabits habits_;
     QLineEdit* search_;
     QTreeWidget* list_;
     QKeySequenceEdit* edit_;

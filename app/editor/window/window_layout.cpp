@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/window_layout.h"
 
+#include <algorithm>
+
 #include <QMainWindow>
 #include <QScreen>
 #include <QTabWidget>
+#include <QTimer>
 
+#include "docks/panel.h"
 #include "session/message_log.h"
 #include "session/session.h"
 #include "window/lazy_dock.h"
@@ -84,8 +88,17 @@ void WindowLayout::openPage(const QString& name, int page) const {
     dock->build(); // before it is seen, so that no other page begins its work
     auto* tabs = qobject_cast<QTabWidget*>(dock->widget());
     tabs = tabs != nullptr ? tabs : dock->widget()->findChild<QTabWidget*>();
-    tabs->setCurrentIndex(page);
+    if (tabs != nullptr) {
+        tabs->setCurrentIndex(page);
+        bringToFront(name);
+        return;
+    }
     bringToFront(name);
+    const auto entry = std::ranges::find(entries_, name, &DockEntry::name);
+    const QString title = entry->pages[static_cast<std::size_t>(page)].title;
+    QTimer::singleShot(0, dock, [dock, title] { // when it has its place
+        scrollToSection(*dock->widget(), title);
+    });
 }
 
 /// Applies the layout of a first start: the material's look on the left, its values on the right,
