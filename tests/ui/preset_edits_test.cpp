@@ -48,12 +48,24 @@ class PresetEditsTest : public PresetWindow {
 
 TEST_F(PresetEditsTest, Rename_KeepsTheFileAndIsUndone) {
     const std::string before = readFile(fileOf("One"));
-    edits_.rename(entry("One"), "Another");
+    edits_.rename({entry("One")}, "Another");
     EXPECT_EQ(read("One").name, "Another");
     edits_.undoStack().undo();
     EXPECT_EQ(readFile(fileOf("One")), before);
     edits_.undoStack().redo();
     EXPECT_EQ(read("One").name, "Another");
+}
+
+TEST_F(PresetEditsTest, RenameOfMany_IsOneStepAndNumbersThem) {
+    edits_.rename({entry("One"), entry("Two")}, "Tile");
+    EXPECT_EQ(read("One").name, "Tile 1");
+    EXPECT_EQ(read("Two").name, "Tile 2");
+    EXPECT_EQ(edits_.undoStack().count(), 1);
+    edits_.undoStack().undo();
+    edits_.rename({entry("Two"), shippedEntry(), entry("Three")}, "{n}: old {name}");
+    EXPECT_EQ(read("Two").name, "1: old Two");
+    EXPECT_EQ(read("Three").name, "3: old Three");
+    EXPECT_EQ(std::ranges::count_if(outcomes_, &PresetOutcome::isDone), 2); // not the shipped one
 }
 
 TEST_F(PresetEditsTest, TrashOfMany_IsOneStepAndRestoredByUndo) {
@@ -79,7 +91,7 @@ TEST_F(PresetEditsTest, ShippedPresetAmongOthers_IsToldAndStays) {
 }
 
 TEST_F(PresetEditsTest, EditThatNoPresetTakes_LeavesNoStep) {
-    edits_.rename(shippedEntry(), "Mine now");
+    edits_.rename({shippedEntry()}, "Mine now");
     EXPECT_EQ(edits_.undoStack().count(), 0);
     ASSERT_EQ(outcomes_.size(), 1u);
     EXPECT_FALSE(outcomes_[0].isDone());
@@ -96,7 +108,7 @@ TEST_F(PresetEditsTest, TagsOfMany_AreAddedAndTakenAway) {
 }
 
 TEST_F(PresetEditsTest, UndoOfAFileThatWasChangedMeanwhile_LeavesItAlone) {
-    edits_.rename(entry("One"), "Another");
+    edits_.rename({entry("One")}, "Another");
     writeFile(fileOf("One"), readFile(fileOf("One")) + "\n");
     const std::string theirs = readFile(fileOf("One"));
     edits_.undoStack().undo();

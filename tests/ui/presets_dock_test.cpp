@@ -27,6 +27,13 @@ TEST_F(PresetSearch, Enter_PutsAHitThatIsShownOnTheSide) {
     EXPECT_EQ(nameOnA(), shown(0));
 }
 
+/// A preset whose description alone has the word stands behind those of that name.
+TEST_F(PresetSearch, HitsInNames_ComeFirst) {
+    QTest::keyClicks(&search(), "clay");
+    ASSERT_GE(count(), 2);
+    EXPECT_TRUE(shown(0).contains("clay", Qt::CaseInsensitive)) << shown(0).toStdString();
+}
+
 TEST_F(PresetSearch, EnterWithoutAHit_ChangesNothing) {
     QTest::keyClicks(&search(), "no such preset");
     QTest::keyClick(&search(), Qt::Key_Return);

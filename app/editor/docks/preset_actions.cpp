@@ -5,6 +5,7 @@
 
 #include <QInputDialog>
 #include <QMenu>
+#include <QScopedValueRollback>
 
 #include "docks/notice_bar.h"
 #include "docks/preset_trial.h"
@@ -72,7 +73,7 @@ void PresetActions::update() {
     const std::vector<PresetPtr> chosen = view_.selected();
     const auto isOwn = [](const PresetPtr& entry) { return !entry->shipped; };
     const bool hasOwn = std::ranges::any_of(chosen, isOwn);
-    rename_->setEnabled(chosen.size() == 1 && hasOwn);
+    rename_->setEnabled(hasOwn);
     detach_->setVisible(std::ranges::any_of(chosen, [](const PresetPtr& entry) {
         return !entry->shipped && !parentOf(entry->material).empty();
     }));
@@ -119,14 +120,22 @@ void PresetActions::showMenu(const QPoint& place) {
 }
 
 void PresetActions::rename() {
-    const PresetPtr entry = view_.current();
+    const std::vector<PresetPtr> chosen = view_.selected();
+    if (chosen.empty()) {
+        return;
+    }
+    const bool isOne = chosen.size() == 1;
+    const QString question = isOne ? tr("The preset's name; its file keeps its own")
+                                   : tr("Names of the %1 presets: {name} is the one that each has, "
+                                        "{n} its number")
+                                         .arg(chosen.size());
+    const QString before = isOne ? chosen.front()->name : QStringLiteral("{name}");
     bool isAgreed = false;
     const QString name =
-        QInputDialog::getText(&view_, tr("Rename"), tr("The preset's name; its file keeps its own"),
-                              QLineEdit::Normal, entry->name, &isAgreed)
+        QInputDialog::getText(&view_, tr("Rename"), question, QLineEdit::Normal, before, &isAgreed)
             .trimmed();
-    if (isAgreed && !name.isEmpty() && name != entry->name) {
-        edits_.rename(entry, name);
+    if (isAgreed && !name.isEmpty() && name != before) {
+        edits_.rename(chosen, name);
     }
 }
 
@@ -184,6 +193,7 @@ void PresetActions::moveToTrash() {
 }
 
 void PresetActions::undo() {
+    const QScopedValueRollback<bool> undoing(isUndoing_, true);
     edits_.undoStack().undo();
 }
 
@@ -205,13 +215,18 @@ void PresetActions::report(const QString& what, const std::vector<PresetOutcome>
                 : tr("%1: not done for %2 of %3").arg(what).arg(failed).arg(outcomes.size()));
 }
 
-/// Says what was done, with a button that takes it back.
+/// Says what was done, with a button that takes it back, or that does again what was undone.
 void PresetActions::sayDone(const QString& text) {
-    notice_.say(text, {{tr("Undo"), tr("Take it back (Ctrl+Z in the presets)"),
-                        [this] {
-                            notice_.clear();
-                            undo();
-                        }},
+    const auto button = [this](const QString& name, const QString& toolTip,
+                               void (PresetActions::*act)()) {
+        return NoticeBar::Action{name, toolTip, [this, act] {
+                                     notice_.clear();
+                                     (this->*act)();
+                                 }};
+    };
+    notice_.say(text, {isUndoing_ ? button(tr("Redo"), tr("Do it again"), &PresetActions::redo)
+                                  : button(tr("Undo"), tr("Take it back (Ctrl+Z in the presets)"),
+                                           &PresetActions::undo),
                        {tr("OK"), tr("Close this note"), [this] { notice_.clear(); }}});
 }
 

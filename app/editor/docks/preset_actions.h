@@ -57,6 +57,7 @@ class PresetActions : public QObject {
     NoticeBar& notice_;
     PresetEdits edits_;
     bool isLastEdit_ = false; ///< nothing was edited in the document since the last edit here
+    bool isUndoing_ = false;  ///< the edit that is reported is the undo of one
     QAction* rename_ = nullptr;
     QAction* detach_ = nullptr;
     QAction* tags_ = nullptr;

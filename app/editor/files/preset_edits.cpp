@@ -229,12 +229,24 @@ struct Prepared {
 
 } // namespace
 
-void PresetEdits::rename(const PresetPtr& entry, const QString& name) {
+void PresetEdits::rename(const std::vector<PresetPtr>& entries, const QString& pattern) {
+    const QString oldName = QStringLiteral("{name}");
+    const QString number = QStringLiteral("{n}");
+    const bool tellsApart =
+        entries.size() == 1 || pattern.contains(oldName) || pattern.contains(number);
+    const QString names = tellsApart ? pattern : pattern + QStringLiteral(" {n}");
     Prepared prepared;
-    prepared.add(entry, [&name](nlohmann::json& preset) { preset["name"] = name.toStdString(); });
+    int place = 0;
+    for (const PresetPtr& entry : entries) {
+        QString name = names;
+        name.replace(number, QString::number(++place)).replace(oldName, entry->name);
+        prepared.add(entry,
+                     [&name](nlohmann::json& preset) { preset["name"] = name.toStdString(); });
+    }
     if (!prepared.changes.empty() || !prepared.refused.empty()) {
-        push(tr("Rename %1").arg(entry->name), std::move(prepared.refused),
-             std::move(prepared.changes));
+        push(entries.size() == 1 ? tr("Rename %1").arg(entries.front()->name)
+                                 : tr("Rename %1 presets").arg(entries.size()),
+             std::move(prepared.refused), std::move(prepared.changes));
     }
 }
 

@@ -32,7 +32,9 @@ class PresetEdits : public QObject {
   public:
     explicit PresetEdits(PresetLibrary& presets, QObject* parent = nullptr);
 
-    void rename(const PresetPtr& entry, const QString& name);
+    /// Gives each a name in which {name} stands for the one that it has and {n} for its place among
+    /// them from 1 on. Several get their numbers behind a name without either.
+    void rename(const std::vector<PresetPtr>& entries, const QString& pattern);
     void duplicate(const std::vector<PresetPtr>& entries);
     /// Makes a variant of each, which looks the same at first.
     void makeVariants(const std::vector<PresetPtr>& entries);

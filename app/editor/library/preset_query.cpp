@@ -57,6 +57,13 @@ class Wanted {
 
     qsizetype place(const PresetEntry& entry) const { return places_.value(entry.path); }
 
+    /// Tells whether all words that are searched stand in its name.
+    bool isNamed(const PresetEntry& entry) const {
+        return std::ranges::all_of(words_, [name = entry.name.toCaseFolded()](const QString& word) {
+            return beginsAWord(name, word);
+        });
+    }
+
   private:
     const PresetFilter& filter_;
     const PresetMarks& marks_;
@@ -92,6 +99,9 @@ std::vector<PresetPtr> chosen(const std::vector<PresetPtr>& entries, const Prese
     } else if (order == PresetOrder::Model) {
         std::ranges::stable_sort(
             found, {}, [](const PresetPtr& entry) -> const QString& { return entry->modelLabel; });
+    } else if (!filter.search.isEmpty()) {
+        std::ranges::stable_partition(
+            found, [&wanted](const PresetPtr& entry) { return wanted.isNamed(*entry); });
     }
     return found;
 }

@@ -27,6 +27,7 @@ enum class PresetOrder { Name, Date, Model };
 bool matches(const PresetEntry& entry, const QString& search);
 
 /// Returns the presets that pass a filter, in the given order; `entries` have to be sorted by name.
+/// By name those come first that have what is searched in their names.
 std::vector<PresetPtr> chosen(const std::vector<PresetPtr>& entries, const PresetFilter& filter,
                               PresetOrder order, const PresetMarks& marks);
 
