@@ -42,8 +42,8 @@ class FrameEnvironment {
     /// Returns EnvironmentLight::radiance().
     EnvironmentRadiance radiance() const { return light_.radiance(); }
 
-    /// Draws the environment into the bound target, where its depth is that of nothing; does nothing
-    /// where it is hidden. `aspect` is width over height.
+    /// Draws the environment into the bound target, where its depth is that of nothing; does
+    /// nothing where it is hidden. `aspect` is width over height.
     void drawBackground(const Camera& camera, const glm::dmat4& cameraToWorld, double aspect) const;
 
     /// Binds the environment's data for the objects that are drawn next.
