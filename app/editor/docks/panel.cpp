@@ -29,12 +29,18 @@ class ScrolledContent : public QScrollArea {
     }
 
   protected:
+    /// Passes on only what makes it wider or narrower: the whole window is laid out for it, and a
+    /// slider's tick asks its content for a layout.
     bool eventFilter(QObject* watched, QEvent* event) override {
-        if (event->type() == QEvent::LayoutRequest) {
+        if (event->type() == QEvent::LayoutRequest && asked_ != minimumSizeHint().width()) {
+            asked_ = minimumSizeHint().width();
             updateGeometry();
         }
         return QScrollArea::eventFilter(watched, event);
     }
+
+  private:
+    int asked_ = -1; ///< pixels; the width that it last asked for
 };
 
 } // namespace

@@ -83,7 +83,17 @@ QToolButton* TextureLine::button(const QString& text, const QString& toolTip) {
     return made;
 }
 
+/// Leaves everything alone where it is as it was: a slider's tick presents it again, and an icon
+/// that is set is painted and laid out anew.
 void TextureLine::present(const std::optional<TextureUse>& use, const TexturePreview& preview) {
+    const bool isNew = !isPresented_ || use != use_ || preview.problem != problem_ ||
+                       preview.image.cacheKey() != image_.cacheKey();
+    if (!isNew) {
+        return;
+    }
+    isPresented_ = true;
+    use_ = use;
+    problem_ = preview.problem;
     isBound_ = use.has_value();
     for (QWidget* part : {static_cast<QWidget*>(enabled_), static_cast<QWidget*>(name_),
                           static_cast<QWidget*>(settings_), static_cast<QWidget*>(remove_)}) {

@@ -49,6 +49,9 @@ class TextureLine : public QWidget {
     QToolButton* allow_;
     QToolButton* settings_;
     QToolButton* remove_;
+    bool isPresented_ = false;
+    std::optional<TextureUse> use_;
+    QString problem_;
     bool isBound_ = false;
     QImage image_;
     bool isMissing_ = false;
