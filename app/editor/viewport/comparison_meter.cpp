@@ -113,8 +113,8 @@ void ComparisonMeter::askFrames() {
     }
 }
 
-void ComparisonMeter::take(const DrawnPair& drawn, const QString& problem) {
-    areFramesAsked_ = false;
+void ComparisonMeter::take(const DrawnPair& drawn, const QString& problem, bool isLast) {
+    areFramesAsked_ = !isLast;
     if (pictureSize_.isEmpty() && (areStale_ || !drawn.frames)) {
         return;
     }

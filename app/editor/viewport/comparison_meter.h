@@ -56,7 +56,7 @@ class ComparisonMeter : public QObject {
     DifferenceWorker::Side sideOf(Side side);
     void giveUp();
     void askFrames();
-    void take(const DrawnPair& drawn, const QString& problem);
+    void take(const DrawnPair& drawn, const QString& problem, bool isLast);
     void rest();
 
     Document& document_;

@@ -127,9 +127,10 @@ DifferenceWorker::~DifferenceWorker() = default;
 std::shared_ptr<Progress> DifferenceWorker::ask(Request request) {
     return worker_.ask([this, request = std::move(request)](
                            const Worker::Control& control) { return draw(request, control); },
-                       [this](const Result<DrawnPair>& answer) {
+                       [this, number = ++asked_](const Result<DrawnPair>& answer) {
                            Q_EMIT finished(answer.value_or(DrawnPair()),
-                                           answer ? QString() : asText(answer.error().text()));
+                                           answer ? QString() : asText(answer.error().text()),
+                                           number == asked_);
                        },
                        QStringLiteral("frames"));
 }

@@ -88,8 +88,8 @@ class DifferenceWorker : public QObject {
 
   Q_SIGNALS:
     /// Is sent when a request is done; `problem` says why nothing was drawn, and is empty
-    /// otherwise.
-    void finished(const patina::DrawnPair& drawn, const QString& problem);
+    /// otherwise. `isLast`: no other request has been made since.
+    void finished(const patina::DrawnPair& drawn, const QString& problem, bool isLast);
 
   private:
     class Workshop;
@@ -98,6 +98,7 @@ class DifferenceWorker : public QObject {
     std::optional<TimeRatio> time(const Request& request, const Worker::Control& control);
 
     std::filesystem::path programCache_;
+    int asked_ = 0; ///< counts the requests for frames
     std::unique_ptr<Workshop> workshop_; ///< belongs to the worker's thread
     Worker worker_;
 };
