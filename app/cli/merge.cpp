@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -137,6 +138,13 @@ class Merger {
 
 Result<void> merge(const MergeOptions& options) {
     Merger merger;
+    for (const std::string& file : options.files) {
+        std::error_code missing; // a file that is not there is no other one
+        if (std::filesystem::equivalent(file, options.output, missing) && !missing) {
+            return tl::unexpected(Error{file, 0, 0, "it is a shard, and would be lost",
+                                        "another file after -o"});
+        }
+    }
     for (const std::string& file : options.files) {
         if (auto added = merger.add(file); !added) {
             return added;
