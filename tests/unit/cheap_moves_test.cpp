@@ -12,6 +12,7 @@
 #include "measure/approximation/cheap_moves.h"
 #include "measure/approximation/measured_text.h"
 #include "measure/approximation/tabled_terms.h"
+#include "measure/approximation/tidied_text.h"
 #include "measure/interpreter/shader_parser.h"
 #include "measure/stability/sweep_cases.h"
 
@@ -233,22 +234,28 @@ TEST(TabledTerm, FunctionWithoutTheValues_HasNone) {
     EXPECT_FALSE(tabledTerms(lit.shader(), wax()).empty());
 }
 
-/// A level that reads a table has to name it, also one that the block's own levels read.
-TEST(TabledTerm, TableOfTheBlockItself_IsSeenWhereAMoveReadsIt) {
+/// Levels that a block's author declared are no ways that a search has found; that of Phong reaches
+/// the library as an argument.
+TEST(DroppedTerms, BranchOfADeclaredLevel_StaysAsItIs) {
     const std::filesystem::path shaders = PATINA_SOURCE_DIR "/shaders";
     const Catalog catalog = loadCatalog(std::vector<BlockRoot>{{shaders, true}});
-    const EvalCase exact =
-        *sweepVariant(catalog, defaultMaterial(*catalog.find(kinds::models, "minnaert")));
-    const auto text = MeasuredText::of(exact, shaders);
-    ASSERT_TRUE(text) << patina::text(text.error());
-    const CaseTexels texels = texelsOfCases(commonCases(exact, {.count = 20, .rows = 4}));
-    const auto values = text->observed(texels);
-    const auto moves = droppedTerms({text->syntax(), values, text->ownFunctions()});
-    const CheapMove* table =
-        saying(moves, "also where `p.law == MINNAERT_LAW_TABLE` does not hold");
-    ASSERT_NE(table, nullptr);
-    EXPECT_FALSE(text->calledIn({}, texels).contains("minnaertLaw"));
-    EXPECT_TRUE(text->calledIn(table->edits, texels).contains("minnaertLaw"));
+    for (const auto& [model, condition] :
+         {std::pair("minnaert", "p.law"), std::pair("phong", "level == ")}) {
+        const EvalCase exact =
+            *sweepVariant(catalog, defaultMaterial(*catalog.find(kinds::models, model)));
+        const auto text = MeasuredText::of(exact, shaders);
+        ASSERT_TRUE(text) << patina::text(text.error());
+        const auto values =
+            text->observed(texelsOfCases(commonCases(exact, {.count = 20, .rows = 4})));
+        const CompiledChoices choices(text->syntax(), *exact.block.block);
+        ObservedShader shader{text->syntax(), values, text->ownFunctions()};
+        EXPECT_NE(saying(droppedTerms(shader), condition), nullptr) << "it would be taken else";
+        shader.choices = &choices;
+        const auto dropped = droppedTerms(shader);
+        EXPECT_EQ(saying(dropped, condition), nullptr) << saying(dropped, condition)->words;
+        EXPECT_EQ(saying(knownSwaps(shader), condition), nullptr);
+        EXPECT_FALSE(dropped.empty());
+    }
 }
 
 TEST(TabledTerm, TwoTables_AreNotReadTogether) {
@@ -259,6 +266,18 @@ TEST(TabledTerm, TwoTables_AreNotReadTogether) {
     EXPECT_TRUE(areCompatible(first, second));
     second.table = BlockTable{"other", {2, 1}, {}};
     EXPECT_FALSE(areCompatible(first, second));
+}
+
+TEST(TidiedText, WhatDoesNothing_IsGoneAndTheValueIsTheSame) {
+    const ShaderSource raw{"float f(float x, float y) {\n    (1.0);\n    float unused = x;\n"
+                           "    if ((true)) {\n        return (1.0 * (x)) + 0.0;\n    }\n"
+                           "    return y;\n}\n",
+                           {"generated"},
+                           {}};
+    const ShaderSource tidied = tidiedSource(raw, "f", {"f"});
+    EXPECT_EQ(tidied.text, "float f(float x, float y) {\n    return x;\n}\n");
+    const ShaderSource broken{"float f(float x) { return x +; }\n", {"generated"}, {}};
+    EXPECT_EQ(tidiedSource(broken, "f", {"f"}).text, broken.text);
 }
 
 } // namespace

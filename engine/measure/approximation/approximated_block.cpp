@@ -13,6 +13,9 @@
 #include "catalog/parameter_layout.h"
 #include "catalog/table_source.h"
 #include "core/text.h"
+#include "measure/approximation/compiled_choices.h"
+#include "measure/approximation/tidied_text.h"
+#include "measure/interpreter/shader_parser.h"
 #include "shading/glsl/glsl_declarations.h"
 #include "shading/glsl/shader_file.h"
 #include "shading/glsl/tokens.h"
@@ -20,10 +23,14 @@
 namespace patina {
 namespace {
 
+constexpr const char* evaluatedFunction = "evaluated";
+constexpr std::size_t casesOfChoices = 32; ///< tell what compiled choices are
 constexpr std::string_view foundPrefix = "cheaper."; ///< begins the id of a choice of found ways
 
 constexpr double statedMargin = 1.25; ///< is how much more is stated than was measured
 constexpr double minStated = 1e-7;    ///< is about the rounding of a float
+/// Is the share of a level's error from which on it is said what floats lose in the exact way.
+constexpr double notableShare = 0.1;
 constexpr double roundingSlack = 1e-9;
 
 /// Returns what the second digit of a number counts: 0.01 for 0.25.
@@ -95,6 +102,18 @@ std::string commented(std::string_view words) {
     return out + '\n';
 }
 
+/// Returns the tables that ways read and the block has not, each once.
+std::vector<BlockTable> newTables(const CheaperWays& ways, const Block& block) {
+    std::vector<BlockTable> tables;
+    for (const CheaperWay& way : ways.ways) {
+        if (way.table && block.table(way.table->id) == nullptr &&
+            std::ranges::find(tables, *way.table) == tables.end()) {
+            tables.push_back(*way.table);
+        }
+    }
+    return tables;
+}
+
 /// Writes the GLSL of the levels.
 class LevelWriter {
   public:
@@ -102,7 +121,9 @@ class LevelWriter {
         : subject_(subject), ways_(ways), block_(*subject.block.block),
           syntax_(ways.text->syntax()), source_(ways.text->source()),
           main_(functionName(block_) + std::string(calledFunction(subject).suffix)),
-          choiceField_(std::move(choiceField)) {}
+          choiceField_(std::move(choiceField)), choices_(syntax_, block_),
+          seen_(ways.text->observed(texelsOfCases(
+              commonCases(subject, {.count = casesOfChoices, .hasOwnValues = true})))) {}
 
     /// Returns the block's text with the levels beside its function.
     std::string written(const std::string& glsl) const {
@@ -118,11 +139,18 @@ class LevelWriter {
         const std::size_t end = endOfBody(code, name);
         std::string out = glsl.substr(0, name) + main_ + "Exact" +
                           glsl.substr(name + main_.size(), end - name - main_.size());
-        out += "\n\n" + helpers();
+        out += "\n\n";
+        std::map<std::string, std::string> helpers;
+        std::string levels;
         for (std::size_t i = 0; i < ways_.ways.size(); ++i) {
-            out += level(i);
+            Level made = level(i);
+            helpers.merge(made.helpers);
+            levels += made.code;
         }
-        return out + dispatcher(*main) + glsl.substr(std::min(end + 1, glsl.size()));
+        for (const auto& named : helpers) {
+            out += named.second;
+        }
+        return out + levels + dispatcher(*main) + glsl.substr(std::min(end + 1, glsl.size()));
     }
 
   private:
@@ -137,15 +165,6 @@ class LevelWriter {
         return code.size();
     }
 
-    std::string helpers() const {
-        std::vector<ShaderEdit> edits;
-        for (const CheaperWay& way : ways_.ways) {
-            edits.insert(edits.end(), way.edits.begin(), way.edits.end());
-        }
-        const std::string all = withoutPlaces(helpersOf(edits));
-        return all.empty() ? all : all + '\n';
-    }
-
     /// Tells whether a function is edited, or calls one that is.
     bool isChanged(int function, const std::set<int>& edited) const {
         if (!ways_.text->ownFunctions().contains(function)) {
@@ -156,30 +175,97 @@ class LevelWriter {
                                    [&](int called) { return isChanged(called, edited); });
     }
 
-    std::string level(std::size_t index) const {
+    /// Returns the edits of a way, and those that put true and false in the place of what the
+    /// program's choices decide: a level computes only what was searched.
+    std::vector<ShaderEdit> decidedEdits(const CheaperWay& way, const std::set<int>& changed) const {
+        std::vector<ShaderEdit> edits = way.edits;
+        const auto add = [&edits](const ShaderEdit& edit) {
+            if (std::ranges::none_of(edits, [&edit](const ShaderEdit& other) {
+                    return edit.first < other.last && other.first < edit.last;
+                })) {
+                edits.push_back(edit);
+            }
+        };
+        for (std::size_t i = syntax_.expressions.size(); i-- > 0;) { // a whole is behind its parts
+            const ShaderExpression& each = syntax_.expressions[i];
+            const bool isCondition = each.type == ShaderType{ShaderType::Base::Bool} &&
+                                     each.kind != ShaderExpression::Kind::Literal &&
+                                     each.first < each.last && changed.contains(each.owner);
+            if (isCondition && seen_[i].count > 0 && choices_.isChoice(static_cast<int>(i))) {
+                add({each.first, each.last, seen_[i].max[0] != 0.0 ? "true" : "false", {},
+                     each.owner});
+            }
+        }
+        std::ranges::sort(edits, {}, &ShaderEdit::first);
+        return edits;
+    }
+
+    /// Is the text of a way: new functions that it calls, by name, and those of its level.
+    struct Level {
+        std::map<std::string, std::string> helpers;
+        std::string code;
+    };
+
+    Level level(std::size_t index) const {
         const CheaperWay& way = ways_.ways[index];
         std::set<int> edited;
         for (const ShaderEdit& edit : way.edits) {
             edited.insert(edit.function);
         }
-        std::vector<const ParsedFunction*> copies;
+        std::set<int> changed;
+        std::set<std::string> known; // functions that the block has without the way
         std::map<std::string, std::string> names;
         for (std::size_t i = 0; i < syntax_.functions.size(); ++i) {
+            const std::string name(syntax_.functions[i].name);
+            known.insert(name);
             if (isChanged(static_cast<int>(i), edited)) {
-                const ParsedFunction& function = syntax_.functions[i];
-                copies.push_back(&function);
-                names[std::string(function.name)] =
-                    fmt::format("{}Found{}", function.name, index + 1);
+                changed.insert(static_cast<int>(i));
+                names[name] = fmt::format("{}Found{}", name, index + 1);
             }
         }
-        std::ranges::sort(copies, {}, &ParsedFunction::first);
-        std::string out = commented(foundLevelDoc(ways_, index));
-        for (const ParsedFunction* function : copies) {
-            const std::string text =
-                editedPart(source_.text, function->first, function->last, way.edits);
-            out += renamed(withoutPlaces(text), names) + "\n\n";
+        const ShaderSource raw = editedSource(source_, syntax_, decidedEdits(way, changed));
+        std::set<std::string> written;
+        for (const auto& [name, own] : names) {
+            written.insert(name);
         }
-        return out;
+        if (const auto syntax = parsedShader(raw, evaluatedFunction)) {
+            for (const ParsedFunction& function : syntax->functions) {
+                if (!known.contains(std::string(function.name))) {
+                    written.insert(std::string(function.name));
+                }
+            }
+        }
+        for (const BlockTable& table : newTables(ways_, block_)) {
+            written.erase(tableFunction(block_, table)); // the engine writes it
+        }
+        return levelOf(tidiedSource(raw, evaluatedFunction, written), written, names,
+                       foundLevelDoc(ways_, index));
+    }
+
+    /// Cuts the written functions out of a way's program, as far as it still calls them.
+    static Level levelOf(const ShaderSource& source, const std::set<std::string>& written,
+                         const std::map<std::string, std::string>& names, std::string_view doc) {
+        Level made{{}, commented(doc)};
+        const auto syntax = parsedShader(source, evaluatedFunction);
+        std::vector<const ParsedFunction*> functions;
+        for (std::size_t i = 0; syntax && i < syntax->functions.size(); ++i) {
+            const ParsedFunction& function = syntax->functions[i];
+            if (function.body >= 0 && written.contains(std::string(function.name))) {
+                functions.push_back(&function);
+            }
+        }
+        std::ranges::sort(functions, {}, &ParsedFunction::first);
+        for (const ParsedFunction* function : functions) {
+            const std::string raw =
+                source.text.substr(function->first, function->last - function->first);
+            const std::string text = renamed(withoutPlaces(raw), names);
+            if (names.contains(std::string(function->name))) {
+                made.code += text + "\n\n";
+            } else {
+                made.helpers[std::string(function->name)] = text + "\n\n";
+            }
+        }
+        return made;
     }
 
     /// Returns the condition under which the search holds; empty where it always does.
@@ -252,6 +338,8 @@ class LevelWriter {
     const ShaderSource& source_;
     std::string main_;
     std::string choiceField_;
+    CompiledChoices choices_;
+    std::vector<ObservedValues> seen_; ///< are the values of expressions in a few cases
 };
 
 /// Maps the names of a block's own functions, struct and constants to those of a block with
@@ -283,18 +371,6 @@ std::map<std::string, std::string> ownNames(const Block& block, const Block& cop
         }
     }
     return names;
-}
-
-/// Returns the tables that ways read and the block has not, each once.
-std::vector<BlockTable> newTables(const CheaperWays& ways, const Block& block) {
-    std::vector<BlockTable> tables;
-    for (const CheaperWay& way : ways.ways) {
-        if (way.table && block.table(way.table->id) == nullptr &&
-            std::ranges::find(tables, *way.table) == tables.end()) {
-            tables.push_back(*way.table);
-        }
-    }
-    return tables;
 }
 
 nlohmann::json tableJson(const BlockTable& table) {
@@ -383,12 +459,16 @@ double greatestErrorStatedAs(double stated) {
 
 std::string foundLevelDoc(const CheaperWays& ways, std::size_t index) {
     const CheaperWay& way = ways.ways[index];
-    return fmt::format("{}. At most {:.2g} off where white is 1, {:.2g} on the mean, for light and "
-                       "viewer 3 degrees or more above the surface{}. {:.0f} in place of {:.0f} {} "
-                       "(predicted).",
-                       capitalised(wordsOf(way)), statedError(way), way.meanError,
-                       way.isForValues ? ", and for the values of its preset only" : "", way.cost,
-                       ways.exact.cost, ways.unit);
+    const bool isOfFloats = ways.exact.error > notableShare * way.error;
+    return fmt::format(
+        "{}. At most {:.2g} off where white is 1{}, {:.2g} on the mean, for light and viewer 3 "
+        "degrees or more above the surface{}. {:.0f} in place of {:.0f} {} (predicted).",
+        capitalised(wordsOf(way)), statedError(way),
+        isOfFloats ? fmt::format(" (floats alone are up to {:.2g} off in the exact way)",
+                                 ways.exact.error)
+                   : std::string(),
+        way.meanError, way.isForValues ? ", and for the values of its preset only" : "", way.cost,
+        ways.exact.cost, ways.unit);
 }
 
 BlockNaming usualNaming(const Block& block) {

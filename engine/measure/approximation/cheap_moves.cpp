@@ -16,7 +16,7 @@ using NodeKind = ShaderExpression::Kind;
 /// Is the largest difference between two values of a term that a number may stand for.
 constexpr double maxSpread = 0.8;
 
-constexpr std::size_t maxQuoted = 48;
+constexpr std::size_t maxQuoted = 100;
 
 /// Adds an expression and its operands to those that must stay, because they are written to.
 void keepWhole(const ObservedShader& shader, int index, std::set<int>& kept) {
@@ -124,17 +124,17 @@ void addDrops(Replacements& moves, const ObservedShader& shader, int index) {
     } else if (expression.kind == NodeKind::Builtin) {
         const std::string_view name = expression.builtin->name;
         if (name == "max" || name == "min") {
-            const char* than = name == "max" ? "smaller" : "larger";
-            keep(0, fmt::format("{} also where it is {} than {}", operand(0), than, operand(1)));
-            keep(1, fmt::format("always {} in place of {}", operand(1), operand(0)));
+            const char* bound = name == "max" ? "lower" : "upper";
+            keep(0, fmt::format("{} without its {} bound {}", operand(0), bound, operand(1)));
+            keep(1, fmt::format("{} without its {} bound {}", operand(1), bound, operand(0)));
         } else if (name == "clamp") {
-            keep(0, fmt::format("{} also where it is below {} or above {}", operand(0), operand(1),
+            keep(0, fmt::format("{} without its bounds {} and {}", operand(0), operand(1),
                                 operand(2)));
         } else if (name == "mix") {
             keep(0, fmt::format("{} alone, without a share of {}", operand(0), operand(1)));
             keep(1, fmt::format("{} alone, without a share of {}", operand(1), operand(0)));
         }
-    } else if (expression.kind == NodeKind::Choice) {
+    } else if (expression.kind == NodeKind::Choice && shader.isFree(expression.operands[0])) {
         keep(1, fmt::format("{} also where {} does not hold", operand(1), operand(0)));
         keep(2, fmt::format("{} also where {} holds", operand(2), operand(0)));
     }
@@ -187,7 +187,8 @@ void addUnasked(std::vector<CheapMove>& moves, const ObservedShader& shader,
     for (const ShaderStatement& statement : shader.syntax.statements) {
         const int condition = statement.expression;
         const bool isBranch = statement.kind == ShaderStatement::Kind::If &&
-                              std::ranges::find(changeable, condition) != changeable.end();
+                              std::ranges::find(changeable, condition) != changeable.end() &&
+                              shader.isFree(condition);
         if (!isBranch) {
             continue;
         }
@@ -213,7 +214,8 @@ void addBranches(Replacements& moves, const ObservedShader& shader,
     for (const ShaderStatement& statement : shader.syntax.statements) {
         const int condition = statement.expression;
         if (statement.kind == ShaderStatement::Kind::If &&
-            std::ranges::find(changeable, condition) != changeable.end()) {
+            std::ranges::find(changeable, condition) != changeable.end() &&
+            shader.isFree(condition)) {
             moves.add(condition, "true",
                       fmt::format("as if {} always held", quoted(shader, condition)));
             moves.add(condition, "false",
@@ -380,21 +382,26 @@ std::string callText(const ObservedShader& shader, const ShaderExpression& expre
     return text + ')';
 }
 
+/// Says what is swapped, as "power by Schlick's fraction, in place of `pow(x, 5.0)`".
+std::string swapWords(const ObservedShader& shader, int index, const FunctionSwap& swap) {
+    return fmt::format("{}, in place of {}", swap.words, quoted(shader, index));
+}
+
 void addFunctionSwaps(Replacements& moves, const ObservedShader& shader, int index) {
     const ShaderExpression& expression = shader.at(index);
     if (expression.kind == NodeKind::Call) {
         for (const FunctionSwap& swap : functionSwaps) {
             if (expression.sign == swap.callee && expression.operands.size() == swap.arguments) {
-                moves.add(index, callText(shader, expression, swap.helper), std::string(swap.words),
-                          std::string(swap.code));
+                moves.add(index, callText(shader, expression, swap.helper),
+                          swapWords(shader, index, swap), std::string(swap.code));
             }
         }
     }
     if (expression.kind == NodeKind::Builtin && expression.type.isNumber()) {
         for (const FunctionSwap& swap : builtinSwaps) {
             if (expression.sign == swap.callee && expression.operands.size() == swap.arguments) {
-                moves.add(index, callText(shader, expression, swap.helper), std::string(swap.words),
-                          std::string(swap.code));
+                moves.add(index, callText(shader, expression, swap.helper),
+                          swapWords(shader, index, swap), std::string(swap.code));
             }
         }
     }
@@ -463,24 +470,25 @@ void addDivisionSwaps(Replacements& moves, const ObservedShader& shader, int ind
     if (isDivision(expression) && isDivision(left) && left.type.isNumber()) {
         moves.add(index,
                   fmt::format("{} / ({} * {})", text(left, 0), text(left, 1), text(expression, 1)),
-                  "two divisions made one");
+                  fmt::format("two divisions made one, in {}", quoted(shader, index)));
     }
     if (expression.sign == "*" && isDivision(left) && isDivision(right) && left.type.isNumber() &&
         right.type.isNumber()) {
         moves.add(index,
                   fmt::format("{} * {} / ({} * {})", text(left, 0), text(right, 0), text(left, 1),
                               text(right, 1)),
-                  "two divisions made one");
+                  fmt::format("two divisions made one, in {}", quoted(shader, index)));
     }
     if (isDivision(expression) && isRoot(right)) {
-        moves.add(index,
-                  fmt::format("{} * inversesqrt({})", text(expression, 0),
-                              textOf(shader, right.operands[0])),
-                  "division by a root made an inverse root");
+        moves.add(
+            index,
+            fmt::format("{} * inversesqrt({})", text(expression, 0),
+                        textOf(shader, right.operands[0])),
+            fmt::format("division by a root made an inverse root, in {}", quoted(shader, index)));
     }
     if (expression.sign == "*" && isRoot(left) && isRoot(right)) {
         moves.add(index, fmt::format("sqrt({} * {})", text(left, 0), text(right, 0)),
-                  "two roots made one");
+                  fmt::format("two roots made one, in {}", quoted(shader, index)));
     }
 }
 
@@ -498,8 +506,9 @@ bool readsVariable(const ObservedShader& shader, int index) {
 
 bool isFolded(const ObservedShader& shader, int index) {
     const ShaderExpression& expression = shader.at(index);
+    const bool isWriting = expression.kind == NodeKind::Assign || expression.kind == NodeKind::Step;
     const bool isFitting = expression.type.isFloat() && expression.type.columns == 1 &&
-                           expression.first < expression.last;
+                           expression.first < expression.last && !isWriting;
     if (!isFitting || !shader.valuesOf(index).isConstant(expression.size) ||
         !readsVariable(shader, index)) {
         return false;
@@ -518,7 +527,7 @@ std::string foldedText(const ObservedShader& shader, int index) {
     for (std::size_t i = 0; i < expression.size; ++i) {
         text += (i > 0 ? ", " : "") + floatText(shader.valuesOf(index).min[i]);
     }
-    return expression.size == 1 ? '(' + text + ')'
+    return expression.size == 1 ? (text.starts_with('-') ? '(' + text + ')' : text)
                                 : fmt::format("vec{}({})", expression.size, text);
 }
 
@@ -535,8 +544,8 @@ std::string shortCode(std::string_view code) {
     if (line.find("#line") != std::string::npos) {
         line = line.substr(0, line.find("#line"));
     }
-    if (line.size() > maxQuoted) {
-        line = line.substr(0, maxQuoted - 3) + "...";
+    if (line.size() > maxQuoted) { // beginnings are often the same
+        line = line.substr(0, maxQuoted / 2) + " ... " + line.substr(line.size() - maxQuoted / 2);
     }
     return line;
 }
@@ -588,7 +597,7 @@ std::vector<CheapMove> foldedValues(const ObservedShader& shader) {
         if (!inside.contains(*it) && isFolded(shader, *it)) {
             folded.push_back(*it);
         }
-        if (inside.contains(*it) || isFolded(shader, *it)) {
+        if (inside.contains(*it) || isFolded(shader, *it)) { // what is in it is folded with it
             for (const int operand : shader.at(*it).operands) {
                 inside.insert(operand);
             }

@@ -4,6 +4,7 @@
 #include <set>
 #include <vector>
 
+#include "measure/approximation/compiled_choices.h"
 #include "measure/approximation/shader_edit.h"
 #include "measure/interpreter/shader_evaluator.h"
 
@@ -14,6 +15,7 @@ struct ObservedShader {
     const ShaderSyntax& syntax;
     const std::vector<ObservedValues>& values; ///< in the order of the syntax's expressions
     const std::set<int>& functions;            ///< are those whose text may be changed
+    const CompiledChoices* choices = nullptr;  ///< keeps branches of declared levels as they are
 
     const ShaderExpression& at(int index) const {
         return syntax.expressions[static_cast<std::size_t>(index)];
@@ -21,12 +23,17 @@ struct ObservedShader {
     const ObservedValues& valuesOf(int index) const {
         return values[static_cast<std::size_t>(index)];
     }
+    /// Tells whether a condition may be taken as true or false: none that asks for a level that the
+    /// block's author declared, for what it leads to is no way that was found.
+    bool isFree(int condition) const {
+        return choices == nullptr || !choices->asksLevel(condition);
+    }
 };
 
 /// Returns the expressions that were evaluated and whose text can be replaced by another one.
 std::vector<int> changeableExpressions(const ObservedShader& shader);
 
-/// Returns a part of a text for words: one line, cut where it is long.
+/// Returns a part of a text for words: one line, without its middle where it is long.
 std::string shortCode(std::string_view code);
 
 /// Returns moves that leave out a summand, a factor, a bound or a case, take a branch always or

@@ -8,13 +8,15 @@
 #include <optional>
 #include <set>
 
-#include "catalog/table_source.h"
+#include <fmt/format.h>
+
 #include "measure/approximation/approximated_block.h"
 #include "measure/approximation/cheap_moves.h"
 #include "measure/approximation/fitted_terms.h"
 #include "measure/approximation/shader_price.h"
 #include "measure/approximation/tabled_terms.h"
 #include "measure/error/parallel.h"
+#include "shading/glsl/text_places.h"
 
 namespace patina {
 namespace {
@@ -45,7 +47,6 @@ struct TriedWay {
     TextError error;
     std::optional<double> cost;
     double guess = 0.0;                   ///< is the cost as the single moves let expect
-    std::optional<BlockTable> ownTable{}; ///< is one that the block has declared
     bool isJudged = false;                ///< its error is that on unseen cases
     bool isProven = false;                ///< and on all of them
 };
@@ -60,6 +61,7 @@ class CheaperSearch {
     CheaperSearch(const EvalCase& subject, const CheaperSearchOptions& options,
                   const CheaperProgress& progress, std::shared_ptr<const MeasuredText> text)
         : subject_(subject), options_(options), progress_(progress), text_(std::move(text)),
+          choices_(text_->syntax(), *subject.block.block),
           price_(subject, text_->source(), text_->syntax(), *options.family),
           limit_(greatestErrorStatedAs(options.maxError)) {
         found_.text = text_;
@@ -119,7 +121,6 @@ class CheaperSearch {
                             cases_.exact.begin() + static_cast<std::ptrdiff_t>(
                                                        quick_.texels.size() * text_->results()));
         observed_ = text_->observed(cases_.texels);
-        readExactly_ = text_->calledIn({}, cases_.texels);
     }
 
     bool priceExact() {
@@ -148,13 +149,26 @@ class CheaperSearch {
         return true;
     }
 
-    ObservedShader shader() const { return {text_->syntax(), observed_, text_->ownFunctions()}; }
+    ObservedShader shader() const {
+        return {text_->syntax(), observed_, text_->ownFunctions(), &choices_};
+    }
 
     void addMoves(std::vector<CheapMove> moves) {
         for (CheapMove& move : moves) {
+            if (!words_.insert(move.words).second) {
+                move.words += placeOf(move);
+                words_.insert(move.words);
+            }
             moves_.push_back(std::move(move));
         }
         found_.moves = moves_.size();
+    }
+
+    /// Says where a move is, for one that is told by the words of another.
+    std::string placeOf(const CheapMove& move) const {
+        const Error at = errorAt(text_->source(), move.edits.front().first, {});
+        return fmt::format(", in line {} of {}, column {}", at.line,
+                           std::filesystem::path(at.file).filename().string(), at.column);
     }
 
     void findMoves() {
@@ -204,34 +218,11 @@ class CheaperSearch {
                     ways[i].error = text_->error(edits, cases_, limit_);
                 }
                 if (ways[i].error.isWithin(limit_)) {
-                    ways[i].error.isSafe =
-                        text_->isSafe(edits, edgeCases_) && readsOneTable(ways[i], edits);
+                    ways[i].error.isSafe = text_->isSafe(edits, edgeCases_);
                 }
             }
         });
         std::erase_if(ways, [this](const TriedWay& way) { return !way.error.isWithin(limit_); });
-    }
-
-    /// Finds the table of the block that a way reads and the exact text does not, as a level has to
-    /// name it; false where it reads more than one.
-    bool readsOneTable(TriedWay& way, const std::vector<ShaderEdit>& edits) const {
-        const Block& block = *subject_.block.block;
-        const auto called =
-            block.tables.empty() ? std::set<std::string>() : text_->calledIn(edits, cases_.texels);
-        bool hasTable = std::ranges::any_of(
-            way.moves, [this](std::size_t move) { return moves_[move].table.has_value(); });
-        for (const BlockTable& table : block.tables) {
-            const std::string function = tableFunction(block, table);
-            if (!called.contains(function) || readExactly_.contains(function)) {
-                continue;
-            }
-            if (hasTable) {
-                return false;
-            }
-            hasTable = true;
-            way.ownTable = table;
-        }
-        return true;
     }
 
     /// Compiles ways, puts them into the front, and returns those that have a cost.
@@ -282,7 +273,7 @@ class CheaperSearch {
         found_.ways.clear();
         for (const TriedWay& way : front) {
             CheaperWay shown{editsFor(way.moves), {},    way.error.worst, way.error.mean,
-                             *way.cost,           false, way.ownTable};
+                             *way.cost,           false, {}};
             for (const std::size_t move : way.moves) {
                 shown.table = moves_[move].table ? moves_[move].table : shown.table;
                 shown.isForValues = shown.isForValues || moves_[move].isForValues;
@@ -518,6 +509,7 @@ class CheaperSearch {
     const CheaperSearchOptions& options_;
     const CheaperProgress& progress_;
     std::shared_ptr<const MeasuredText> text_;
+    CompiledChoices choices_;
     ShaderPrice price_;
     double limit_; ///< is the largest error that may be stated
     Clock::time_point began_ = Clock::now();
@@ -526,8 +518,8 @@ class CheaperSearch {
     JudgedCases quick_;
     JudgedCases edgeCases_;
     std::vector<ObservedValues> observed_;
-    std::set<std::string> readExactly_; ///< are the functions that the exact text calls
     std::vector<CheapMove> moves_;
+    std::set<std::string> words_; ///< are those of the moves, no two of which are the same
     std::vector<TriedWay> useful_; ///< are single moves that gain something
     std::vector<TriedWay> tried_;  ///< are all that have a cost
     std::vector<TriedWay> front_;  ///< is sorted by error

@@ -75,7 +75,7 @@ ShaderSource editedSource(const ShaderSource& source, const ShaderSyntax& syntax
 }
 
 std::string floatText(double x) {
-    std::string text = fmt::format("{:.9g}", static_cast<double>(static_cast<float>(x)));
+    std::string text = fmt::format("{}", static_cast<float>(x)); // the fewest digits that give it
     if (text.find_first_of(".e") == std::string::npos) {
         text += ".0";
     }

@@ -366,7 +366,13 @@ class Parser {
         if (++depth_ > maxDepth) {
             complain("statements lie too deep in each other");
         }
+        const std::size_t start = at_;
         const int made = problem_ ? -1 : anyStatement();
+        if (!problem_) {
+            auto& whole = syntax_.statements[static_cast<std::size_t>(made)];
+            whole.first = lexemes_[start].first;
+            whole.last = lexemes_[at_ - 1].last;
+        }
         --depth_;
         return made;
     }
@@ -407,7 +413,7 @@ class Parser {
     }
 
     int group() {
-        ShaderStatement made;
+        ShaderStatement made{.isBlock = true};
         scopes_.emplace_back();
         while (!take("}") && !problem_) {
             const int next = statement();
@@ -480,6 +486,7 @@ class Parser {
             readLength(made.type);
             made.size = sizeOf(made.type);
             function.frame += made.size;
+            whole.declares.push_back(made.place);
             const ShaderLexeme name = lexemes_[at_ - 1];
             if (take("=")) {
                 const int value = expression();

@@ -69,6 +69,10 @@ struct ShaderStatement {
     int step = -1;       ///< is what a loop does between two rounds
     bool testsLast = false;
     std::vector<int> statements{}; ///< of a group; the branches of an if; the body of a loop
+    bool isBlock = false;          ///< is a group in braces
+    std::vector<std::size_t> declares{}; ///< are the places of the variables that it declares
+    std::size_t first = 0;               ///< are the offsets of its text
+    std::size_t last = 0;
 };
 
 struct ShaderVariable {
