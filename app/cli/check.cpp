@@ -192,7 +192,8 @@ void printReport(const SweepReport& report) {
         std::cout << error.text() << '\n';
     }
     std::cout << fmt::format("{} cases in {} program{}{}: {}\n", report.cases, report.programs,
-                             report.programs == 1 ? "" : "s", limitText(report), report.isClean() ? "nothing breaks" : "see above");
+                             report.programs == 1 ? "" : "s", limitText(report),
+                             report.isClean() ? "nothing breaks" : "see above");
 }
 
 nlohmann::json jsonOf(const StabilitySweep& sweep, const std::string& subject) {
@@ -337,8 +338,8 @@ void addCheck(CLI::App& program, int& status) {
     precision->check(CLI::IsMember({"half"}))->excludes(results)->excludes("--cases");
     command
         ->add_option("--error", options->halfLimit,
-                     "With --precision half: what a line may be off and hold, from 0.0001 on, which\n"
-                     "is what floats of 16 bits tell apart; 0.0039 without this")
+                     "With --precision half: what a line may be off and hold, from 0.0001 on,\n"
+                     "which is what floats of 16 bits tell apart; 0.0039 without this")
         ->check(CLI::Range(0.0001, 1.0))
         ->needs(precision);
     addFamiliesOption(*command, options->half.families)->needs(precision);

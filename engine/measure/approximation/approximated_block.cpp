@@ -177,7 +177,8 @@ class LevelWriter {
 
     /// Returns the edits of a way, and those that put true and false in the place of what the
     /// program's choices decide: a level computes only what was searched.
-    std::vector<ShaderEdit> decidedEdits(const CheaperWay& way, const std::set<int>& changed) const {
+    std::vector<ShaderEdit> decidedEdits(const CheaperWay& way,
+                                         const std::set<int>& changed) const {
         std::vector<ShaderEdit> edits = way.edits;
         const auto add = [&edits](const ShaderEdit& edit) {
             if (std::ranges::none_of(edits, [&edit](const ShaderEdit& other) {
