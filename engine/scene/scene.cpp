@@ -27,7 +27,11 @@ glm::dmat4 worldMatrix(const Object& object) {
     matrix = rotated(matrix, object.rotation.z, back);
     matrix = rotated(matrix, object.rotation.y, up);
     matrix = rotated(matrix, object.rotation.x, right);
-    return glm::scale(matrix, object.scale);
+    glm::dmat4 slant(1.0);
+    slant[1][0] = object.shear.x;
+    slant[2][0] = object.shear.y;
+    slant[2][1] = object.shear.z;
+    return glm::scale(matrix * slant, object.scale);
 }
 
 glm::dvec3 eye(const Camera& camera) {

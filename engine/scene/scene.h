@@ -30,6 +30,7 @@ struct Object {
     glm::dvec3 translation{0.0}; ///< metres
     glm::dvec3 rotation{0.0};    ///< degrees about x, then y, then z
     glm::dvec3 scale{1.0};
+    glm::dvec3 shear{0.0}; ///< slant along x per y, along x per z, and along y per z, once scaled
     Material material;
     std::string group; ///< is selected as a whole; empty: it is in none
     nlohmann::json unknown = nlohmann::json::object();
@@ -98,7 +99,7 @@ struct Scene {
     double exposure = 0.0;           ///< EV, powers of two
     DrawingLights drawings = DrawingLights::Key;
     glm::dvec3 wavelengths = srgbWavelengths; ///< nm, that stand for red, green and blue
-    PictureAccuracy accuracy; ///< is the picture's, whatever the materials
+    PictureAccuracy accuracy;                 ///< is the picture's, whatever the materials
     nlohmann::json extras = nlohmann::json::object();
     nlohmann::json unknown = nlohmann::json::object();
 
@@ -111,7 +112,7 @@ struct Scene {
     friend bool operator==(const Scene&, const Scene&) = default;
 };
 
-/// Returns the matrix from object space to world space: translation * rotation * scale.
+/// Returns the matrix from object space to world space: translation * rotation * shear * scale.
 glm::dmat4 worldMatrix(const Object& object);
 
 glm::dvec3 eye(const Camera& camera);

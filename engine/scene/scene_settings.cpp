@@ -99,6 +99,7 @@ const MemberTable<Object>& objectMembers() {
                                              {"translation", member(&Object::translation)},
                                              {"rotation", member(&Object::rotation)},
                                              {"scale", scale()},
+                                             {"shear", member(&Object::shear)},
                                              {"fitUnitBox", member(&Object::fitUnitBox)},
                                              {"flipNormals", member(&Object::flipNormals)}};
     return members;

@@ -32,6 +32,9 @@ Json toJson(const Object& object, const std::filesystem::path& folder) {
         json["group"] = object.group;
     }
     writeSettingsOf(object, settings::object, json);
+    if (object.shear == glm::dvec3(0.0)) {
+        json.erase("shear");
+    }
     json["preset"] = toJson(object.material, folder);
     return json;
 }

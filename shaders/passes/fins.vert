@@ -4,9 +4,8 @@
 out mat4x3 finOffset; // from the skin in world space, after each quarter of the strands' length
 
 void placeFin(Shells p) {
-    vec3 scale;
-    mat3 axes = objectAxes(scale);
-    placeRoot(axes, scale);
+    mat3 axes = objectAxes();
+    placeRoot(axes);
     shellHeight = 0.5;
     strandSlide = vec3(0.0);
     for (int i = 0; i < 4; ++i) {

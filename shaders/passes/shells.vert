@@ -3,6 +3,7 @@
 // that those below are hidden before they are shaded.
 #include "passes/surface.vert"
 #include "lib/strand.glsl"
+#include "passes/object_axes.glsl"
 
 out vec3 strandRoot;   // metres along the object's axes
 out vec3 strandNormal; // of the surface there, along the same axes
@@ -19,14 +20,6 @@ Strand strandAt(vec3 n, float height) {
     s.shade = 0.0;
     s.phase = 0.0;
     return s;
-}
-
-// Columns are the unit axes of the object in world space.
-mat3 objectAxes(OUT(vec3) scale) {
-    mat3 axes = transpose(mat3(objectToWorld));
-    scale = vec3(length(axes[0]), length(axes[1]), length(axes[2]));
-    vec3 unit = 1.0 / max(scale, vec3(1e-30));
-    return mat3(axes[0] * unit.x, axes[1] * unit.y, axes[2] * unit.z);
 }
 
 // Where the layer is beside the skin, no farther from it than strands are long.
@@ -46,9 +39,9 @@ void moveTo(vec3 place) {
     gl_Position.z += behind;
 }
 
-// Where the strands are rooted, along the object's axes, whose scale does not count.
-void placeRoot(mat3 axes, vec3 scale) {
-    strandRoot = position * scale;
+// Where the strands are rooted, in metres along the object's axes, however it is scaled.
+void placeRoot(mat3 axes) {
+    strandRoot = meshToAxes(axes) * position;
     strandNormal = worldNormal * axes;
 }
 
@@ -69,9 +62,8 @@ void placeShell(Shells p) {
     int number = gl_InstanceID % (SHELL_LAYERS + 1);
     int layer = number == 0 ? 0 : SHELL_LAYERS + 1 - number;
     shellHeight = float(layer) / float(SHELL_LAYERS);
-    vec3 scale;
-    mat3 axes = objectAxes(scale);
-    placeRoot(axes, scale);
+    mat3 axes = objectAxes();
+    placeRoot(axes);
     strandSlide = vec3(0.0);
     if (layer > 0) {
         strandSlide = slideBelow(p, axes, shellHeight);

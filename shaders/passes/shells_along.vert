@@ -4,8 +4,7 @@
 out vec3 strandAlong; // in world space, of any length
 
 void placeStrand(Shells p) {
-    vec3 scale;
-    mat3 axes = objectAxes(scale);
+    mat3 axes = objectAxes();
     vec3 above = shellOffset(p, min(shellHeight + 0.01, 1.0));
     vec3 below = shellOffset(p, max(shellHeight - 0.01, 0.0));
     strandAlong = axes * safeNormalize(above - below, strandNormal);

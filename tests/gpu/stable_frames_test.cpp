@@ -78,6 +78,8 @@ const HardScene hardScenes[] = {
     {"InvertedObject", [](Scene& scene, Mesh&) { scene.objects[0].scale = glm::dvec3(-1.0); }},
     {"StretchedObject",
      [](Scene& scene, Mesh&) { scene.objects[0].scale = glm::dvec3(1e-6, 1e3, 1.0); }},
+    {"ShearedObject",
+     [](Scene& scene, Mesh&) { scene.objects[0].shear = glm::dvec3(100.0, -100.0, 100.0); }},
     {"CameraInTheMesh", [](Scene& scene, Mesh&) { scene.camera.distance = 0.1; }},
     {"CameraOnTheSurface", [](Scene& scene, Mesh&) { scene.camera.distance = 0.5; }},
     {"ZeroNormals",

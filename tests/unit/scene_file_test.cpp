@@ -261,6 +261,14 @@ TEST_F(SceneFile, NegativeScale_Mirrors) {
     EXPECT_EQ(readObject({{"scale", {-2, 1, 1}}})->scene.objects[0].scale.x, -2.0);
 }
 
+TEST_F(SceneFile, Shear_IsWrittenWhereThereIsSome) {
+    const Scene slanted = readObject({{"shear", {0.5, 0, -0.25}}})->scene;
+    EXPECT_EQ(slanted.objects[0].shear, glm::dvec3(0.5, 0.0, -0.25));
+    EXPECT_EQ(toJson(slanted, folder_.path())["objects"][0]["shear"], json({0.5, 0, -0.25}));
+    EXPECT_FALSE(
+        toJson(readObject(json::object())->scene, folder_.path())["objects"][0].contains("shear"));
+}
+
 TEST_F(SceneFile, CameraOutOfRange_IsBroughtIn) {
     const Camera camera = readChanged({{"camera",
                                         {{"distance", 0},

@@ -73,7 +73,7 @@ ObjectGizmo::Frame ObjectGizmo::frame(const ViewGeometry& view) const {
         unscaled.scale = glm::dvec3(1.0);
         const glm::dmat4 world = worldMatrix(unscaled);
         for (int axis = 0; axis < 3; ++axis) {
-            frame.axes[slot(axis)] = glm::dvec3(world[axis]);
+            frame.axes[slot(axis)] = glm::normalize(glm::dvec3(world[axis]));
         }
     }
     frame.length = handlePixels * view.metresPerPixel(frame.origin);

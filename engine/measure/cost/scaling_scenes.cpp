@@ -22,9 +22,9 @@ Facing facing(const Camera& camera) {
     return {toWorld[0], toWorld[1]};
 }
 
-double widestOf(const glm::dvec3& scale) {
-    const glm::dvec3 size = glm::abs(scale);
-    return std::max({size.x, size.y, size.z});
+double widestOf(const Object& object) {
+    const glm::dmat3 axes(worldMatrix(object));
+    return std::max({glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2])});
 }
 
 } // namespace
@@ -48,7 +48,7 @@ Scene withCopies(Scene scene, std::size_t object, int count) {
     const Object original = scene.objects[object];
     const Facing camera = facing(scene.camera);
     const int columns = std::max(1, static_cast<int>(std::ceil(std::sqrt(double(count)))));
-    const double width = 2.0 * widestOf(original.scale);
+    const double width = 2.0 * widestOf(original);
     scene.objects.clear();
     for (int i = 0; i < count; ++i) {
         const double x = (double(i % columns) + 0.5) / columns - 0.5;

@@ -33,8 +33,11 @@ std::array<glm::dvec3, 8> cornersWithin(const Placement& placement, double metre
     }
     for (int axis = 0; axis < 3; ++axis) {
         const glm::dvec3 along(placement.world[axis]);
-        const double size = glm::length(along);
-        const glm::dvec3 step = size > 0.0 ? along * (metres / size) : glm::dvec3(0.0);
+        const glm::dvec3 across = glm::cross(glm::dvec3(placement.world[(axis + 1) % 3]),
+                                             glm::dvec3(placement.world[(axis + 2) % 3]));
+        const double size = std::abs(glm::dot(along, across)); // a sheared side leans to its edge
+        const glm::dvec3 step =
+            size > 0.0 ? along * (metres * glm::length(across) / size) : glm::dvec3(0.0);
         for (int corner = 0; corner < 8; ++corner) {
             corners[static_cast<std::size_t>(corner)] += (corner >> axis & 1) != 0 ? step : -step;
         }
@@ -59,7 +62,7 @@ bool isOutside(const Placement& placement, const glm::dmat4& worldToClip, double
 
 bool PlacementStore::Entry::isOf(const Object& object, const Bounds& box) const {
     return isKnown && translation == object.translation && rotation == object.rotation &&
-           scale == object.scale && bounds == box;
+           scale == object.scale && shear == object.shear && bounds == box;
 }
 
 void PlacementStore::makeRoom(std::size_t objects) {
@@ -74,6 +77,7 @@ const Placement& PlacementStore::of(std::size_t index, const Object& object, con
         entry.translation = object.translation;
         entry.rotation = object.rotation;
         entry.scale = object.scale;
+        entry.shear = object.shear;
         entry.bounds = bounds;
         entry.isKnown = true;
         entry.placement = placementOf(object, bounds);

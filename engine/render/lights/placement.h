@@ -45,6 +45,7 @@ class PlacementStore {
         glm::dvec3 translation{0.0};
         glm::dvec3 rotation{0.0};
         glm::dvec3 scale{0.0};
+        glm::dvec3 shear{0.0};
         Bounds bounds;
         bool isKnown = false;
         Placement placement;

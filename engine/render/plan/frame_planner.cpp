@@ -2,8 +2,7 @@
 #include "render/plan/frame_planner.h"
 
 #include <algorithm>
-#include <array>
-#include <functional>
+#include <cmath>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -56,13 +55,18 @@ std::size_t missingKinds(FramePlan& plan, std::size_t lights) {
     return plan.isFrozen ? 0 : plan.lightKinds.missingKinds(plan.lightLists, lights);
 }
 
-/// Returns the largest share by which a transform enlarges areas.
+/// Returns the largest share by which a transform enlarges areas; where it shears them, at most.
 double areaScale(const glm::dmat4& world) {
-    std::array<double, 3> scale{glm::length(glm::dvec3(world[0])),
-                                glm::length(glm::dvec3(world[1])),
-                                glm::length(glm::dvec3(world[2]))};
-    std::ranges::sort(scale, std::greater());
-    return scale[0] * scale[1];
+    const glm::dmat3 m(world);
+    const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]),
+                               glm::cross(m[0], m[1]));
+    const glm::dmat3 squares = glm::transpose(cofactors) * cofactors;
+    double largest = 0.0; // eigenvalue, which no sum of a column is below (Gershgorin)
+    for (int i = 0; i < 3; ++i) {
+        const glm::dvec3 sizes = glm::abs(squares[i]);
+        largest = std::max(largest, sizes.x + sizes.y + sizes.z);
+    }
+    return std::sqrt(largest);
 }
 
 /// Returns how many marks are drawn at most on a square metre of an item's mesh, by its nearest

@@ -26,18 +26,25 @@ namespace {
 constexpr std::string_view textureKind = "texture/";
 constexpr std::string_view environmentKind = "environment/";
 
-/// Returns the distance in metres from a point of world space to a box of object space.
+/// Returns the columns of a matrix made unit and perpendicular, one after the other (Gram-Schmidt).
+glm::dmat3 perpendicularAxes(const glm::dmat3& m) {
+    const glm::dvec3 x = glm::normalize(m[0]);
+    const glm::dvec3 z = glm::normalize(glm::cross(x, m[1]));
+    return {x, glm::cross(z, x), z};
+}
+
+/// Returns the distance in metres from a point of world space to a box of object space, at most:
+/// that to the upright box around it where a shear slants it.
 double distanceTo(const Bounds& bounds, const glm::dmat4& world, const glm::dvec3& point) {
     const glm::dvec3 way = point - ballAround(bounds, world).center;
-    glm::dvec3 outside(0.0);
+    const glm::dmat3 toAxes = glm::transpose(perpendicularAxes(glm::dmat3(world)));
+    const glm::dmat3 edges = toAxes * glm::dmat3(world);
+    const glm::dvec3 size(bounds.upper - bounds.lower);
+    glm::dvec3 outside = glm::abs(toAxes * way);
     for (int i = 0; i < 3; ++i) {
-        const glm::dvec3 edge(world[i]);
-        const double length = glm::length(edge);
-        const double half = 0.5 * length * double(bounds.upper[i] - bounds.lower[i]);
-        const double along = length > 0.0 ? std::abs(glm::dot(way, edge / length)) : 0.0;
-        outside[i] = std::max(along - half, 0.0);
+        outside -= 0.5 * size[i] * glm::abs(edges[i]);
     }
-    return glm::length(outside);
+    return glm::length(glm::max(outside, glm::dvec3(0.0)));
 }
 
 /// Returns a sentence on why a light is not on an object's list, which depends on the object's
