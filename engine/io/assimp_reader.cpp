@@ -2,10 +2,12 @@
 #include "io/assimp_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <assimp/Importer.hpp>
@@ -135,6 +137,60 @@ bool appendNode(RawMesh& mesh, const aiScene& scene, const aiNode& node, const g
            std::all_of(node.mChildren, node.mChildren + node.mNumChildren, appendChild);
 }
 
+/// Adds the images of a material that no parameter takes, each as "roughness of Brick.png".
+void addImages(LeftOut& left, const aiMaterial& material) {
+    constexpr std::array<std::pair<aiTextureType, const char*>, 7> unread{
+        {{aiTextureType_METALNESS, "metalness"},
+         {aiTextureType_DIFFUSE_ROUGHNESS, "roughness"},
+         {aiTextureType_AMBIENT_OCCLUSION, "occlusion"},
+         {aiTextureType_LIGHTMAP, "occlusion"},
+         {aiTextureType_SHININESS, "shininess"},
+         {aiTextureType_REFLECTION, "reflections"},
+         {aiTextureType_DISPLACEMENT, "displacement"}}};
+    for (const auto& [type, use] : unread) {
+        aiString path;
+        if (material.GetTexture(type, 0, &path) == aiReturn_SUCCESS && path.length > 0) {
+            const std::string file(path.C_Str());
+            left.add(LeftOut::What::Image,
+                     use + (" of " + file.substr(file.find_last_of("/\\") + 1)));
+        }
+    }
+}
+
+/// Returns what the file has beside the triangles and the looks that are read.
+LeftOut leftOutOf(const aiScene& scene) {
+    using What = LeftOut::What;
+    LeftOut left;
+    for (unsigned int i = 0; i < scene.mNumAnimations; ++i) {
+        left.add(What::Animation, scene.mAnimations[i]->mName.C_Str());
+    }
+    for (unsigned int i = 0; i < scene.mNumCameras; ++i) {
+        left.add(What::Camera, scene.mCameras[i]->mName.C_Str());
+    }
+    for (unsigned int i = 0; i < scene.mNumLights; ++i) {
+        left.add(What::Light, scene.mLights[i]->mName.C_Str());
+    }
+    for (unsigned int i = 0; i < scene.mNumMeshes; ++i) {
+        const aiMesh& mesh = *scene.mMeshes[i];
+        if (mesh.HasBones()) {
+            left.add(What::Skin, mesh.mName.C_Str());
+        }
+        if (mesh.mNumAnimMeshes > 0) {
+            left.add(What::MorphTargets, mesh.mName.C_Str());
+        }
+        if (mesh.HasVertexColors(0)) {
+            left.add(What::VertexColors, mesh.mName.C_Str());
+        }
+    }
+    for (unsigned int i = 0; i < scene.mNumTextures; ++i) {
+        left.add(What::Image, scene.mTextures[i]->mFilename.C_Str());
+    }
+    for (unsigned int i = 0; i < scene.mNumMaterials; ++i) {
+        addImages(left, *scene.mMaterials[i]);
+    }
+    return left;
+}
+
 Error unreadable(const std::filesystem::path& file, std::string why) {
     std::erase(why, '\n');
     while (why.ends_with('.') || why.ends_with(' ')) {
@@ -175,6 +231,7 @@ Result<RawMesh> meshFrom(const std::shared_ptr<MeshFolder>& folder, const Report
     }
     mesh.padAttributes();
     mesh.materials = materialsFrom(*scene, *folder);
+    mesh.leftOut = leftOutOf(*scene);
     return mesh;
 }
 

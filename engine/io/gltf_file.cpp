@@ -3,6 +3,7 @@
 #define TINYGLTF_NO_STB_IMAGE
 #define TINYGLTF_NO_STB_IMAGE_WRITE
 #include "io/gltf_file.h"
+#include "io/gltf_extensions.h"
 
 #include <algorithm>
 #include <array>
@@ -164,16 +165,13 @@ bool adaptForLibrary(json& document, bool binary) {
 }
 
 /// Tells whether an extension can be read or ignored. Those for materials, textures, lights and
-/// animations do not matter here; the three others are about geometry.
+/// animations do not matter here.
 bool isKnown(const std::string& extension) {
-    constexpr std::array<std::string_view, 3> geometry{
-        "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_mesh_quantization"};
     constexpr std::array<std::string_view, 9> harmless{
         "KHR_materials_", "KHR_texture_",  "EXT_texture_", "MSFT_texture_", "KHR_lights_",
         "KHR_animation",  "KHR_technique", "KHR_xmp",      "EXT_lights_"};
     const auto starts = [&](std::string_view prefix) { return extension.starts_with(prefix); };
-    return std::ranges::find(geometry, extension) != geometry.end() ||
-           std::ranges::any_of(harmless, starts);
+    return isReadExtension(extension) || std::ranges::any_of(harmless, starts);
 }
 
 Result<void> checkRequired(const tinygltf::Model& model) {

@@ -10,6 +10,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "io/gltf_file.h"
+#include "io/gltf_left_out.h"
 #include "io/gltf_materials.h"
 #include "io/gltf_primitive.h"
 #include "io/gltf_views.h"
@@ -192,6 +193,7 @@ Result<std::optional<RawMesh>> readGltf(MeshFolder& folder, const ReportProgress
         return tl::unexpected(mesh.error());
     }
     mesh->materials = materialsFrom(**model, folder);
+    mesh->leftOut = leftOutOf(**model);
     return std::optional(std::move(*mesh));
 }
 

@@ -142,7 +142,10 @@ Result<std::string> finishMesh(RawMesh mesh, const MeshOptions& options,
     if (options.flipNormals) {
         flip(mesh);
     }
-    const std::string remarks = remarksOn(dropped, mesh.indices.size() / 3);
+    std::string remarks = remarksOn(dropped, mesh.indices.size() / 3);
+    if (const std::string left = mesh.leftOut.text(options.byMaterial); !left.empty()) {
+        remarks += (remarks.empty() ? "" : "; ") + left;
+    }
     if (!options.byMaterial) {
         mesh.materials.clear();
         mesh.materialOf.clear();

@@ -12,6 +12,7 @@
 #include <glm/vec4.hpp>
 
 #include "core/mesh_material.h"
+#include "io/left_out.h"
 
 namespace patina {
 
@@ -30,6 +31,7 @@ struct RawMesh {
     /// shorter than the triangles, where all those that are left have none.
     std::vector<std::uint32_t> materialOf;
     std::size_t pointsAndLines = 0;  ///< counts points and lines, which are not read
+    LeftOut leftOut;                 ///< is what else the file has
     std::shared_ptr<void> leftovers; ///< keeps the reader's data alive; freeing it may take a while
 
     /// Moves the vertices from `first` on, and the triangles from `firstIndex` on, by an affine

@@ -32,9 +32,13 @@ GlbWriter squareGlb() {
     return glb;
 }
 
-LoadedMesh loadedGlb(const GlbWriter& glb) { return loaded("made.glb", glb.bytes()); }
+LoadedMesh loadedGlb(const GlbWriter& glb) {
+    return loaded("made.glb", glb.bytes());
+}
 
-std::string complaint(const GlbWriter& glb) { return complaintAbout("made.glb", glb.bytes()); }
+std::string complaint(const GlbWriter& glb) {
+    return complaintAbout("made.glb", glb.bytes());
+}
 
 /// Expects a mesh in this box; where it lies proves how its positions were read.
 void expectBox(const LoadedMesh& mesh, const glm::vec3& lower, const glm::vec3& upper) {
@@ -53,7 +57,32 @@ void expectFacing(const LoadedMesh& mesh, const glm::vec3& direction) {
     EXPECT_GT(glm::dot(view.vertices[view.indices[0]].normal, direction), 1.0f - tolerance);
 }
 
-TEST(Gltf, Square_Loads) { expectBox(loadedGlb(squareGlb()), {0, 0, 0}, {1, 1, 0}); }
+TEST(Gltf, Square_Loads) {
+    expectBox(loadedGlb(squareGlb()), {0, 0, 0}, {1, 1, 0});
+}
+
+TEST(Gltf, WhatIsNotRead_IsToldByName) {
+    GlbWriter glb = squareGlb();
+    glb.primitive()["attributes"]["COLOR_0"] = glb.primitive()["attributes"]["POSITION"];
+    glb.document["cameras"] = nlohmann::json::parse(
+        R"([{"name": "Front", "type": "orthographic",
+             "orthographic": {"xmag": 1, "ymag": 1, "znear": 1, "zfar": 2}}])");
+    glb.document["extensionsUsed"] = {"KHR_materials_sheen", "EXT_mesh_gpu_instancing"};
+    glb.document["images"] = {{{"uri", "ao.png"}, {"name", "Occlusion"}}};
+    glb.document["textures"] = {{{"source", 0}}};
+    glb.document["materials"] = {{{"occlusionTexture", {{"index", 0}}}}};
+    EXPECT_EQ((*loadedGlb(glb))->remarks(),
+              "not read: 1 camera (Front), 1 mesh with vertex colours, 1 extension "
+              "(EXT_mesh_gpu_instancing)");
+    const TemporaryFolder folder;
+    writeFile(folder / "made.glb", glb.bytes());
+    MeshRequest apart{folder / "made.glb"};
+    apart.byMaterial = true;
+    EXPECT_TRUE((*AssetClient().loadMesh(apart))
+                    ->remarks()
+                    .ends_with(", 1 image (occlusion of ao.png), 1 extension of materials "
+                               "(KHR_materials_sheen)"));
+}
 
 TEST(Gltf, BinaryOfVersionOne_SaysSo) {
     std::string bytes = squareGlb().bytes();
@@ -214,8 +243,7 @@ TEST(Gltf, QuantisedIntegers_AreTakenAsTheyAre) {
                                                700, 700, 0, 0, 0,   700, 0, 0};
     const int view = glb.addView(quantised);
     glb.document["bufferViews"][std::size_t(view)]["byteStride"] = 8;
-    glb.primitive()["attributes"]["POSITION"] =
-        glb.addAccessor(view, unsignedShortType, "VEC3", 4);
+    glb.primitive()["attributes"]["POSITION"] = glb.addAccessor(view, unsignedShortType, "VEC3", 4);
     glb.document["extensionsRequired"][0] = "KHR_mesh_quantization";
     expectBox(loadedGlb(glb), {0, 0, 0}, {700, 700, 0});
 }
@@ -261,8 +289,7 @@ TEST(Gltf, DamagedDraco_SaysSo) {
 
 std::vector<unsigned char> compressedCorners() {
     std::vector<unsigned char> bytes(meshopt_encodeVertexBufferBound(4, 12));
-    bytes.resize(
-        meshopt_encodeVertexBuffer(bytes.data(), bytes.size(), corners.data(), 4, 12));
+    bytes.resize(meshopt_encodeVertexBuffer(bytes.data(), bytes.size(), corners.data(), 4, 12));
     return bytes;
 }
 
@@ -283,9 +310,9 @@ GlbWriter meshoptGlb(const std::vector<unsigned char>& positions) {
     glb.addView(indices);
     const auto view = [](std::size_t at, std::size_t bytes, std::size_t stride, std::size_t count,
                          const char* mode) {
-        const nlohmann::json compression{{"buffer", 0},          {"byteOffset", at},
-                                         {"byteLength", bytes},  {"byteStride", stride},
-                                         {"count", count},       {"mode", mode}};
+        const nlohmann::json compression{{"buffer", 0},         {"byteOffset", at},
+                                         {"byteLength", bytes}, {"byteStride", stride},
+                                         {"count", count},      {"mode", mode}};
         return nlohmann::json{{"buffer", 1},
                               {"byteLength", stride * count},
                               {"extensions", {{"EXT_meshopt_compression", compression}}}};

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace patina {
+
+/// Tells whether a glTF extension is about geometry and read.
+inline bool isReadExtension(std::string_view name) {
+    constexpr std::array<std::string_view, 3> geometry{
+        "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_mesh_quantization"};
+    return std::ranges::find(geometry, name) != geometry.end();
+}
+
+} // namespace patina

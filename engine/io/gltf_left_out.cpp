@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/gltf_left_out.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "io/gltf_extensions.h"
+
+namespace patina {
+namespace {
+
+using What = LeftOut::What;
+
+constexpr std::string_view lightsExtension = "KHR_lights_punctual"; ///< lights are told by name
+
+bool isOfMaterials(std::string_view extension) {
+    constexpr std::array<std::string_view, 4> prefixes{"KHR_materials_", "KHR_texture_",
+                                                       "EXT_texture_", "MSFT_texture_"};
+    return std::ranges::any_of(prefixes,
+                               [&](std::string_view each) { return extension.starts_with(each); });
+}
+
+template <class Element>
+void addAll(LeftOut& left, What what, const std::vector<Element>& elements) {
+    for (const Element& element : elements) {
+        left.add(what, element.name);
+    }
+}
+
+void addMeshes(LeftOut& left, const tinygltf::Model& model) {
+    for (const tinygltf::Mesh& mesh : model.meshes) {
+        const auto has = [&mesh](auto question) {
+            return std::ranges::any_of(mesh.primitives, question);
+        };
+        if (has([](const tinygltf::Primitive& each) { return !each.targets.empty(); })) {
+            left.add(What::MorphTargets, mesh.name);
+        }
+        if (has([](const tinygltf::Primitive& each) {
+                return each.attributes.contains("COLOR_0");
+            })) {
+            left.add(What::VertexColors, mesh.name);
+        }
+        if (has([](const tinygltf::Primitive& each) {
+                return each.mode >= TINYGLTF_MODE_POINTS && each.mode <= TINYGLTF_MODE_LINE_STRIP;
+            })) {
+            left.add(What::PointsAndLines, mesh.name);
+        }
+    }
+}
+
+void addExtensions(LeftOut& left, const tinygltf::Model& model) {
+    for (const std::string& name : model.extensionsUsed) {
+        const bool isTold = name == lightsExtension && !model.lights.empty();
+        if (!isTold && !isReadExtension(name)) {
+            left.add(isOfMaterials(name) ? What::MaterialExtension : What::Extension, name);
+        }
+    }
+}
+
+/// Adds the image of a texture, if there is one, as "roughness of Brick.png".
+void addTexture(LeftOut& left, const tinygltf::Model& model, const char* use, int index,
+                bool isRead) {
+    if (index < 0 || std::size_t(index) >= model.textures.size()) {
+        return;
+    }
+    const int source = model.textures[std::size_t(index)].source;
+    if (source < 0 || std::size_t(source) >= model.images.size()) {
+        left.add(What::Image, use); // an extension has it
+        return;
+    }
+    const tinygltf::Image& image = model.images[std::size_t(source)];
+    const bool isInside = image.uri.empty() || image.uri.starts_with("data:");
+    if (!isRead || isInside) {
+        const std::string name =
+            isInside ? image.name : std::filesystem::path(image.uri).filename().string();
+        left.add(What::Image, name.empty() ? use : use + (" of " + name));
+    }
+}
+
+void addImages(LeftOut& left, const tinygltf::Model& model) {
+    for (const tinygltf::Material& material : model.materials) {
+        const tinygltf::PbrMetallicRoughness& look = material.pbrMetallicRoughness;
+        addTexture(left, model, "colour", look.baseColorTexture.index, true);
+        addTexture(left, model, "roughness and metalness", look.metallicRoughnessTexture.index,
+                   false);
+        addTexture(left, model, "normals", material.normalTexture.index, true);
+        addTexture(left, model, "occlusion", material.occlusionTexture.index, false);
+        addTexture(left, model, "glow", material.emissiveTexture.index, true);
+    }
+}
+
+} // namespace
+
+LeftOut leftOutOf(const tinygltf::Model& model) {
+    LeftOut left;
+    addAll(left, What::Animation, model.animations);
+    addAll(left, What::Skin, model.skins);
+    addAll(left, What::Camera, model.cameras);
+    addAll(left, What::Light, model.lights);
+    addMeshes(left, model);
+    addExtensions(left, model);
+    addImages(left, model);
+    return left;
+}
+
+} // namespace patina
