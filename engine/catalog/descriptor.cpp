@@ -195,6 +195,7 @@ void readRange(const Fields& fields, Parameter& parameter) {
     fields.read("scale", scaleWords, parameter.scale);
     fields.read("decimals", parameter.decimals);
     fields.read("unit", parameter.unit);
+    fields.read("zeroText", parameter.zeroText);
 }
 
 Parameter parameterFrom(const Fields& fields) {

@@ -80,6 +80,9 @@ void addRange(Json& json, const Parameter& parameter) {
     json["step"] = parameter.step;
     json["scale"] = wordFor(scaleWords, parameter.scale);
     json["decimals"] = parameter.decimals;
+    if (!parameter.zeroText.empty()) {
+        json["zeroText"] = parameter.zeroText;
+    }
 }
 
 Json parameterJson(const Parameter& parameter) {

@@ -82,6 +82,7 @@ struct Parameter {
     double step = 0.01;
     Scale scale = Scale::Linear;
     std::string unit;
+    std::string zeroText; ///< is shown in place of 0, as "automatic"; empty: 0 is
     int decimals = 3;
     std::string group;
     bool advanced = false;

@@ -45,6 +45,15 @@ TEST(SliderRange, LogSliderWidenedBothWays_StaysLogarithmic) {
     EXPECT_GT(range.positionOf(64.0) - range.positionOf(20.0), 0.05);
 }
 
+TEST(NumberBox, TextForZero_StandsThereUnlessItIsEdited) {
+    NumberBox box(2, "m");
+    box.setZeroText("automatic");
+    box.setValue(0.0);
+    EXPECT_EQ(box.text(), "automatic");
+    box.setValue(1.5);
+    EXPECT_EQ(box.text(), "1.5");
+}
+
 TEST_F(Slider, Drag_IsOneStep) {
     drag(slider("roughness"), 0.5, 0.8);
     EXPECT_EQ(fixture.steps(), 1);

@@ -67,7 +67,7 @@ TEST_F(Mistakes, SeveralInOneFile_AreAllReported) {
                   ":7:72: the key \"colour\" is not known; expected one of advanced, "
                   "compiled, components, decimals, default, doc, emission, enabledWhen, group, "
                   "highlight, id, label, max, migrations, min, physical, role, scale, softMax, "
-                  "softMin, space, step, texture, transparency, type, unit, values\n");
+                  "softMin, space, step, texture, transparency, type, unit, values, zeroText\n");
 }
 
 /// One mistake per line from line 3 on; every one of them is another one.

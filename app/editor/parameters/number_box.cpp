@@ -32,6 +32,11 @@ NumberBox::NumberBox(int decimals, const QString& unit, QWidget* parent)
     showValue();
 }
 
+void NumberBox::setZeroText(const QString& text) {
+    zeroText_ = text;
+    showValue();
+}
+
 void NumberBox::setValue(double value) {
     const bool isBeingTyped = hasFocus() && isModified();
     value_ = value;
@@ -46,13 +51,21 @@ void NumberBox::showValue() {
         setCursorPosition(0);
     }
     setModified(false);
+    updateMargins();
     markWhetherValid();
     if (hasFocus()) {
         selectAll();
     }
 }
 
+bool NumberBox::showsZeroText() const {
+    return !hasFocus() && value_ == 0.0 && !zeroText_.isEmpty();
+}
+
 QString NumberBox::textOf(double value) const {
+    if (showsZeroText()) {
+        return zeroText_;
+    }
     return QString::fromStdString(hasFocus() ? shortestText(static_cast<float>(value))
                                              : shownNumber(value, decimals_));
 }
@@ -125,12 +138,13 @@ void NumberBox::changeEvent(QEvent* event) {
 
 void NumberBox::updateMargins() {
     const int gap = fontMetrics().horizontalAdvance(QLatin1Char('0')); // 0.1 1/m, not 0.11/m
-    setTextMargins(0, 0, unit_.isEmpty() ? 0 : fontMetrics().horizontalAdvance(shown_) + gap, 0);
+    const bool hasUnit = !unit_.isEmpty() && !showsZeroText();
+    setTextMargins(0, 0, hasUnit ? fontMetrics().horizontalAdvance(shown_) + gap : 0, 0);
 }
 
 void NumberBox::paintEvent(QPaintEvent* event) {
     ValueBox::paintEvent(event);
-    if (!unit_.isEmpty()) {
+    if (!unit_.isEmpty() && !showsZeroText()) {
         QPainter painter(this);
         QColor color = palette().color(QPalette::WindowText);
         color.setAlphaF(isEnabled() ? 0.6f : 0.35f);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "parameters/value_steps.h"
 #include "parameters/value_box.h"
+#include "parameters/value_steps.h"
 
 namespace patina {
 
@@ -14,6 +14,8 @@ class NumberBox : public ValueBox {
   public:
     NumberBox(int decimals, const QString& unit, QWidget* parent = nullptr);
 
+    /// Shows a text in place of 0 while the number is not edited; empty: shows the number.
+    void setZeroText(const QString& text);
     void setValue(double value);
     double value() const { return value_; }
 
@@ -38,11 +40,13 @@ class NumberBox : public ValueBox {
   private:
     void markWhetherValid();
     void updateMargins();
+    bool showsZeroText() const;
 
     double value_ = 0.0;
     int decimals_;
     QString unit_;  ///< is the descriptor's, which typed units convert to
     QString shown_; ///< is the unit as people write it
+    QString zeroText_;
     bool selectOnRelease_ = false;
     WheelSteps wheel_;
 };

@@ -32,6 +32,7 @@ SliderWithBox::SliderWithBox(const Parameter& parameter, double defaultValue, co
     line->addWidget(slider_, 1);
     line->addWidget(box_);
     setFocusProxy(slider_);
+    box_->setZeroText(QString::fromStdString(parameter.zeroText));
     slider_->setAccessibleName(name);
     box_->setAccessibleName(tr("%1, number").arg(name));
     slider_->setDefaultValue(defaultValue);
