@@ -11,6 +11,10 @@
 namespace patina {
 namespace {
 
+/// Is the least share of all passes' time with which one is listed: less is only waited for.
+constexpr double shownPass = 1e-3;
+constexpr std::size_t passColumns = 30;
+
 double percentOf(double milliseconds, const EffectCosts& costs) {
     return costs.frame.median > 0.0 ? 100.0 * milliseconds / costs.frame.median : 0.0;
 }
@@ -116,6 +120,28 @@ std::string totalText(const EffectTable& table) {
         costs.frame.upper, costs.size.x, costs.size.y, costs.pairs, costs.method,
         costs.secondsNeeded > 0.0 ? "medians; ! too few pairs for an interval of 95 %"
                                   : "medians with intervals of 95 %");
+}
+
+/// Lists the passes that take a time that can be seen, and their sum.
+std::string passesText(const EffectCosts& costs) {
+    if (costs.passes.empty()) {
+        return {};
+    }
+    double sum = 0.0;
+    for (const PassCost& cost : costs.passes) {
+        sum += cost.milliseconds.median;
+    }
+    std::string text = "\npass of a frame in which something has moved, each waited for\n";
+    for (const PassCost& cost : costs.passes) {
+        const double milliseconds = cost.milliseconds.median;
+        if (milliseconds >= shownPass * sum) {
+            text += fmt::format("{}  {:8.3f} ms {:5.1f} % ({:.3f} .. {:.3f})\n",
+                                padded(cost.pass, passColumns), milliseconds,
+                                100.0 * milliseconds / sum, cost.milliseconds.lower,
+                                cost.milliseconds.upper);
+        }
+    }
+    return text;
 }
 
 double cyclesOf(const EffectTable& table, const GpuFamily& family) {
@@ -244,6 +270,10 @@ nlohmann::json costsJson(const EffectTable& table) {
                         {"size", {costs.size.x, costs.size.y}},
                         {"pairs", costs.pairs},
                         {"method", costs.method}};
+    for (const PassCost& cost : costs.passes) {
+        json["passes"].push_back(
+            {{"pass", cost.pass}, {"milliseconds", intervalJson(cost.milliseconds, cost.frames)}});
+    }
     if (costs.secondsNeeded > 0.0) {
         json["secondsNeeded"] = costs.secondsNeeded;
     }
@@ -276,7 +306,7 @@ std::string tableText(const EffectTable& table) {
                (table.predicted ? predictedText(*rows[i].row, table) : std::string()) +
                whyText(rows[i].row->line) + '\n';
     }
-    return out + (table.costs ? totalText(table) : std::string()) +
+    return out + (table.costs ? totalText(table) + passesText(*table.costs) : std::string()) +
            (table.predicted ? predictedTotal(table) : std::string());
 }
 

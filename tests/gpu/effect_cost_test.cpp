@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "gpu_fixture.h"
@@ -116,6 +117,20 @@ TEST_F(EffectCostTest, HeavyEffect_IsMostOfTheFrame) {
     scene_.setPart(kinds::fog, block("fog", "heavy"));
     const EffectCosts costs = measured(7);
     EXPECT_GT(costs.of("fog/heavy")->milliseconds.median, 0.5 * costs.frame.median);
+}
+
+TEST_F(EffectCostTest, Passes_AreTimedByWhatTheyDraw) {
+    scene_.setPart(kinds::fog, block("fog", "heavy"));
+    scene_.lights[0].setPart(kinds::shadows, block("shadows", "hard"));
+    scene_.ground.mode = GroundMode::Plane;
+    const EffectCosts costs = measured(1);
+    std::map<std::string, double> times;
+    for (const PassCost& cost : costs.passes) {
+        EXPECT_TRUE(times.emplace(cost.pass, cost.milliseconds.median).second) << cost.pass;
+    }
+    EXPECT_GT(times.at("shadow maps"), 0.0);
+    EXPECT_GT(times.at("solid objects"), times.at("resolve"));
+    EXPECT_TRUE(times.contains("picture passes and tone curve"));
 }
 
 TEST_F(EffectCostTest, SumAndRest_AreTheFrame) {

@@ -14,6 +14,7 @@
 #include "docks/effect_list.h"
 #include "docks/family_chooser.h"
 #include "docks/panel.h"
+#include "docks/pass_times_dialog.h"
 #include "docks/settling.h"
 #include "document/document.h"
 #include "document/scene_edits.h"
@@ -44,6 +45,10 @@ EffectsDock::EffectsDock(const DockContext& context)
                         this)),
       cancel_(textButton(tr("Cancel"), tr("Stop and keep what was measured so far"), this)),
       allOn_(textButton(tr("All on"), tr("Show every effect in the views again"), this)),
+      passes_(textButton(tr("Passes…"),
+                         tr("List what each pass of the measured frames takes: shadow maps, solid "
+                            "objects, background and the others"),
+                         this)),
       progress_(new QProgressBar(this)), state_(new QLabel(this)), family_(new FamilyChooser(this)),
       list_(new EffectList(document_, switches_, measurement_, this)) {
     settle_.setSingleShot(true);
@@ -75,6 +80,7 @@ void EffectsDock::layOut() {
     row->addWidget(cancel_);
     row->addWidget(progress_);
     row->addWidget(state_, 1);
+    row->addWidget(passes_);
     row->addWidget(family_);
     row->addWidget(allOn_);
     auto* layout = new QVBoxLayout(this);
@@ -87,6 +93,11 @@ void EffectsDock::layOut() {
 void EffectsDock::connectParts() {
     connect(start_, &QToolButton::clicked, this, [this] { measure(); });
     connect(cancel_, &QToolButton::clicked, &measurement_, &EffectMeasurement::cancel);
+    connect(passes_, &QToolButton::clicked, this, [this] {
+        if (const EffectCosts* costs = measurement_.costs()) {
+            (new PassTimesDialog(*costs, window()))->open();
+        }
+    });
     list_->setFamily(family_->family());
     connect(family_, &QComboBox::currentIndexChanged, this,
             [this] { list_->setFamily(family_->family()); });
@@ -193,6 +204,8 @@ void EffectsDock::showState() {
     start_->setEnabled(!running && document_.selection().object() >= 0);
     cancel_->setVisible(running);
     progress_->setVisible(running);
+    const EffectCosts* costs = measurement_.costs();
+    passes_->setEnabled(!running && costs != nullptr && !costs->passes.empty());
     allOn_->setEnabled(!switches_.off().empty());
     state_->setText(measurement_.stateText(list_->rows()));
     state_->setToolTip(state_->text());

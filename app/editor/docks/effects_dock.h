@@ -57,6 +57,7 @@ class EffectsDock : public QWidget {
     QToolButton* start_;
     QToolButton* cancel_;
     QToolButton* allOn_;
+    QToolButton* passes_; ///< opens the times of the frame's passes
     QProgressBar* progress_;
     QLabel* state_;
     FamilyChooser* family_;

@@ -29,6 +29,15 @@ struct EffectCost {
     friend bool operator==(const EffectCost&, const EffectCost&) = default;
 };
 
+/// Holds the time of one pass of a frame, of frames in which each pass is waited for.
+struct PassCost {
+    std::string pass;            ///< is what it draws, in words
+    MedianInterval milliseconds; ///< is that of a frame in which something has moved
+    int frames = 0;              ///< counts those that were timed
+
+    friend bool operator==(const PassCost&, const PassCost&) = default;
+};
+
 /// Holds the measured costs of a scene's effects.
 struct EffectCosts {
     MedianInterval frame; ///< milliseconds of the frame with all effects
@@ -38,8 +47,9 @@ struct EffectCosts {
     int pairs = 0;      ///< counts pairs of frames that each effect has at least
     /// Is how many seconds enough pairs for every effect would take; 0 where there are enough.
     double secondsNeeded = 0.0;
-    std::string method; ///< says how they were timed, for users
-    Errors problems;    ///< say what could not be drawn
+    std::string method;             ///< says how they were timed, for users
+    Errors problems;                ///< say what could not be drawn
+    std::vector<PassCost> passes{}; ///< are in the order in which they are drawn
 
     /// Returns the cost of an effect; null where it was not measured.
     const EffectCost* of(std::string_view effect) const;

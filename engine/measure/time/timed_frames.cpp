@@ -5,6 +5,7 @@
 
 #include <epoxy/gl.h>
 
+#include "render/frame/frame_job.h"
 #include "render/gpu/hdr_target.h"
 
 namespace patina {
@@ -45,12 +46,19 @@ double TimedFrames::timeOf(const Scene& scene, const View& view) {
     return timer_.milliseconds();
 }
 
+std::vector<PassStopwatch::Lap> TimedFrames::passesOf(const Scene& scene, const View& view) {
+    PassStopwatch stopwatch;
+    renderer_->job().setStopwatch(&stopwatch);
+    draw(scene, view);
+    renderer_->job().setStopwatch(nullptr);
+    return stopwatch.laps();
+}
+
 const FrameReport& TimedFrames::draw(const Scene& scene, const View& view) {
     View sized = view;
     sized.size = color_.size();
     timer_.begin();
-    const FrameReport& frame =
-        renderer_->draw(scene, sized, supplies_.meshes, target_.name());
+    const FrameReport& frame = renderer_->draw(scene, sized, supplies_.meshes, target_.name());
     timer_.end();
     glFinish();
     timer_.collect();

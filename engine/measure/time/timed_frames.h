@@ -4,9 +4,11 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "gl/framebuffer.h"
 #include "measure/time/frame_timer.h"
+#include "render/frame/pass_stopwatch.h"
 #include "render/renderer.h"
 
 namespace patina {
@@ -28,6 +30,9 @@ class TimedFrames {
     /// Returns the milliseconds of a frame of size(), whatever size the view has. A frame that had
     /// to draw shadow maps, which happens after a change, is drawn again and only then timed.
     double timeOf(const Scene& scene, const View& view);
+
+    /// Draws a frame and returns what each of its passes takes, one after the other.
+    std::vector<PassStopwatch::Lap> passesOf(const Scene& scene, const View& view);
 
     glm::ivec2 size() const { return color_.size(); }
     void resize(glm::ivec2 size);

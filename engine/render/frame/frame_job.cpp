@@ -52,6 +52,9 @@ void FrameJob::followCatalog() {
 
 void FrameJob::begin(const Scene& scene, const View& view, const MeshSource& meshes,
                      FramePurpose purpose) {
+    if (stopwatch_ != nullptr) {
+        stopwatch_->start();
+    }
     began_ = Clock::now();
     purpose_ = purpose;
     failure_.reset();
@@ -114,6 +117,7 @@ FrameJob::Progress FrameJob::step(Deadline deadline) {
     if (!prepare(isFirst ? began_ : Clock::now(), deadline)) {
         return failure_ ? fail(*failure_) : pause();
     }
+    lap("preparation");
     if (gpu_.isSketch && isLarge()) {
         isNeedless_ = true; // it would take hardly less than the frame
         return Progress::Done;
@@ -202,14 +206,24 @@ FrameJob::Progress FrameJob::draw(Deadline deadline) {
         budget_.beginDrawing(isLarge());
     }
     const bool isDone = drawPasses(passes_.beforeObjects()) && drawObjects() &&
-                        passes_.depthNormals.draw(prepared_, gpu_, budget_) &&
-                        passes_.resolve.draw(prepared_, gpu_, budget_);
+                        drawPass(passes_.depthNormals) && drawPass(passes_.resolve);
     return isDone ? finish() : pause();
 }
 
 bool FrameJob::drawPasses(std::span<Pass* const> passes) {
-    return std::ranges::all_of(passes,
-                               [this](Pass* pass) { return pass->draw(prepared_, gpu_, budget_); });
+    return std::ranges::all_of(passes, [this](Pass* pass) { return drawPass(*pass); });
+}
+
+bool FrameJob::drawPass(Pass& pass) {
+    const bool isDone = pass.draw(prepared_, gpu_, budget_);
+    lap(passes_.nameOf(pass));
+    return isDone;
+}
+
+void FrameJob::lap(std::string_view name) {
+    if (stopwatch_ != nullptr) {
+        stopwatch_->lap(name);
+    }
 }
 
 bool FrameJob::drawObjects() {
@@ -320,6 +334,7 @@ void FrameJob::show(unsigned framebuffer, double share) {
     }
     if (!gpu_.isSketch) {
         showIn(framebuffer, size_, exposure_, share);
+        lap("picture passes and tone curve");
         return;
     }
     const StretchedPicture picture(view_.size);

@@ -13,6 +13,7 @@
 #include "gl/driver.h"
 #include "render/frame/frame_description.h"
 #include "render/frame/frame_passes.h"
+#include "render/frame/pass_stopwatch.h"
 #include "render/gpu/step_budget.h"
 #include "render/plan/frame_planner.h"
 
@@ -62,6 +63,10 @@ class FrameJob {
     /// Notes the time that a window's frame has taken in all its steps, by which the next one is
     /// cut into tiles.
     void noteTime(double milliseconds) { passes_.solid.noteTime(milliseconds); }
+
+    /// Has the passes of frames timed from now on, each as it is waited for; null: no more. What is
+    /// before the first pass counts as "preparation", show() as "picture passes and tone curve".
+    void setStopwatch(PassStopwatch* stopwatch) { stopwatch_ = stopwatch; }
 
     /// Takes the values of the passes, of the exposure and of the tone curve from the scene, so
     /// that show() draws the last picture with them. Returns false where that picture is not there
@@ -124,6 +129,8 @@ class FrameJob {
     bool prepareSome();
     bool isLarge();
     Progress draw(Deadline deadline);
+    bool drawPass(Pass& pass);
+    void lap(std::string_view name);
     bool drawPasses(std::span<Pass* const> passes);
     bool drawObjects();
     Progress finish();
@@ -151,7 +158,8 @@ class FrameJob {
     glm::ivec2 size_{0};      ///< is the size of the picture
     double exposure_ = 0.0;
     Kept kept_;
-    MeshSource meshes_; ///< is empty except while a frame only compiles programs
+    PassStopwatch* stopwatch_ = nullptr; ///< is null unless passes are timed
+    MeshSource meshes_;                  ///< is empty except while a frame only compiles programs
 };
 
 } // namespace patina
