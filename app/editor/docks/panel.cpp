@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -16,6 +17,7 @@ namespace patina {
 namespace {
 
 constexpr int margin = 6;
+constexpr int settlingMs = 500;
 constexpr int widest = 340; ///< pixels that content may claim at most
 
 /// Is as wide as its content needs, up to `widest`.
@@ -41,6 +43,38 @@ class ScrolledContent : public QScrollArea {
 
   private:
     int asked_ = -1; ///< pixels; the width that it last asked for
+};
+
+/// Keeps a section at the top of its panel for a moment: a panel that is new has layouts to come,
+/// in which labels above the section wrap otherwise and rows change their height.
+class KeptAtTop : public QObject {
+  public:
+    KeptAtTop(QScrollArea& area, QWidget& section)
+        : QObject(&section), area_(area), section_(section) {
+        section.installEventFilter(this);
+        area.widget()->installEventFilter(this);
+        QTimer::singleShot(settlingMs, this, &QObject::deleteLater);
+    }
+
+    void scroll() {
+        const int top = section_.mapTo(area_.widget(), QPoint()).y();
+        area_.ensureVisible(0, top + area_.viewport()->height(), 0, 0);
+        area_.ensureVisible(0, top, 0, 0);
+    }
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        const bool hasMoved = watched == &section_ && event->type() == QEvent::Move;
+        if (hasMoved || (watched == area_.widget() && event->type() == QEvent::Resize)) {
+            // The scroll bar has its range only after this event.
+            QMetaObject::invokeMethod(this, &KeptAtTop::scroll, Qt::QueuedConnection);
+        }
+        return QObject::eventFilter(watched, event);
+    }
+
+  private:
+    QScrollArea& area_;
+    QWidget& section_;
 };
 
 } // namespace
@@ -76,9 +110,7 @@ void scrollToSection(const QWidget& panel, const QString& title) {
     if (section == sections.end() || area == nullptr) {
         return;
     }
-    const int top = (*section)->mapTo(area->widget(), QPoint()).y();
-    area->ensureVisible(0, top + area->viewport()->height(), 0, 0);
-    area->ensureVisible(0, top, 0, 0);
+    (new KeptAtTop(*area, **section))->scroll();
 }
 
 QWidget* labelled(const QString& text, QWidget* widget) {

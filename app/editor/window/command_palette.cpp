@@ -2,6 +2,7 @@
 #include "window/command_palette.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QAction>
 #include <QDockWidget>
@@ -18,10 +19,28 @@ namespace patina {
 namespace {
 
 constexpr QSize paletteSize(460, 320);
+constexpr std::size_t maxChoices = 100; ///< more words find fewer
 
-/// Returns the places of the commands that have all words, those that have them in their own name
-/// first, then those that have them in the names of their menus.
-std::vector<std::size_t> found(const std::vector<Command>& commands, const QString& words) {
+/// Returns the places of the choices that have all words, the one that is called so first.
+std::vector<std::size_t> found(const std::vector<NamedChoice>& choices, const QString& words) {
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < choices.size() && !words.isEmpty(); ++i) {
+        if (hasAllWords(choices[i].kind + ' ' + choices[i].name, words)) {
+            places.push_back(i);
+        }
+    }
+    std::ranges::stable_partition(places, [&](std::size_t place) {
+        return choices[place].name.compare(words, Qt::CaseInsensitive) == 0;
+    });
+    places.resize(std::min(places.size(), maxChoices));
+    return places;
+}
+
+/// Returns the places of what has all words: commands that have them in their own name first, then
+/// those that have them in the names of their menus, then choices, whose places follow those of the
+/// commands, then panels that have them in what they hold.
+std::vector<std::size_t> found(const std::vector<Command>& commands,
+                               const std::vector<NamedChoice>& choices, const QString& words) {
     std::vector<std::size_t> ranks[3];
     for (std::size_t i = 0; i < commands.size(); ++i) {
         const Command& command = commands[i];
@@ -34,15 +53,20 @@ std::vector<std::size_t> found(const std::vector<Command>& commands, const QStri
         }
     }
     ranks[0].insert(ranks[0].end(), ranks[1].begin(), ranks[1].end());
+    for (const std::size_t place : found(choices, words.trimmed())) {
+        ranks[0].push_back(commands.size() + place);
+    }
     ranks[0].insert(ranks[0].end(), ranks[2].begin(), ranks[2].end());
     return ranks[0];
 }
 
 } // namespace
 
-CommandPalette::CommandPalette(const CommandKeys& keys, QWidget* parent)
-    : QDialog(parent), keys_(keys), search_(new QLineEdit(this)), list_(new QListWidget(this)),
-      none_(new QLabel(tr("No command or panel has these words."), this)) {
+CommandPalette::CommandPalette(const CommandKeys& keys, std::vector<NamedChoice> choices,
+                               QWidget* parent)
+    : QDialog(parent), keys_(keys), choices_(std::move(choices)), search_(new QLineEdit(this)),
+      list_(new QListWidget(this)),
+      none_(new QLabel(tr("No command, panel, model or preset has these words."), this)) {
     setAttribute(Qt::WA_DeleteOnClose);
     setObjectName("commandPalette");
     setWindowTitle(tr("Run a Command"));
@@ -64,17 +88,24 @@ CommandPalette::CommandPalette(const CommandKeys& keys, QWidget* parent)
 
 void CommandPalette::fill(const QString& words) {
     list_->clear();
-    const std::vector<Command>& commands = keys_.commands();
-    for (const std::size_t i : found(commands, words)) {
-        const Command& command = commands[i];
-        const QString path = QString(command.id).replace('/', QStringLiteral(" \u203a "));
-        const QString shortcut = command.action->shortcut().toString(QKeySequence::NativeText);
-        auto* item = new QListWidgetItem(
-            shortcut.isEmpty() ? path : QStringLiteral("%1   (%2)").arg(path, shortcut), list_);
-        item->setData(Qt::UserRole, static_cast<int>(i));
+    for (const std::size_t place : found(keys_.commands(), choices_, words)) {
+        auto* item = new QListWidgetItem(textOf(place), list_);
+        item->setData(Qt::UserRole, static_cast<int>(place));
     }
     list_->setCurrentRow(0);
     none_->setVisible(list_->count() == 0);
+}
+
+QString CommandPalette::textOf(std::size_t place) const {
+    const std::vector<Command>& commands = keys_.commands();
+    if (place >= commands.size()) {
+        const NamedChoice& choice = choices_[place - commands.size()];
+        return tr("%1: %2").arg(choice.kind, choice.name);
+    }
+    const Command& command = commands[place];
+    const QString path = QString(command.id).replace('/', QStringLiteral(" \u203a "));
+    const QString shortcut = command.action->shortcut().toString(QKeySequence::NativeText);
+    return shortcut.isEmpty() ? path : QStringLiteral("%1   (%2)").arg(path, shortcut);
 }
 
 /// Closes the dialog first: the command may open another one, or need the focus in a view. A panel
@@ -82,6 +113,12 @@ void CommandPalette::fill(const QString& words) {
 void CommandPalette::run(const QListWidgetItem* item) {
     if (item) {
         const auto place = static_cast<std::size_t>(item->data(Qt::UserRole).toInt());
+        if (place >= keys_.commands().size()) {
+            const auto choose = choices_[place - keys_.commands().size()].choose;
+            accept();
+            choose();
+            return;
+        }
         QAction* action = keys_.commands()[place].action;
         accept();
         if (auto* panel = qobject_cast<QDockWidget*>(action->parent())) {

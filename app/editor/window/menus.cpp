@@ -34,6 +34,7 @@
 #include "window/help.h"
 #include "window/inspection_menu.h"
 #include "window/lighting_menu.h"
+#include "window/named_choices.h"
 #include "window/preferences_dialog.h"
 #include "window/shortcut_sheet.h"
 #include "window/theme.h"
@@ -445,8 +446,11 @@ void Menus::makeHelpMenu() {
         (new ShortcutSheet(*keys_, parts_.session.mouseHabits(), &parts_.window))->open();
     });
     sheet->setShortcuts({QKeySequence(Qt::Key_F1), QKeySequence("?")});
-    add(menu, tr("&Run a Command…"), QKeySequence("Ctrl+K"),
-        [this] { (new CommandPalette(*keys_, &parts_.window))->open(); });
+    add(menu, tr("&Run a Command…"), QKeySequence("Ctrl+K"), [this] {
+        (new CommandPalette(*keys_, namedChoices(parts_.document, parts_.presets, parts_.files),
+                            &parts_.window))
+            ->open();
+    });
     const auto link = [&](const QString& words, const char* page) {
         add(menu, words, {}, [page] { QDesktopServices::openUrl(QUrl(page)); });
     };
