@@ -295,6 +295,8 @@ void SideView::bookmark(int digit, bool isKept) {
     const auto& bookmarks = document_.scene().bookmarks;
     if (const auto found = bookmarks.find(digit); found != bookmarks.end()) {
         Q_EMIT bookmarkChosen(found->second);
+    } else {
+        Q_EMIT bookmarkMissed(digit);
     }
 }
 

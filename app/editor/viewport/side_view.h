@@ -88,6 +88,7 @@ class SideView : public QFrame {
     void bookmarkWished(int digit); ///< asks to store the camera under a digit
     /// Asks for a camera that the document stores.
     void bookmarkChosen(const patina::Camera& bookmark);
+    void bookmarkMissed(int digit); ///< tells that the document stores none under a digit
 
   protected:
     void paintEvent(QPaintEvent* event) override;

@@ -34,9 +34,13 @@ void ViewCameras::add(SideView& view) {
     connect(&navigation, &CameraNavigation::dragCancelled, &history_, &CameraHistory::endDrag);
     connect(&view, &SideView::bookmarkWished, this, [this, &view](int digit) {
         setBookmark(document_, digit, heldFrom(view.viewport().camera()));
+        Q_EMIT said(tr("This view is kept as %1: press %1 to come back to it").arg(digit));
     });
     connect(&view, &SideView::bookmarkChosen, this,
             [this, side](const Camera& bookmark) { move(side, shownFrom(bookmark)); });
+    connect(&view, &SideView::bookmarkMissed, this, [this](int digit) {
+        Q_EMIT said(tr("No view is kept as %1 yet: Ctrl+%1 keeps this one").arg(digit));
+    });
     connect(&view, &SideView::resetWished, this, [this, side] { reset(side); });
 }
 

@@ -39,6 +39,8 @@ class ViewCameras : public QObject {
 
   Q_SIGNALS:
     void linkChanged(bool linked);
+    /// Is emitted with a sentence on what a bookmark's key has done.
+    void said(const QString& text);
 
   private:
     SideView& first() const { return *views_.front(); }

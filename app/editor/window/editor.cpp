@@ -155,7 +155,9 @@ int runEditor(int argc, char** argv) {
     Viewport& viewport = window.views().first().viewport();
     afterFirstFrame(window, viewport);
     window.show();
-    if (!isSafe) {
+    if (isSafe) {
+        window.tellSafeStart();
+    } else {
         window.offerRecovery(); // comes before the first frame, for which a slow model may take
                                 // seconds
     }

@@ -133,6 +133,8 @@ void MainWindow::connectParts() {
             [this] { status_->setSwitchedOff(static_cast<int>(switches_.off().size())); });
     connect(status_, &StatusLine::effectsWished, this,
             [this] { layout_->bringToFront("effects"); });
+    connect(&views_->cameras(), &ViewCameras::said, this,
+            [this](const QString& text) { status_->showMessage(text, saidMs); });
     connect(views_, &CompareArea::numbersShown, status_, &StatusLine::setComparison);
     connect(views_, &CompareArea::filesDropped, files_, &FileActions::drop);
     connect(status_, &StatusLine::messagesWished, this, [this] {
@@ -164,6 +166,16 @@ void MainWindow::connectParts() {
             view->viewport().frames().refresh();
         }
     });
+}
+
+void MainWindow::tellSafeStart() {
+    messages_.addNote({{},
+                       0,
+                       0,
+                       "this is a safe start: named files, unsaved work and your own models and "
+                       "other blocks are left out until the next start",
+                       {}});
+    status_->showMessage(tr("Safe start: your own models and files are left out"), saidMs);
 }
 
 bool MainWindow::event(QEvent* event) {

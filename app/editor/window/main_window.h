@@ -61,6 +61,9 @@ class MainWindow : public QMainWindow {
     /// Asks about work that an earlier program could not save, the newest first.
     void offerRecovery() { recovery_->ask(); }
 
+    /// Says that the program began without files and without the user's blocks.
+    void tellSafeStart();
+
   protected:
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
