@@ -8,6 +8,19 @@
 #include "viewport/viewport.h"
 
 namespace patina {
+namespace {
+
+/// Tells whether a change may move what is drawn over the picture: values of materials and of the
+/// picture never do.
+bool mayMove(const DocumentChange& change) {
+    const DocumentChange::Aspects ofValues = DocumentChange::Value | DocumentChange::Texture;
+    const bool isOfValue = !(change.aspects & ~ofValues);
+    return !isOfValue || change.path.owner == BlockOwner::Light ||
+           change.path.isAt(settings::object) || change.path.isAt(settings::camera) ||
+           change.path.isAt(settings::scene); // whose ground lights have targets on
+}
+
+} // namespace
 
 ViewOverlay::ViewOverlay(Viewport& viewport, Document& document, MeshLibrary& meshes,
                          const ViewHandles& handles, const HandleModes& modes)
@@ -17,7 +30,12 @@ ViewOverlay::ViewOverlay(Viewport& viewport, Document& document, MeshLibrary& me
     setAttribute(Qt::WA_NoSystemBackground);
     setObjectName("overlay");
     hide();
-    onChange(document, DocumentChange::Drawn | DocumentChange::Current, this, &ViewOverlay::follow);
+    onChange(document, DocumentChange::Drawn | DocumentChange::Current, this,
+             [this](const DocumentChange& change) {
+                 if (mayMove(change)) {
+                     follow();
+                 }
+             });
     connect(&viewport, &Viewport::cameraChanged, this, &ViewOverlay::follow);
     connect(&viewport, &Viewport::resized, this, &ViewOverlay::follow);
     connect(&meshes, &MeshLibrary::loaded, this, &ViewOverlay::follow);

@@ -17,7 +17,7 @@ namespace patina {
 namespace {
 
 /// Milliseconds; the line is written at most this often while frames follow each other
-constexpr int settleMs = 100;
+constexpr int settleMs = 250;
 constexpr int progressWidth = 230;
 constexpr int percent = 100;
 
