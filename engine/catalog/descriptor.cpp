@@ -3,6 +3,7 @@
 
 #include "catalog/descriptor_checks.h"
 #include "catalog/descriptor_words.h"
+#include "catalog/spectrum.h"
 #include "catalog/value_json.h"
 
 namespace patina {
@@ -306,7 +307,7 @@ Values fillsFrom(const Block& block, const Json& choice) {
     for (const auto& [id, value] : json->items()) {
         const Parameter* filled = block.parameter(id);
         if (const auto read =
-                filled == nullptr ? ValueReading(failure("")) : valueFromJson(*filled, value)) {
+                filled == nullptr ? ValueReading(failure("")) : fillFromJson(*filled, value)) {
             fills.emplace(id, *read);
         }
     }

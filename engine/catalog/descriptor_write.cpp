@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "catalog/descriptor_words.h"
+#include "catalog/spectrum.h"
 #include "catalog/value_json.h"
 
 namespace patina {
@@ -23,7 +24,7 @@ Json arrayOf(const std::vector<T>& items, Make make) {
 Json choiceJson(const EnumValue& value) {
     Json json{{"id", value.id}, {"label", value.label}, {"doc", value.doc}};
     for (const auto& [id, filled] : value.fills) {
-        json["fills"][id] = toJson(filled);
+        json["fills"][id] = fillJson(filled);
     }
     return json;
 }

@@ -8,6 +8,7 @@
 
 #include "catalog/descriptor_checker.h"
 #include "catalog/fills.h"
+#include "catalog/spectrum.h"
 #include "catalog/suggestion.h"
 #include "catalog/value_json.h"
 
@@ -64,9 +65,12 @@ class FillChecker : DescriptorChecker {
                 "a parameter that the shader has");
             return;
         }
-        const ValueReading value = valueFromJson(*filled, json);
+        const ValueReading value = fillFromJson(*filled, json);
         if (!value) {
             add(pointer + value.error().within, value.error().problem, value.error().expected);
+            return;
+        }
+        if (spectrumIn(*value) != nullptr) {
             return;
         }
         const Value inRange = conformed(*filled, *value);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "catalog/spectrum.h"
+
 namespace patina {
 namespace {
 
@@ -24,8 +26,8 @@ bool tellsTheTruth(const Block& block, const Values& values, const EnumValue* ch
     return choice == nullptr ||
            std::all_of(choice->fills.begin(), choice->fills.end(), [&](const auto& fill) {
                const Parameter* filled = block.parameter(fill.first);
-               return filled == nullptr ||
-                      roundedToFloat(valueIn(values, *filled)) == roundedToFloat(fill.second);
+               const Value told = roundedToFloat(atSrgbWavelengths(fill.second));
+               return filled == nullptr || roundedToFloat(valueIn(values, *filled)) == told;
            });
 }
 
@@ -50,7 +52,7 @@ void addFilled(const Block& block, const Values& values, const Parameter& shorth
                Values& after) {
     if (const EnumValue* choice = chosenValue(shorthand, after.at(shorthand.id))) {
         for (const auto& [id, value] : choice->fills) {
-            after.insert_or_assign(id, roundedToFloat(value));
+            after.insert_or_assign(id, roundedToFloat(atSrgbWavelengths(value)));
         }
     }
     for (const Parameter& parameter : block.parameters) {
@@ -65,6 +67,17 @@ void addFilled(const Block& block, const Values& values, const Parameter& shorth
 bool isShorthand(const Parameter& parameter) {
     return std::any_of(parameter.values.begin(), parameter.values.end(),
                        [](const EnumValue& choice) { return !choice.fills.empty(); });
+}
+
+const EnumValue* spectralChoice(const Parameter& parameter, const Values& values) {
+    if (!isShorthand(parameter)) {
+        return nullptr;
+    }
+    const EnumValue* choice = chosenValue(parameter, valueIn(values, parameter));
+    const bool hasSpectrum =
+        choice != nullptr && std::any_of(choice->fills.begin(), choice->fills.end(),
+                                         [](const auto& fill) { return spectrumIn(fill.second); });
+    return hasSpectrum ? choice : nullptr;
 }
 
 Values afterEdit(const Block& block, const Values& values, const Parameter& parameter,
@@ -90,7 +103,9 @@ void fillGaps(const Block& block, Values& given) {
         const EnumValue* choice =
             chosen == given.end() ? nullptr : chosenValue(parameter, chosen->second);
         if (choice != nullptr) {
-            given.insert(choice->fills.begin(), choice->fills.end());
+            for (const auto& [id, value] : choice->fills) {
+                given.try_emplace(id, atSrgbWavelengths(value));
+            }
         }
     }
 }

@@ -7,7 +7,8 @@ namespace patina {
 
 /// An enum may be shorthand: choosing one of its values sets other parameters of the block (see
 /// EnumValue::fills), and a choice without fills stands for values of one's own. The functions here
-/// keep choice and values consistent. Such an enum never reaches a shader.
+/// keep choice and values consistent: a spectrum sets the numbers of srgbWavelengths. Such an enum
+/// never reaches a shader.
 
 /// Tells whether any choice of the parameter sets other parameters.
 bool isShorthand(const Parameter& parameter);
@@ -18,6 +19,10 @@ bool isShorthand(const Parameter& parameter);
 /// their defaults.
 Values afterEdit(const Block& block, const Values& values, const Parameter& parameter,
                  const Value& wanted);
+
+/// Returns the choice of a shorthand that sets parameters by spectra (see spectrum.h); null where
+/// another one is taken, or the parameter is no shorthand. Allocates nothing.
+const EnumValue* spectralChoice(const Parameter& parameter, const Values& values);
 
 /// Adds what the given shorthands set and `given` does not have: a value that is given beside a
 /// choice takes precedence.

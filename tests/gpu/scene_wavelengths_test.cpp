@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The wavelengths that a scene has for red, green and blue are those of its materials.
+#include "catalog/fills.h"
+#include "catalog/spectrum.h"
 #include "gpu_fixture.h"
 
 namespace patina::scene_wavelengths_test {
@@ -53,6 +55,30 @@ TEST_F(SceneWavelengthsTest, OfEveryMaterialThatNamesNone_AreThoseOfTheScene) {
             EXPECT_EQ(capture(scene_, false, 17).pixels, right.pixels);
         }
         EXPECT_GT(found, 0) << kind;
+    }
+}
+
+TEST_F(SceneWavelengthsTest, OfAMetalByName_AreThoseOfItsConstants) {
+    scene_ = simpleScene("cook-torrance");
+    const Block& block = *catalog->find("fresnel", "metal");
+    Material& material = scene_.objects[0].material;
+    for (const char* level : {"exact", "table"}) {
+        scene_.wavelengths = srgbWavelengths;
+        material.accuracy["reflectance"] = level;
+        Values& values = material.parts["fresnel"].parameters;
+        material.parts["fresnel"] = {block.id, block.version, defaultValues(block), {}};
+        const Image atFirst = capture(scene_, false, 17);
+        scene_.wavelengths = others;
+        const Image there = capture(scene_, false, 17);
+        EXPECT_NE(there.pixels, atFirst.pixels) << level;
+        const EnumValue* gold = spectralChoice(*block.parameter("metal"), values);
+        ASSERT_NE(gold, nullptr);
+        values["metal"] = std::string("custom");
+        EXPECT_EQ(capture(scene_, false, 17).pixels, atFirst.pixels) << level;
+        for (const char* id : {"eta", "k"}) {
+            values[id] = atWavelengths(*spectrumIn(gold->fills.at(id)), others);
+        }
+        EXPECT_EQ(capture(scene_, false, 17).pixels, there.pixels) << level;
     }
 }
 

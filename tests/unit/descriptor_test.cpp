@@ -416,6 +416,25 @@ TEST_F(Mistakes, WhatAChoiceSets_IsAllChecked) {
     }
 }
 
+TEST_F(Mistakes, WhatAChoiceSetsByTheWavelength_IsChecked) {
+    json descriptor = shorthandDescriptor();
+    descriptor["parameters"].push_back({{"id", "eta"},
+                                        {"label", "Index"},
+                                        {"type", "vec3"},
+                                        {"default", {1.0, 1.0, 1.0}},
+                                        {"min", 0.0},
+                                        {"max", 10.0}});
+    json& choices = descriptor["parameters"][1]["values"];
+    const json even{{"nm", {400.0, 700.0}}, {"values", {1.0, 1.0}}};
+    choices[0]["fills"]["eta"] = even;
+    choices[1]["fills"]["eta"] = even;
+    EXPECT_EQ(of(descriptor), "");
+    choices[1]["fills"]["eta"]["nm"][1] = 300.0;
+    EXPECT_NE(of(descriptor).find("the wavelengths do not rise"), std::string::npos);
+    choices[1]["fills"]["gloss"] = even;
+    EXPECT_NE(of(descriptor).find("expected a number"), std::string::npos) << of(descriptor);
+}
+
 TEST_F(Mistakes, NoChoiceForOnesOwnValues_IsFound) {
     json descriptor = shorthandDescriptor();
     descriptor["parameters"][1]["values"].erase(2);

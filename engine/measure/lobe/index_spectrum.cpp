@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <glm/common.hpp>
 
+#include "catalog/fills.h"
+#include "catalog/spectrum.h"
 #include "catalog/wavelengths.h"
 #include "measure/eval/compiled_block.h"
 #include "measure/lobe/fresnel_block.h"
@@ -82,6 +84,31 @@ std::optional<ConstantsAt> dispersedBody(const Catalog& catalog, const Material&
     };
 }
 
+/// Returns the constants that a choice of the block has by the wavelength; nothing where it has
+/// none.
+std::optional<ConstantsAt> measuredConstants(const ValuedBlock& fresnel) {
+    for (const Parameter& parameter : fresnel.block->parameters) {
+        const EnumValue* choice = spectralChoice(parameter, fresnel.values);
+        const auto spectrum = [&](std::string_view role) -> const NumberList* {
+            const Parameter* filled = fresnel.block->withRole(role);
+            if (choice == nullptr || filled == nullptr || !choice->fills.contains(filled->id)) {
+                return nullptr;
+            }
+            return spectrumIn(choice->fills.at(filled->id));
+        };
+        const NumberList* index = spectrum(roles::index);
+        const NumberList* extinction = spectrum(roles::extinction);
+        if (index != nullptr && extinction != nullptr) {
+            return [index = *index, extinction = *extinction](double nm) {
+                const glm::dvec3 all(nm);
+                return OpticalConstants{atWavelengths(index, all).x,
+                                        atWavelengths(extinction, all).x};
+            };
+        }
+    }
+    return std::nullopt;
+}
+
 /// Returns the constants of the medium below the surface; an error where the term knows none.
 Result<ConstantsAt> constantsOf(const Catalog& catalog, const Material& material,
                                 const ValuedBlock& fresnel, IndexSpectrum& spectrum) {
@@ -90,6 +117,10 @@ Result<ConstantsAt> constantsOf(const Catalog& catalog, const Material& material
             return OpticalConstants{workedOutIndices(atWavelengths(fresnel, glm::dvec3(nm)))->x,
                                     0.0};
         };
+    }
+    if (const auto measured = measuredConstants(fresnel)) {
+        spectrum.channels = srgbWavelengths;
+        return *measured;
     }
     if (const auto inside = fresnel.number(roles::indexInside)) {
         const double outside = fresnel.number(roles::indexOutside).value_or(1.0);

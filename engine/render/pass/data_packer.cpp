@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>
 
+#include "catalog/fills.h"
+#include "catalog/spectrum.h"
 #include "shading/effects/effect_key.h"
 #include "shading/effects/key_light.h"
 #include "shading/effects/light_colors.h"
@@ -114,10 +116,37 @@ void packLights(PackedScene& packed, std::span<glm::vec4> out, const Pipeline& p
     }
 }
 
+/// Writes the spectra of a choice, at wavelengths in nm, in the place of what it sets.
+void packSpectra(std::span<glm::vec4> out, const ParameterLayout& layout, const EnumValue& choice,
+                 const glm::dvec3& wavelengths) {
+    for (const ParameterField& field : layout.fields) {
+        const auto fill = field.parameter == nullptr ? choice.fills.end()
+                                                     : choice.fills.find(field.parameter->id);
+        const NumberList* spectrum =
+            fill == choice.fills.end() ? nullptr : spectrumIn(fill->second);
+        if (spectrum == nullptr) {
+            continue;
+        }
+        const glm::dvec3 numbers = atWavelengths(*spectrum, wavelengths);
+        for (int channel = 0; channel < 3; ++channel) {
+            const std::size_t at = field.offset + static_cast<std::size_t>(channel);
+            out[at / 4][static_cast<int>(at % 4)] = static_cast<float>(numbers[channel]);
+        }
+    }
+}
+
 void packPlace(std::span<glm::vec4> out, const BlockPlace& place, const Values& values,
                const AccuracyLevels& levels, const PackedAround& around) {
-    packInto(out.subspan(static_cast<std::size_t>(place.first)), place.layout, values, levels,
-             around);
+    const std::span<glm::vec4> own = out.subspan(static_cast<std::size_t>(place.first));
+    packInto(own, place.layout, values, levels, around);
+    if (around.wavelengths == srgbWavelengths) {
+        return; // of which documents hold the numbers
+    }
+    for (const Parameter& parameter : place.block->parameters) {
+        if (const EnumValue* choice = spectralChoice(parameter, values)) {
+            packSpectra(own, place.layout, *choice, around.wavelengths);
+        }
+    }
 }
 
 /// Packs the data of effects that have a function for it.

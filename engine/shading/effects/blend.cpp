@@ -6,6 +6,7 @@
 #include "shading/effects/data_layout.h"
 #include "shading/effects/effect_set.h"
 #include "shading/effects/neutral_values.h"
+#include "shading/effects/spectral_range.h"
 #include "shading/effects/surface_text.h"
 
 namespace patina {
@@ -40,8 +41,13 @@ void BlendEffect::adjust(const EffectSet& set) {
 
 void BlendEffect::list(EffectListing& listing, const EffectSet&) const {
     if (blend) {
-        listing.add(*blend,
-                    always("The material has a Fresnel term and the model has no slot for it."));
+        listing.add(*blend, [this](const EffectSubject& subject) {
+            const BlockValues* part = subject.material->part(kinds::fresnel);
+            return "The material has a Fresnel term and the model has no slot for it." +
+                   (part == nullptr
+                        ? std::string()
+                        : spectralRangeNote(blend->block(), part->parameters, subject.scene));
+        });
     }
 }
 

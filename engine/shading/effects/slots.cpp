@@ -10,6 +10,7 @@
 #include "shading/effects/effect_set.h"
 #include "shading/effects/light_colors.h"
 #include "shading/effects/neutral_values.h"
+#include "shading/effects/spectral_range.h"
 #include "shading/effects/surface_text.h"
 #include "shading/program/block_source.h"
 
@@ -90,7 +91,8 @@ void SlotsEffect::list(EffectListing& listing, const EffectSet&) const {
         listing.add(slot, [&slot](const EffectSubject& subject) -> std::string {
             const BlockValues* part = subject.material->part(slot.block().kind);
             return part != nullptr && part->id == slot.block().id
-                       ? "The material chooses it for the model."
+                       ? "The material chooses it for the model." +
+                             spectralRangeNote(slot.block(), part->parameters, subject.scene)
                        : "The model needs one and the material chooses none.";
         });
     }
