@@ -73,7 +73,7 @@ Checked<void> draw(std::vector<Side>& sides, const CompareOptions& options,
     }
     AssetClient client;
     TextureLoader textures(client);
-    maker->setTextures(textures, filesIn(options.picture.textures));
+    maker->setTextures(textures, filesIn(options.picture.textures, options.picture.sets));
     for (Side& side : sides) {
         client.setRights(side.rights);
         const auto meshes = SceneMeshes::load(side.scene, *catalog, client);

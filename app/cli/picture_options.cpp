@@ -98,7 +98,10 @@ void addSceneOptions(CLI::App& command, PictureOptions& options) {
     for (const BlockKind& kind : blockKinds()) {
         addKind(command, kind, options);
     }
-    command.add_option("--set", options.sets, "A parameter's value, as id=value; repeatable")
+    command
+        .add_option("--set", options.sets,
+                    "A parameter's value, as id=value; a file where it takes an image, "
+                    "also as textures.id=FILE; repeatable")
         ->type_size(1)
         ->allow_extra_args(false);
     command

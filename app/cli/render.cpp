@@ -96,7 +96,7 @@ class RequestDrawer {
         }
         report(loaded->remarks());
         textures_.emplace(client_);
-        maker_->setTextures(*textures_, filesIn(options_.picture.textures));
+        maker_->setTextures(*textures_, filesIn(options_.picture.textures, options_.picture.sets));
         const auto environment = environmentPicture(scene, options_.picture, *catalog_, client_);
         if (!environment) {
             return tl::unexpected(oneError(environment.error()));

@@ -8,6 +8,7 @@
 #include "catalog/fills.h"
 #include "cli/scene_choices.h"
 #include "cli/texture_text.h"
+#include "core/ordinary_file.h"
 #include "material/material_assignment.h"
 #include "material/measured_preset.h"
 #include "material/model_swap.h"
@@ -158,7 +159,12 @@ Checked<void> applyOptions(Object& object, bool isPreset, const PictureOptions& 
         if (isForScene(assignment, catalog)) {
             continue;
         }
-        if (auto applied = assignInMaterial(object.material, assignment, catalog); !applied) {
+        if (const auto image = textureAssignment(object.material, assignment, catalog)) {
+            if (auto applied = applyTexture(object.material, *image, catalog); !applied) {
+                return tl::unexpected(oneError(applied.error()));
+            }
+        } else if (auto applied = assignInMaterial(object.material, assignment, catalog);
+                   !applied) {
             return tl::unexpected(Errors{namingSet(applied.error(), assignment)});
         }
     }
@@ -173,11 +179,31 @@ Checked<void> applyOptions(Object& object, bool isPreset, const PictureOptions& 
     return {};
 }
 
-Result<void> applyToScene(Scene& scene, const PictureOptions& options, const Catalog& catalog) {
-    Result<void> done = chooseSceneBlocks(scene, options, catalog);
+/// Sets a value of the scene. Who names a picture there agrees that it is read.
+Result<void> applyToScene(SceneSetup& setup, const std::string& assignment,
+                          const Catalog& catalog) {
+    auto done = assignInScene(setup.scene, assignment, catalog);
+    const auto cut = assignmentFrom(assignment);
+    const Parameter* parameter =
+        cut ? parameterIn(setup.scene, cut->id, catalog).parameter : nullptr;
+    if (!done || parameter == nullptr || !infoOf(parameter->type).isFile || cut->text.empty()) {
+        return done;
+    }
+    const std::string file = std::filesystem::absolute(cut->text).lexically_normal().string();
+    if (const auto opened = OrdinaryFile::open(file, maxAssetBytes); !opened) {
+        const Error& why = opened.error();
+        return tl::unexpected(Error{why.file, 0, 0, why.problem, "an image"});
+    }
+    setup.rights.withheld.erase(file);
+    return {};
+}
+
+Result<void> applyToScene(SceneSetup& setup, const PictureOptions& options,
+                          const Catalog& catalog) {
+    Result<void> done = chooseSceneBlocks(setup.scene, options, catalog);
     for (const std::string& assignment : options.sets) {
         if (done && isForScene(assignment, catalog)) {
-            done = assignInScene(scene, assignment, catalog).map_error([&](const Error& error) {
+            done = applyToScene(setup, assignment, catalog).map_error([&](const Error& error) {
                 return namingSet(error, assignment);
             });
         }
@@ -227,7 +253,7 @@ Checked<SceneSetup> sceneFor(const std::string& preset, const PictureOptions& op
             return tl::unexpected(applied.error());
         }
     }
-    if (auto applied = applyToScene(setup->scene, options, catalog); !applied) {
+    if (auto applied = applyToScene(*setup, options, catalog); !applied) {
         return tl::unexpected(oneError(applied.error()));
     }
     if (auto read = readMeasured(*setup, catalog); !read) {

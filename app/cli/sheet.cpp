@@ -146,7 +146,8 @@ class SheetStudio {
         meshes_.emplace(std::move(*loaded));
         pictures_.emplace(std::move(*pictures));
         textures_.emplace(client_);
-        pictures_->setTextures(*textures_, filesIn(options_.picture.textures));
+        pictures_->setTextures(*textures_,
+                               filesIn(options_.picture.textures, options_.picture.sets));
         cells_.emplace(supplies());
         return {};
     }

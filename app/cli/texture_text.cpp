@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/texture_text.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>
 
+#include "catalog/settings.h"
 #include "catalog/typed_value.h"
 #include "core/ordinary_file.h"
+#include "material/block_assignment.h"
 #include "shading/effects/textures.h"
 
 namespace patina {
@@ -60,6 +63,32 @@ Result<void> change(Material& material, const std::string& key, const std::strin
     return {};
 }
 
+/// Is the key of preset files for images.
+constexpr std::string_view inFiles = "textures";
+
+/// Returns "key=FILE" for "key" and "key.file", and "key:setting=value" for "key.setting".
+std::string withSetting(const Assignment& named) {
+    const std::size_t dot = named.id.rfind('.');
+    const std::string last = dot == std::string::npos ? std::string() : named.id.substr(dot + 1);
+    const std::string key = named.id.substr(0, dot);
+    if (last == "file") {
+        return key + '=' + named.text;
+    }
+    const bool isSetting = textureSettings(textureRole(key)).parameter(last) != nullptr;
+    return (isSetting ? key + ':' + last : named.id) + '=' + named.text;
+}
+
+/// Tells whether the text is no value of the parameter but a file on it.
+bool isImageOnValue(const Material& material, const Assignment& assignment,
+                    const Catalog& catalog) {
+    const TextureUse use = textureUse(assignment.id, fullPath(assignment.text));
+    const TextureTarget target = textureTarget(assignment.id, use, material, catalog);
+    std::error_code ignored;
+    return target.whyNot == nullptr && target.parameter != nullptr &&
+           !valueFromText(*target.parameter, assignment.text) &&
+           fs::is_regular_file(use.file, ignored);
+}
+
 } // namespace
 
 Result<void> applyTexture(Material& material, const std::string& assignment,
@@ -77,12 +106,37 @@ Result<void> applyTexture(Material& material, const std::string& assignment,
                : change(material, name.substr(0, colon), name.substr(colon + 1), text, catalog);
 }
 
-std::vector<std::string> filesIn(const std::vector<std::string>& assignments) {
+std::optional<std::string> textureAssignment(const Material& material, const std::string& set,
+                                             const Catalog& catalog) {
+    const auto cut = assignmentFrom(set);
+    if (!cut) {
+        return std::nullopt;
+    }
+    if (const std::string inside = cut->inside(inFiles); !inside.empty()) {
+        return withSetting({inside, cut->text});
+    }
+    const std::string own = cut->inside(settings::material);
+    const std::string& id = own.empty() ? cut->id : own;
+    const Parameter* setting = settingsBlock(settings::material)->parameter(id);
+    const bool isMap = setting != nullptr && infoOf(setting->type).isFile;
+    return isMap || isImageOnValue(material, *cut, catalog) ? std::optional(id + '=' + cut->text)
+                                                            : std::nullopt;
+}
+
+std::vector<std::string> filesIn(const std::vector<std::string>& textures,
+                                 const std::vector<std::string>& sets) {
     std::vector<std::string> files;
-    for (const std::string& assignment : assignments) {
+    const auto add = [&files](const std::string& assignment) {
         const std::size_t equals = assignment.find('=');
         if (equals != std::string::npos && assignment.find(':') >= equals) {
             files.push_back(fullPath(assignment.substr(equals + 1)));
+        }
+    };
+    std::ranges::for_each(textures, add);
+    for (const std::string& set : sets) {
+        const auto cut = assignmentFrom(set);
+        if (cut && !cut->inside(inFiles).empty()) {
+            add(withSetting({cut->inside(inFiles), cut->text}));
         }
     }
     return files;

@@ -40,14 +40,6 @@ constexpr std::string_view readTexture = R"(uniform sampler3D measuredTable;
 #define MEASURED_VALUE(bin) texelFetch(measuredTable, bin, 0).rgb
 )";
 
-/// Returns the full path of a file that is named on the command line.
-std::optional<Value> pathFromText(const Parameter&, std::string_view text) {
-    return text.empty() ? Value(std::string())
-                        : Value(std::filesystem::absolute(std::filesystem::path(text))
-                                    .lexically_normal()
-                                    .string());
-}
-
 } // namespace
 
 int tableOfFile(const Parameter& parameter, const std::string& file) {
@@ -64,7 +56,6 @@ const ParameterTypeInfo& infoOfMeasured() {
         row.components = 4; // the number of the file's table, and what fills a vec4
         row.glsl = "int";
         row.cpp = "const double*";
-        row.fromText = &pathFromText;
         row.expected = [](const Parameter&) {
             return std::string("a file of the MERL (.binary) or RGL (.bsdf) collection");
         };

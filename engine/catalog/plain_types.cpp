@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
 #include <fmt/format.h>
@@ -347,6 +348,14 @@ ValueReading fileFromJson(const Parameter&, const Json& json) {
     return json.get<std::string>();
 }
 
+/// Returns the full path of a file that is named on the command line.
+std::optional<Value> pathFromText(const Parameter&, std::string_view text) {
+    return text.empty() ? Value(std::string())
+                        : Value(std::filesystem::absolute(std::filesystem::path(text))
+                                    .lexically_normal()
+                                    .string());
+}
+
 } // namespace
 
 const ParameterTypeInfo& infoOfFloat() {
@@ -485,8 +494,8 @@ const ParameterTypeInfo& infoOfTexture() {
         row.components = 0;
         row.hasRange = row.isContinuous = false;
         row.fromJson = &fileFromJson;
-        row.fromText = [](const Parameter&, std::string_view) { return std::optional<Value>(); };
-        row.expected = &expectedNumber;
+        row.fromText = &pathFromText;
+        row.expected = [](const Parameter&) { return std::string("a file"); };
         row.range = [](const Parameter&) { return std::string("a file"); };
         row.conformed = &sameValue;
         row.pack = [](const Parameter&, const Value&, double*) {};

@@ -120,6 +120,32 @@ TEST_F(StrangersScene, MeshOutsideItsFolder_IsReadWhenThatIsAllowed) {
     EXPECT_EQ(allowed.exitCode, 0) << allowed.err;
 }
 
+/// Who names the image himself agrees, as who allows all.
+TEST_F(StrangersScene, ImageOfAPassOutsideItsFolder_IsReadWhenThatIsAllowedOrNamed) {
+    const std::string secret = folder_ / "secret.png";
+    const Outcome made =
+        patina({"render", "--model", "lambert", "--size", "16x16", "-o", secret});
+    ASSERT_EQ(made.exitCode, 0) << made.err;
+    const std::string scene = folder_ / "home/a.patina-scene.json";
+    writeFile(scene, R"({"format": "patina.scene", "version": 1, "passes": [{"id": "screen",
+        "parameters": {"mark": "image", "threshold": "../secret.png"}}]})");
+    std::string said;
+    const auto shown = [&](std::vector<std::string> more) {
+        std::vector<std::string> all{"render", "--scene", scene,  "--model", "lambert",
+                                     "--size", "16x16",   "-o", folder_ / "a.png"};
+        all.insert(all.end(), more.begin(), more.end());
+        const Outcome outcome = patina(all);
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+        said = outcome.err;
+        return readFile(folder_ / "a.png");
+    };
+    const std::string refused = shown({});
+    EXPECT_NE(said.find("is not in the scene's folder and is not read"), std::string::npos) << said;
+    const std::string allowed = shown({"--allow-outside"});
+    EXPECT_NE(refused, allowed);
+    EXPECT_EQ(shown({"--set", "pass.threshold=" + secret}), allowed);
+}
+
 TEST_F(StrangersScene, BufferThatItsMeshLinksOutsideTheFolder_IsReadWhenThatIsAllowed) {
     const float corners[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
     writeFile(folder_ / "secret.bin", {reinterpret_cast<const char*>(corners), sizeof corners});

@@ -55,6 +55,43 @@ TEST_F(TextureOption, PictureWithoutAlphaOnTheOpacity_MakesHoles) {
     }
 }
 
+TEST_F(TextureOption, SetInTheWordsOfFiles_IsTheSamePicture) {
+    const Outcome usual =
+        drawn({"--texture", "diffuse.color=" + image(), "--texture", "diffuse.color:scale=3,3"});
+    ASSERT_EQ(usual.exitCode, 0) << usual.err;
+    const std::string picture = readFile(folder_ / "out.png");
+    for (const char* named :
+         {"textures.diffuse.color.file=", "textures.diffuse.color=", "diffuse.color="}) {
+        const Outcome outcome =
+            drawn({"--set", named + image(), "--set", "textures.diffuse.color.scale=3,3"});
+        ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+        EXPECT_EQ(readFile(folder_ / "out.png"), picture) << named;
+    }
+}
+
+TEST_F(TextureOption, SetOnTheWholeMaterial_IsAMap) {
+    ASSERT_EQ(drawn({"--texture", "normal=" + image()}, "usual.png").exitCode, 0);
+    const Outcome outcome = drawn({"--set", "normal=" + image()});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_EQ(readFile(folder_ / "out.png"), readFile(folder_ / "usual.png"));
+}
+
+TEST_F(TextureOption, SetOnAPass_IsItsImage) {
+    const std::vector<std::string> pass{"--pass", "screen", "--set", "pass.mark=image"};
+    ASSERT_EQ(drawn(pass, "even.png").exitCode, 0);
+    std::vector<std::string> more = pass;
+    more.insert(more.end(), {"--set", "pass.threshold=" + image()});
+    const Outcome outcome = drawn(more);
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_NE(readFile(folder_ / "out.png"), readFile(folder_ / "even.png"));
+    more.back() = "pass.threshold=/nowhere/a.png";
+    const Outcome missing = drawn(more);
+    EXPECT_EQ(missing.exitCode, 1);
+    EXPECT_NE(missing.err.find("/nowhere/a.png: --set pass.threshold=/nowhere/a.png: no such file"),
+              std::string::npos)
+        << missing.err;
+}
+
 TEST_F(TextureOption, UnknownSetting_SaysWhichThereAre) {
     const Outcome outcome =
         drawn({"--texture", "diffuse.color=" + image(), "--texture", "diffuse.color:warp=1"});
