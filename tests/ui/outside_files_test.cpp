@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "catalog/catalog.h"
+#include "docks/dock_context.h"
 #include "scene/scene_file.h"
 #include "ui/answer.h"
 #include "ui/window_fixture.h"
@@ -115,6 +116,34 @@ TEST_F(OutsideFilesWindow, RefusedFiles_CanBeAllowedLater) {
     EXPECT_TRUE(answer.wasAsked());
     EXPECT_TRUE(isShown());
     EXPECT_FALSE(document().isModified());
+}
+
+/// A pass's image is read like those of materials, but its file is withheld like a mesh.
+TEST_F(OutsideFilesWindow, ImageOfAPass_IsReadWhenItIsAllowedLater) {
+    QImage marks(4, 4, QImage::Format_RGB32);
+    marks.fill(Qt::white);
+    marks.setPixel(1, 1, 0);
+    ASSERT_TRUE(marks.save(QString::fromStdString(home("marks.png").string())));
+    writeFile(scene(), R"({"format": "patina.scene", "version": 1, "objects": [
+                           {"mesh": "builtin:sphere", "preset": {"format": "patina.preset",
+                            "version": 1, "model": {"id": "phong", "version": 1}}}],
+                           "passes": [{"id": "screen", "parameters": {"mark": "image",
+                            "threshold": "../marks.png"}}]})");
+    const std::string file = home("marks.png").string();
+    {
+        const Answer answer(QMessageBox::No);
+        openScene();
+        EXPECT_TRUE(answer.wasAsked());
+    }
+    const TextureUse image = textureUse({}, file);
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return !window().dockContext().textures.problem(image).isEmpty(); }, waitMs));
+    EXPECT_TRUE(window().dockContext().textures.preview(file).isNull());
+    const Answer answer(QMessageBox::Yes);
+    window().files().allowOutside();
+    EXPECT_TRUE(answer.wasAsked());
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] { return !window().dockContext().textures.preview(file).isNull(); }, waitMs));
 }
 
 /// A scene whose mesh, of LightWave, has a triangle beside it and one outside.

@@ -23,7 +23,7 @@ QString kindText(OutsideFile::Kind kind) {
     case OutsideFile::Kind::Mesh:
         return text("the mesh");
     case OutsideFile::Kind::Picture:
-        return text("the environment's picture");
+        return text("the picture");
     case OutsideFile::Kind::Preset:
         return text("the preset");
     case OutsideFile::Kind::Link:

@@ -107,6 +107,7 @@ void MainWindow::connectParts() {
     connect(&documentFiles_.withheld(), &WithheldFiles::changed, this, [this] {
         const FileRights rights = documentFiles_.withheld().rights();
         meshes_.setRights(rights);
+        textures_.forgetFailures(); // a pass may name an image that was withheld
         environments_.withhold(rights.withheld);
     });
     connect(pictures_, &PictureExport::failed, &messages_, &MessageLog::add);
