@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "catalog/bending_roles.h"
+#include "catalog/combing_role.h"
 #include "catalog/measured_file.h"
 #include "catalog/picture_roles.h"
 
@@ -133,6 +134,7 @@ constexpr auto inShells = std::to_array<ParameterRole>(
     {{.word = roles::length, .isNeeded = true},
      {.word = roles::density, .isNeeded = true},
      {.word = roles::lighting, .type = ParameterType::Enum, .choices = strandLights},
+     {roles::combing, ParameterType::Vec3},
      {roles::fins, ParameterType::Bool}});
 constexpr auto inStrokes = std::to_array<ParameterRole>(
     {{.word = roles::density, .isNeeded = true},

@@ -11,6 +11,7 @@
 
 #include "catalog/block_kind.h"
 #include "catalog/bound_checks.h"
+#include "catalog/combing_role.h"
 #include "catalog/descriptor_checker.h"
 #include "catalog/expression.h"
 #include "catalog/fill_checks.h"
@@ -164,7 +165,9 @@ class Checker : DescriptorChecker {
         if (parameter.textureChannels.empty() || isOfSettings()) {
             return;
         }
-        if (!infoOf(parameter.type).takesImage ||
+        const bool takesImage =
+            infoOf(parameter.type).takesImage || parameter.role == roles::combing;
+        if (!takesImage ||
             (parameter.compiled != Compiled::No && parameter.compiled != Compiled::WhenEqual)) {
             add(pointer + "/texture",
                 "only a float or a colour that is not compiled in takes an image", "no such key");

@@ -8,7 +8,7 @@ Only authors of images run it (Debian: python3-numpy, python3-pil); the images a
 
 All of them tile, and all come from noise with fixed seeds and from patterns, so that a run makes
 the same images again. Most colours are tints around white that a preset multiplies its own colour
-with (the mode "multiply"); normal maps have green up. A pattern's u goes right and its v up.
+with (the mode "multiply"); normal maps and directions of combing have green up. A pattern's u goes right and its v up.
 """
 
 import pathlib
@@ -131,6 +131,12 @@ def save_grey(name, grey):
     Image.fromarray(pixels).save(FOLDER / f"{name}.png", optimize=True)
 
 
+def save_vectors(name, vectors):
+    """Vectors of numbers from -1 to 1."""
+    pixels = numpy.clip(numpy.rint(127.5 + 127.5 * vectors), 0, 255).astype(numpy.uint8)
+    Image.fromarray(pixels).save(FOLDER / f"{name}.png", optimize=True)
+
+
 def save_normal(name, height, size=None):
     """The normal map of a height that is given in widths of the image."""
     if size is not None and size != height.shape[0]:
@@ -141,8 +147,7 @@ def save_normal(name, height, size=None):
     dv = (numpy.roll(height, 1, 0) - numpy.roll(height, -1, 0)) * 0.5 * pixels
     n = numpy.stack([-du, -dv, numpy.ones_like(du)], axis=-1)
     n /= numpy.linalg.norm(n, axis=-1, keepdims=True)
-    codes = numpy.clip(numpy.rint(n * 127.5 + 127.5), 0, 255).astype(numpy.uint8)
-    Image.fromarray(codes).save(FOLDER / f"{name}.png", optimize=True)
+    save_vectors(name, n)
 
 
 # Materials.
@@ -558,9 +563,29 @@ def tracks():
     save_normal("tracks-normal", (0.0012 + 0.0003 * loud) * groove * (1.0 - pauses), 256)
 
 
+def rosettes():
+    """Where hair is combed that grows in whorls: red along u, green along v, grey nowhere."""
+    size = 128
+    u, v = grid(size)
+    red = numpy.zeros((size, size))
+    green = numpy.zeros((size, size))
+    for index, (pu, pv) in enumerate([(0.14, 0.3), (0.62, 0.42), (0.36, 0.72), (0.88, 0.8)]):
+        du = (u - pu + 0.5) % 1.0 - 0.5
+        dv = (v - pv + 0.5) % 1.0 - 0.5
+        share = numpy.exp(-(du * du + dv * dv) / 0.018)
+        twist = 0.7 if index % 2 else -0.7
+        away = numpy.hypot(du, dv) + 0.02
+        red += share * (du - twist * dv) / away
+        green += share * (dv + twist * du) / away
+    green -= 0.35  # elsewhere it falls down
+    length = numpy.maximum(numpy.hypot(red, green), 1.0)
+    pixels = numpy.stack([red / length, green / length, numpy.zeros_like(red)], axis=-1)
+    save_vectors("rosettes-comb", pixels)
+
+
 IMAGES = [marble, wood, oak, concrete, leather, corduroy, felt, bamboo, verdigris, sheeting, char,
           rust, brick, denim, brushed, strands, crumpled, waves, orange_peel, flakes, craters, belts, tiles,
-          speckles, pile, embers, tracks]
+          speckles, pile, embers, tracks, rosettes]
 
 if __name__ == "__main__":
     for make in IMAGES:

@@ -4,6 +4,7 @@
 
 #include "core/mesh_openness.h"
 #include "environment_fixture.h"
+#include "render/surfaces/inspection_drawer.h"
 #include "shading/effects/effect_set.h"
 #include "shading/effects/occlusion.h"
 #include "shading/effects/surface_program.h"

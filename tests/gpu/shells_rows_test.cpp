@@ -69,6 +69,19 @@ TEST_F(ShellsRows, OfAPlainMaterial_SayThatNothingGrows) {
     EXPECT_EQ(row().line.reason, "Nothing grows on the material.");
 }
 
+TEST_F(ShellsRows, CombedByAnImage_HaveItInTheirVerticesAlone) {
+    const std::string uncombed = vertex();
+    EXPECT_EQ(uncombed.find("combed"), std::string::npos);
+    TextureUse& comb = look().textures["shells.comb.direction"];
+    comb = textureUse("shells.comb.direction", "/whorls.png");
+    EXPECT_NE(vertex().find("combedTowards"), std::string::npos);
+    const std::string combed = fragment(look(), scene_);
+    EXPECT_EQ(combed.find("combedTowards"), std::string::npos);
+    EXPECT_EQ(combed.substr(combed.find("void main()")).find("combDirection"), std::string::npos);
+    comb.strength = 0.0;
+    EXPECT_EQ(vertex(), uncombed);
+}
+
 TEST_F(ShellsRows, OfStrandsThatAreOut_LeaveNothingInTheProgram) {
     value("strand.length") = 0.0;
     const std::string out = fragment(look(), scene_);

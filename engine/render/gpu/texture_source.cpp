@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/gpu/texture_source.h"
 
+#include "catalog/combing_role.h"
 #include "shading/effects/textures.h"
 
 namespace patina {
+namespace {
+
+/// Tells whether the image's colours are numbers along the surface.
+bool isAlongSurface(const BoundTexture& image) {
+    return image.parameter != nullptr && image.parameter->role == roles::combing;
+}
+
+} // namespace
 
 TextureDecoding decodingOf(const TextureUse& use, const BoundTexture& image) {
     switch (use.colorSpace) {
@@ -12,8 +21,9 @@ TextureDecoding decodingOf(const TextureUse& use, const BoundTexture& image) {
     case TextureColorSpace::Linear:
         return TextureDecoding::Linear;
     default:
-        return isColorUse(image.role, image.channel) ? TextureDecoding::Color
-                                                       : TextureDecoding::Linear;
+        return isColorUse(image.role, image.channel) && !isAlongSurface(image)
+                   ? TextureDecoding::Color
+                   : TextureDecoding::Linear;
     }
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "catalog/combing_role.h"
 #include "core/convex_facets.h"
 #include "core/image_places.h"
 #include "render/lights/frustum.h"
@@ -88,7 +89,9 @@ const char* evenlyText(const BoundTexture& image) {
     case TextureRole::Opacity:
         return "it is one opacity";
     default:
-        return image.isColor() ? "it is one colour" : "it is one value";
+        return image.parameter->role == roles::combing ? "it says no direction"
+               : image.isColor()                       ? "it is one colour"
+                                                       : "it is one value";
     }
 }
 

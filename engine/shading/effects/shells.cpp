@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "catalog/combing_role.h"
 #include "shading/effects/data_layout.h"
 #include "shading/effects/effect_set.h"
 #include "shading/effects/surface_text.h"
@@ -70,6 +71,32 @@ void addShellsBlock(SurfaceText& text, const BlockUse& use) {
         text.out.add(fmt::format("#define shells{0} {1}{0}\n", suffix, function));
     }
     text.out.add(fmt::format("#define SHELLS_LENGTH(p) (p).{}\n", fieldOf(roles::length, block)));
+}
+
+/// Writes the image of the combing, if there is one, and returns the statement that changes the
+/// values `p` by it: a direction in place of that of the values or added to it, or, multiplied, how
+/// far strands are combed the way of the values.
+std::string writeCombing(SurfaceText& text) {
+    std::string statements;
+    for (std::size_t i = 0; i < text.set.textures.size(); ++i) {
+        const BoundTexture& image = text.set.textures[i];
+        if (image.parameter == nullptr || image.parameter->role != roles::combing ||
+            image.kind != kinds::shells) {
+            continue;
+        }
+        text.out.add(fmt::format("uniform sampler2D {};\n", samplerName(i)));
+        text.out.addFile("passes/shells_combed.vert");
+        const std::string field = "p." + fieldName(image.parameter->id);
+        const std::string made = image.mode == TextureMode::Add ? field + " + combed.xyz"
+                                 : image.mode == TextureMode::Multiply
+                                     ? field + " * length(combed.xyz)"
+                                     : "combed.xyz";
+        statements += fmt::format("    vec4 combed = combedTowards(textureLod({0}, "
+                                  "vertexImagePlace({1}), 0.0).rgb, {1});\n"
+                                  "    {2} = mix({2}, {3}, combed.w);\n",
+                                  samplerName(i), text.object.texture(i), field, made);
+    }
+    return statements;
 }
 
 } // namespace
@@ -205,8 +232,13 @@ std::string writeShellsVertex(SurfaceText& text) {
     if (text.isOfFins) {
         text.out.addFile("passes/fins.vert");
     }
-    return fmt::format("    {}(unpackShells({}));\n", text.isOfFins ? "placeFin" : "placeShell",
-                       text.object.part(kinds::shells)->first);
+    const char* place = text.isOfFins ? "placeFin" : "placeShell";
+    const std::string unpacked =
+        fmt::format("unpackShells({})", text.object.part(kinds::shells)->first);
+    const std::string combing = writeCombing(text);
+    return combing.empty()
+               ? fmt::format("    {}({});\n", place, unpacked)
+               : fmt::format("    Shells p = {};\n{}    {}(p);\n", unpacked, combing, place);
 }
 
 bool lightsStrands(const BlockUse& shells) {

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "catalog/combing_role.h"
 #include "shading/effects/effect_set.h"
 
 namespace patina {
@@ -141,7 +142,8 @@ std::string TextureWriter::values(std::string_view kind, const std::string& vari
     std::string out;
     for (std::size_t i = 0; i < set_.textures.size(); ++i) {
         const BoundTexture& texture = set_.textures[i];
-        if (texture.role != TextureRole::Input || texture.kind != kind) {
+        if (texture.role != TextureRole::Input || texture.kind != kind ||
+            texture.parameter->role == roles::combing) { // which is read where layers are placed
             continue;
         }
         const std::string field = variable + '.' + fieldName(texture.parameter->id);
