@@ -14,8 +14,11 @@ float artToneInk(vec2 place, float level, float tone, TonalArtMaps p) {
     return tone < 0.5 ? 0.0 : (number < 1.5 ? inks.x : (number < 2.5 ? inks.y : inks.z));
 }
 
-// The ink between two tones at a place of the paper, in sides of it.
-vec2 artLevelInk(vec2 paper, float level, float dark, TonalArtMaps p) {
+// The ink between two tones at a place, in sides of the square of paper. Beyond the finest level
+// squares of half the side, a quarter .. have that level again, so that strokes do not grow.
+vec2 artLevelInk(vec2 place, float scale, float dark, TonalArtMaps p) {
+    float level = min(scale, ART_LEVELS - 1.0);
+    vec2 paper = exp2(scale - level) * place + p.mapShift;
     float tone = ART_TONES * dark;
     float lower = min(floor(tone), ART_TONES - 1.0);
     float share = tone - lower;
@@ -27,25 +30,25 @@ vec2 artLevelInk(vec2 paper, float level, float dark, TonalArtMaps p) {
         float bare = (lower + 1.0 - tone) * drawn.bare.x + share * drawn.bare.y;
         return vec2((lower + 1.0 - tone) * drawn.ink.x + share * drawn.ink.y, bare);
     }
-    vec2 place = side * (paper - floor(paper));
-    float ink = (lower + 1.0 - tone) * artToneInk(place, level, lower, p) +
-        share * artToneInk(place, level, lower + 1.0, p);
+    vec2 dots = side * (paper - floor(paper));
+    float ink = (lower + 1.0 - tone) * artToneInk(dots, level, lower, p) +
+        share * artToneInk(dots, level, lower + 1.0, p);
     return vec2(ink, max(1.0 - ink, 0.0));
 }
 
-// The maps laid along a direction, between two levels. Below the coarsest one strokes cannot be
-// told apart, and an even tone takes their place; above the finest one they grow.
+// The maps laid along a direction, between two scales. Below the coarsest one strokes cannot be
+// told apart, and an even tone takes their place.
 vec2 artMarks(DrawnPlace at, vec3 along, vec3 across, float dark, TonalArtMaps p) {
     float size = max(p.mapSize, 1e-6);
     float apart = passedByPixel(at, across) * max(p.spacing, 4.0) * exp2(ART_ROWS);
     float wanted = log2(clamp(size / apart, exp2(-MAX_SCALE), exp2(MAX_SCALE)));
-    float level = clamp(wanted, 0.0, ART_LEVELS - 1.0);
-    float lower = min(floor(level), ART_LEVELS - 2.0);
-    float next = level - lower;
-    vec2 place = vec2(dot(at.x, along) / size, dot(at.x, across) / size) + p.mapShift;
+    float scale = max(wanted, 0.0);
+    float lower = floor(scale);
+    float next = scale - lower;
+    vec2 place = vec2(dot(at.x, along) / size, dot(at.x, across) / size);
     vec2 drawn = (1.0 - next) * artLevelInk(place, lower, dark, p) +
         next * artLevelInk(place, lower + 1.0, dark, p);
-    float cells = (abs(at.x.x) + abs(at.x.y) + abs(at.x.z)) / size * exp2(ART_ROWS + level);
+    float cells = (abs(at.x.x) + abs(at.x.y) + abs(at.x.z)) / size * exp2(ART_ROWS + scale);
     float clear = clamp(2.0 - cells / 131072.0, 0.0, 1.0) * clamp(1.0 + 0.5 * wanted, 0.0, 1.0);
     return clearMarks(drawn, clear, vec2(0.5 * dark, 1.0 - 0.5 * dark));
 }

@@ -218,6 +218,49 @@ bool keptSizes(CoherenceStage& stage) {
     return factor <= maxSizeFactor;
 }
 
+/// Returns how wide strokes are on average, in pixels: twice their ink over the length of its
+/// edges, both of which grow alike with how dark they are.
+double strokeWidth(const Image& image) {
+    double ink = 0.0;
+    double edges = 0.0;
+    for (int y = 0; y + 1 < image.height; ++y) {
+        for (int x = 0; x + 1 < image.width; ++x) {
+            const double here = inkAt(image, x, y);
+            ink += here;
+            edges += std::hypot(inkAt(image, x + 1, y) - here, inkAt(image, x, y + 1) - here);
+        }
+    }
+    return edges > 0.0 ? 2.0 * ink / edges : 0.0;
+}
+
+/// The width of strokes of tonal art maps from a distance of 1 to 16, whose squares of paper are so
+/// wide that there are strokes at 16.
+bool keptStrokes(CoherenceStage& stage) {
+    stage.usePreset("tonal-art-maps/sketchbook.patina.json");
+    Material& material = stage.scene().objects.front().material;
+    material.model.parameters["diffuse.color"] = glm::dvec3(1.0);
+    material.model.parameters["ink.color"] = glm::dvec3(0.0);
+    material.model.parameters["map.size"] = 4.0;
+    stage.scene().background = glm::dvec3(1.0);
+    stage.scene().objects.front().scale = glm::dvec3(0.8);
+    double narrowest = 1e9;
+    double widest = 0.0;
+    for (const double distance : {1.0, 2.0, 4.0, 8.0, 16.0}) {
+        stage.scene().camera.distance = distance;
+        const double width = strokeWidth(stage.draw(dotSize, false));
+        std::printf("coherence: at %4.0f m strokes of tonal art maps are %.2f pixels wide\n",
+                    distance, width);
+        narrowest = std::min(narrowest, width);
+        widest = std::max(widest, width);
+    }
+    const double factor = widest / narrowest;
+    std::printf("coherence: width of strokes of tonal art maps from 1 to 16 m: within a factor of "
+                "%.2f (target: %.1f)\n",
+                factor, maxSizeFactor);
+    stage.scene().objects.front().scale = glm::dvec3(1.0);
+    return factor <= maxSizeFactor;
+}
+
 /// Returns the share of the object's pixels that change by more than one tone of six from frame to
 /// frame of a turn.
 double changingPixels(CoherenceStage& stage, const char* preset) {
@@ -249,6 +292,7 @@ bool coherence() {
     CoherenceStage stage;
     bool kept = keptPlaces(stage);
     kept = keptSizes(stage) && kept;
+    kept = keptStrokes(stage) && kept;
     for (const char* preset :
          {"hatching/pen-and-ink.patina.json", "lambert/pen-sketch.patina.json",
           "lambert/stippled.patina.json", "oren-nayar/oil-painted.patina.json"}) {
