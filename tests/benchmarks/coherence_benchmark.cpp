@@ -295,7 +295,8 @@ bool coherence() {
     kept = keptStrokes(stage) && kept;
     for (const char* preset :
          {"hatching/pen-and-ink.patina.json", "lambert/pen-sketch.patina.json",
-          "lambert/stippled.patina.json", "oren-nayar/oil-painted.patina.json"}) {
+          "lambert/stippled.patina.json", "oren-nayar/oil-painted.patina.json",
+          "tonal-art-maps/sketchbook.patina.json"}) {
         std::printf("coherence: pixels that change by more than a tone from frame to frame of a "
                     "turn, %s: %.2f %%\n",
                     preset, 100.0 * changingPixels(stage, preset));
