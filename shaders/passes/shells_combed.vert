@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 // Strands that are combed to where an image says. Layers lie by their vertices, so it is read there.
+#include "passes/object_axes.glsl"
 
 vec2 vertexImagePlace(int rows) {
     vec4 across = objectData[rows];
@@ -24,6 +25,5 @@ vec4 combedTowards(vec3 texel, int rows) {
     }
     t *= inversesqrt(size2);
     vec3 towards = turned.x * t + side * turned.y * cross(worldNormal, t);
-    vec3 scale;
-    return vec4(towards * objectAxes(scale), objectData[rows].w);
+    return vec4(towards * objectAxes(), objectData[rows].w);
 }
