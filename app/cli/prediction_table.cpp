@@ -48,11 +48,17 @@ std::string toldText(double number, const GpuFamily& family) {
     return family.isMali ? "-" : fmt::format("{:.0f}", number);
 }
 
+/// Returns the number of loops that are guessed, and behind it the rounds that were counted.
+std::string loopsText(const StageStatistics& stage) {
+    return stage.countedRounds > 0.0 ? fmt::format("{}+{:.0f}r", stage.loops, stage.countedRounds)
+                                     : fmt::format("{}", stage.loops);
+}
+
 std::string lineText(const StageStatistics& stage, const GpuFamily& family) {
-    return fmt::format("{:<9} {:>6} {:>5} {:>5} {:>6} {:>5} {:>5} {:>7.0f} {:>7}  {}\n",
+    return fmt::format("{:<9} {:>6} {:>5} {:>5} {:>6} {:>5} {:>6} {:>7.0f} {:>7}  {}\n",
                        family.label, toldText(stage.instructions, family), stage.vectorRegisters,
                        stage.scalarRegisters, stage.spilledRegisters, toldText(stage.waves, family),
-                       stage.loops, stage.cycles, toldText(stage.latency, family),
+                       loopsText(stage), stage.cycles, toldText(stage.latency, family),
                        cardsText(stage, family));
 }
 
@@ -63,7 +69,7 @@ bool hasMali(Families families) {
 std::string rowsText(std::span<const PredictedRow> rows, Families families) {
     const std::size_t columns = widestName(rows);
     std::string text =
-        fmt::format("{:<{}}  {:<9} {:>6} {:>5} {:>5} {:>6} {:>5} {:>5} {:>7} {:>7}  {}\n", "",
+        fmt::format("{:<{}}  {:<9} {:>6} {:>5} {:>5} {:>6} {:>5} {:>6} {:>7} {:>7}  {}\n", "",
                     columns, "", "instr.", "VGPRs", "SGPRs", "spills", "waves", "loops", "cycles",
                     "latency", "predicted at 1080p");
     for (const PredictedRow& row : rows) {
@@ -104,24 +110,25 @@ std::string stageCsv(const std::string& name, const StageStatistics& stage,
                      const GpuFamily& family) {
     std::string text;
     for (const GraphicsCard& card : family.cards) {
-        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},\n", name, family.id,
+        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},\n", name, family.id,
                             csvText(card.name), toldCsv(stage.instructions, family),
                             stage.vectorRegisters, stage.scalarRegisters, stage.spilledRegisters,
-                            toldCsv(stage.waves, family), stage.loops, stage.cycles,
-                            toldCsv(stage.latency, family),
+                            toldCsv(stage.waves, family), stage.loops, stage.countedRounds,
+                            stage.cycles, toldCsv(stage.latency, family),
                             predictedMilliseconds(stage.cycles, fullHdPixels, family, card));
     }
     return text;
 }
 
-constexpr const char* csvColumns = "family,card,instructions,vgprs,sgprs,spills,waves,loops,cycles,"
-                                   "latency,milliseconds,problem\n";
+constexpr const char* csvColumns =
+    "family,card,instructions,vgprs,sgprs,spills,waves,loops,counted_rounds,"
+    "cycles,latency,milliseconds,problem\n";
 
 /// Returns the lines of a row; the row that was not compiled has one, with the reason.
 std::string rowCsv(const std::string& name, const Result<FamilyStatistics>& statistics,
                    Families families) {
     if (!statistics) {
-        return name + std::string(12, ',') + csvText(statistics.error().problem) + '\n';
+        return name + std::string(13, ',') + csvText(statistics.error().problem) + '\n';
     }
     std::string text;
     for (const GpuFamily* family : families) {
@@ -171,6 +178,7 @@ std::string predictionText(std::span<const PredictedModel> models, Families fami
 
 nlohmann::json stageJson(const StageStatistics& stage, const GpuFamily& family) {
     nlohmann::json json = toJson(stage);
+    json["countedRounds"] = stage.countedRounds;
     if (family.isMali) {
         for (const char* untold : {"instructions", "waves", "lanes", "latency"}) {
             json.erase(untold);
@@ -207,7 +215,8 @@ std::string predictionLegend(const std::string& driver, Families families) {
         "cycles: of a SIMD unit for 64 pixels, when it holds as many waves as it can; latency: of "
         "one wave alone\n"
         "loops: those of which the compiler does not know how often they run; it takes 8 times, "
-        "and one within another 4 times for each of these\n"
+        "and one within another 4 times for each of these; 0+12r: 12 rounds of loops that run for "
+        "each pixel as often as its series needs, counted as the mean of 256 pairs of directions\n"
         "left out: {}\n",
         driver, leftOutOfPrediction);
     if (hasMali(families)) {

@@ -44,6 +44,9 @@ struct StageStatistics {
     int loops = 0;        ///< counts those that run as often as the compiler guesses
     double latency = 0.0; ///< cycles from the first instruction of a wave to its last
     double cycles = 0.0;  ///< is the inverse throughput: cycles of a SIMD unit for 64 lanes
+    /// Is the mean number of rounds of loops that run a different number of times in each pixel,
+    /// which are not among the guessed ones; 0 where there are none.
+    double countedRounds = 0.0;
 
     friend bool operator==(const StageStatistics&, const StageStatistics&) = default;
 };

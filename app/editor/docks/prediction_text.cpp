@@ -74,6 +74,11 @@ QString predictionNote(const Result<FamilyStatistics>& statistics, const GpuFami
     if (stage->loops > 0) {
         lines += loopsText(*stage, family);
     }
+    if (stage->countedRounds > 0.0) {
+        lines += Prediction::tr("Loops that run for each pixel as often as it needs: %1 rounds on "
+                                "the mean of 256 pairs of directions, counted")
+                     .arg(stage->countedRounds, 0, 'f', 0);
+    }
     for (const GraphicsCard& card : family.cards) {
         lines += cardText(*stage, family, card);
     }

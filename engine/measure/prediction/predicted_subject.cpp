@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "measure/prediction/varying_loops.h"
@@ -78,6 +79,7 @@ void correct(Result<FamilyStatistics>& program, const CountedSurface& surface,
         stage.cycles = few.cycles;
         stage.latency = few.latency;
         stage.loops = few.loops;
+        stage.countedRounds = std::accumulate(surface.rounds.begin(), surface.rounds.end(), 0.0);
         for (std::size_t i = 0; i < surface.rounds.size(); ++i) {
             const StageStatistics& more = texts[i + 1]->at(family).fragment;
             const double others = surface.rounds[i] - fewRounds;
