@@ -52,6 +52,11 @@ std::vector<fs::path> filesBelow(const fs::path& folder) {
 std::string presetHash(const std::string& preset, const Catalog& catalog, bool allowsOutside) {
     TextHash hash;
     hash.addFile(preset);
+    std::error_code absent; // it is no block's descriptor
+    if (const fs::path shader = fs::path(preset).replace_extension(".glsl");
+        fs::is_regular_file(shader, absent)) {
+        hash.addFile(shader);
+    }
     ReadingRights rights;
     rights.everything = allowsOutside;
     if (const auto reading = readPreset(preset, catalog, rights)) {

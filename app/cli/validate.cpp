@@ -16,6 +16,7 @@
 #include "catalog/value_json.h"
 #include "cli/job.h"
 #include "cli/long_work.h"
+#include "cli/shader_mistakes.h"
 #include "material/measured_preset.h"
 #include "material/preset_file.h"
 #include "measured/measured_reflectance.h"
@@ -52,7 +53,7 @@ std::vector<std::string> idsOfKind(const std::string& kind, const fs::path& file
     return ids;
 }
 
-Errors descriptorMistakesIn(const fs::path& file, const Catalog& catalog) {
+Errors descriptorMistakesIn(const fs::path& file, const Catalog& catalog, ShaderMistakes& shaders) {
     const Result<JsonSchema> schema = JsonSchema::load("descriptor");
     if (!schema) {
         return {schema.error()};
@@ -66,7 +67,7 @@ Errors descriptorMistakesIn(const fs::path& file, const Catalog& catalog) {
     const Errors names = nameMistakes(*descriptor, shaderNames(dataFolder() / "shaders"));
     mistakes.insert(mistakes.end(), names.begin(), names.end());
     sortByPlace(mistakes);
-    return mistakes;
+    return mistakes.empty() ? shaders.of(file) : mistakes;
 }
 
 /// Tells whether the file of a mesh is missing; names of meshes made by code are checked by the
@@ -184,7 +185,7 @@ std::string formatOf(const fs::path& file) {
     return says ? document->value["format"].get<std::string>() : std::string();
 }
 
-Errors mistakesIn(const fs::path& file, const Catalog& catalog) {
+Errors mistakesIn(const fs::path& file, const Catalog& catalog, ShaderMistakes& shaders) {
     const std::string format = formatOf(file);
     if (format == "patina.scene") {
         return sceneMistakesIn(file, catalog);
@@ -192,7 +193,8 @@ Errors mistakesIn(const fs::path& file, const Catalog& catalog) {
     if (format == sheetFormat.name) {
         return sheetMistakesIn(file);
     }
-    return format.empty() ? descriptorMistakesIn(file, catalog) : presetMistakesIn(file, catalog);
+    return format.empty() ? descriptorMistakesIn(file, catalog, shaders)
+                          : presetMistakesIn(file, catalog);
 }
 
 nlohmann::json toJson(const Error& error) {
@@ -220,10 +222,10 @@ nlohmann::json toJson(const Errors& mistakes) {
 /// Checks the files of a job.
 class ValidateWork : public JobWork {
   public:
-    explicit ValidateWork(const Catalog& catalog) : catalog_(catalog) {}
+    explicit ValidateWork(const Catalog& catalog) : catalog_(catalog), shaders_(catalog) {}
 
     Checked<nlohmann::json> resultOf(const std::string& file) override {
-        const Errors mistakes = mistakesIn(file, catalog_);
+        const Errors mistakes = mistakesIn(file, catalog_, shaders_);
         report(mistakes);
         return toJson(mistakes);
     }
@@ -234,6 +236,7 @@ class ValidateWork : public JobWork {
 
   private:
     const Catalog& catalog_;
+    ShaderMistakes shaders_;
 };
 
 void print(const ValidateOptions& options, const std::vector<Errors>& mistakes) {
@@ -253,10 +256,11 @@ Checked<int> validate(const CLI::App& command, const ValidateOptions& options) {
         LongWork longWork;
         return runJob({command, options.job, options.files, catalog}, work, longWork);
     }
+    ShaderMistakes shaders(catalog);
     bool valid = true;
     std::vector<Errors> mistakes;
     for (const std::string& file : options.files) {
-        mistakes.push_back(mistakesIn(file, catalog));
+        mistakes.push_back(mistakesIn(file, catalog, shaders));
         valid = valid && mistakes.back().empty();
         report(mistakes.back());
         if (!options.json && mistakes.back().empty()) {
@@ -274,7 +278,8 @@ Checked<int> validate(const CLI::App& command, const ValidateOptions& options) {
 void addValidate(CLI::App& program, int& status) {
     CLI::App* command = program.add_subcommand(
         "validate",
-        "Check presets, scenes, sheets and block descriptors; every mistake with its place");
+        "Check presets, scenes, sheets and blocks, descriptor and GLSL; every mistake with its "
+        "place");
     auto options = std::make_shared<ValidateOptions>();
     command->add_option("files", options->files, "The files")->required();
     auto* json = command->add_flag("--json", options->json, "Print the mistakes as JSON");

@@ -97,15 +97,43 @@ TEST(ValidateCommand, SlotWithAnUnknownDefault_IsNotValid) {
         << outcome.err;
 }
 
-TEST(ValidateCommand, SlotWithABlockBesideTheFile_IsValid) {
-    const TemporaryFolder folder;
+/// Writes a model of a folder with a Fresnel term beside it.
+std::string modelWithASlot(const TemporaryFolder& folder, const std::string& value) {
     std::filesystem::create_directories(folder / "models");
     std::filesystem::create_directories(folder / "fresnel");
-    writeFile(folder / "fresnel/ours.json", "{}");
-    writeFile(folder / "models/mine.glsl", "");
+    writeFile(folder / "fresnel/ours.json",
+              R"({"id": "ours", "version": 1, "label": "Ours", "parameters": []})");
+    writeFile(folder / "fresnel/ours.glsl",
+              "#include \"lib/fresnel.glsl\"\n"
+              "vec3 oursFresnel(Incidence i, OursFresnel p) { return vec3(i.versine); }\n"
+              "vec3 oursFresnelTint(OursFresnel p) { return vec3(1.0); }\n");
     writeFile(folder / "models/mine.json", R"({"id": "mine", "version": 1, "label": "Mine",
 "parameters": [], "slots": [{"kind": "fresnel", "default": "ours"}]})");
-    EXPECT_EQ(validate({(folder / "models/mine.json").string()}).exitCode, 0);
+    writeFile(folder / "models/mine.glsl", "#include \"lib/directions.glsl\"\n"
+                                           "vec3 mine(Directions d, Mine p) {\n    return " +
+                                               value + ";\n}\n");
+    return (folder / "models/mine.json").string();
+}
+
+TEST(ValidateCommand, SlotWithABlockBesideTheFile_IsValid) {
+    const TemporaryFolder folder;
+    const Outcome outcome = validate({modelWithASlot(folder, "vec3(d.nl)")});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+}
+
+TEST(ValidateCommand, MistakeInABlocksShader_IsToldWithItsLine) {
+    const TemporaryFolder folder;
+    const Outcome outcome = validate({modelWithASlot(folder, "vec3(d.nm)")});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.err.find("mine.glsl:3:"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("nm"), std::string::npos) << outcome.err;
+}
+
+TEST(ValidateCommand, BlockWithoutAShader_IsNotValid) {
+    const TemporaryFolder folder;
+    const std::string model = modelWithASlot(folder, "vec3(d.nl)");
+    std::filesystem::remove(folder / "models/mine.glsl");
+    EXPECT_EQ(validate({model}).exitCode, 1);
 }
 
 /// A scene whose only object has that mesh.

@@ -9,7 +9,6 @@
 #include "measure/error/parallel.h"
 #include "measure/interpreter/shader_parser.h"
 #include "measure/time/instruction_count.h"
-#include "shading/glsl/compile_log.h"
 
 namespace patina {
 namespace {
@@ -86,10 +85,8 @@ Checked<MeasuredText> MeasuredText::of(const EvalCase& subject,
         return tl::unexpected(source.error());
     }
     made.source_ = std::make_unique<ShaderSource>(std::move(*source));
-    if (const auto compiled = countInstructions(made.source_->text); !compiled) {
-        const std::string& why = compiled.error().problem;
-        return tl::unexpected(compileErrors(why.substr(std::min(why.find("ERROR:"), why.size())),
-                                            *made.source_));
+    if (Errors mistakes = compilerMistakes(*made.source_); !mistakes.empty()) {
+        return tl::unexpected(std::move(mistakes));
     }
     auto syntax = parsedShader(*made.source_, rootFunction);
     if (!syntax) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measure/time/instruction_count.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <unordered_map>
 #include <vector>
@@ -12,6 +13,8 @@
 #include <spirv/unified1/GLSL.std.450.h>
 #define SPV_ENABLE_UTILITY_CODE // HasResultAndType
 #include <spirv/unified1/spirv.hpp>
+
+#include "shading/glsl/compile_log.h"
 
 namespace patina {
 namespace {
@@ -185,6 +188,15 @@ Result<InstructionCount> countInstructions(const std::string& fragment) {
         return failure("the shader cannot be counted: its code cannot be optimised");
     }
     return countInstructions(std::span<const std::uint32_t>(optimised));
+}
+
+Errors compilerMistakes(const ShaderSource& fragment) {
+    const Result<std::vector<std::uint32_t>> module = compiled(fragment.text);
+    if (module) {
+        return {};
+    }
+    const std::string& log = module.error().problem;
+    return compileErrors(log.substr(std::min(log.find("ERROR:"), log.size())), fragment);
 }
 
 } // namespace patina

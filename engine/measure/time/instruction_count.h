@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "shading/glsl/shader_source.h"
 
 namespace patina {
 
@@ -27,6 +28,10 @@ struct InstructionCount {
 /// optimised by SPIRV-Tools, so that the result is the same on every machine. It needs no OpenGL.
 /// It is an error where the text does not compile.
 Result<InstructionCount> countInstructions(const std::string& fragment);
+
+/// Returns the mistakes that glslang finds in a fragment stage, each with its file, line and
+/// column.
+Errors compilerMistakes(const ShaderSource& fragment);
 
 /// Counts the instructions of a SPIR-V module.
 InstructionCount countInstructions(std::span<const std::uint32_t> module);
