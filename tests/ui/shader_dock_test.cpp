@@ -44,6 +44,7 @@ TEST_F(ShaderPanel, Text_FollowsTheModelAndHasNoOther) {
     ASSERT_TRUE(finish());
     EXPECT_TRUE(text().toPlainText().contains("vec3 minnaert("));
     EXPECT_FALSE(text().toPlainText().contains("vec3 lambert("));
+    EXPECT_FALSE(text().toPlainText().contains("#line")) << "nobody reads those";
 }
 
 TEST_F(ShaderPanel, Margin_StandsAtTheFunctionsAndIsPredictedBesideTheWindow) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <utility>
+#include <vector>
 
 #include <QCheckBox>
 #include <QLabel>
@@ -33,6 +34,25 @@ QString shaderMarginText(const PredictedFunctions::Saving& saving, const GpuFami
         ShaderDock::tr("%1 VGPRs %2 cycles").arg(saving.registers, 3).arg(saving.cycles, 6, 'f', 0);
     return family.isMali ? rest
                          : ShaderDock::tr("%1 instr. %2").arg(saving.instructions, 5).arg(rest);
+}
+
+/// Is a shader's text without its marks `#line`, which are for compilers' messages.
+struct UnmarkedText {
+    QString text;
+    std::vector<int> lines{0}; ///< are its lines by those of the marked text, both from 1
+};
+
+UnmarkedText unmarked(const std::string& marked) {
+    UnmarkedText made;
+    QStringList kept;
+    for (const QString& line : asText(marked).split('\n')) {
+        if (!line.startsWith("#line")) {
+            kept.push_back(line);
+        }
+        made.lines.push_back(int(kept.size()));
+    }
+    made.text = kept.join('\n');
+    return made;
 }
 
 } // namespace
@@ -169,7 +189,7 @@ void ShaderDock::take(Shown shown) {
     const bool isSame =
         shown.program == shown_.program && shown.family == shown_.family && !shown.functions;
     if (shown.program != shown_.program) {
-        text_->setPlainText(asText(shown.program.fragment));
+        text_->setPlainText(unmarked(shown.program.fragment).text);
     }
     if (!isSame) {
         shown_ = std::move(shown);
@@ -179,17 +199,22 @@ void ShaderDock::take(Shown shown) {
 
 void ShaderDock::showMargins() {
     ShaderTextView::Margins margins;
-    const PredictedFunction* widest = nullptr;
+    int widestLine = 0;
     if (shown_.functions && *shown_.functions) {
         const PredictedFunctions& predicted = **shown_.functions;
-        widest = predicted.widest(shown_.family->id);
+        const std::vector<int> lines = unmarked(shown_.program.fragment).lines;
+        const auto lineOf = [&lines](const PredictedFunction& function) {
+            return lines.at(static_cast<std::size_t>(function.line));
+        };
         for (const PredictedFunction& function : predicted.functions) {
             if (const auto saving = predicted.savingOf(function, shown_.family->id)) {
-                margins[function.line] = shaderMarginText(*saving, *shown_.family);
+                margins[lineOf(function)] = shaderMarginText(*saving, *shown_.family);
             }
         }
+        const PredictedFunction* widest = predicted.widest(shown_.family->id);
+        widestLine = widest != nullptr ? lineOf(*widest) : 0;
     }
-    text_->setMargins(std::move(margins), widest != nullptr ? widest->line : 0);
+    text_->setMargins(std::move(margins), widestLine);
     showState();
 }
 
