@@ -119,8 +119,10 @@ TEST_F(Commands, CtrlK_BringsUpThePanelThatHasWhatIsSearched) {
 }
 
 TEST_F(Commands, TabOfAPanel_IsFoundByItsName) {
-    const std::pair<const char*, const char*> tabs[] = {
-        {"match", "Match"}, {"all models", "All Models"}, {"spectrum", "Spectrum"}};
+    const std::pair<const char*, const char*> tabs[] = {{"match", "Match"},
+                                                        {"all models", "All Models"},
+                                                        {"find cheaper", "Cheaper Ways"},
+                                                        {"spectrum", "Spectrum"}};
     for (const auto& [words, title] : tabs) {
         key(&view(), Qt::Key_K, Qt::ControlModifier);
         QDialog* palette = dialog("commandPalette");

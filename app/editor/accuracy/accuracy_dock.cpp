@@ -26,7 +26,8 @@ std::vector<DockPage> AccuracyDock::pages() {
         {tr("Scaling"), tr("Time against pixels, lights and objects")},
         {tr("Match"),
          tr("Values with which a model looks like another material or a measured surface")},
-        {tr("Cheaper Ways"), tr("Search for cheaper ways to compute a model or another block")},
+        {tr("Cheaper Ways"),
+         tr("Find cheaper ways to compute a model or another block, by a search")},
     };
 }
 
