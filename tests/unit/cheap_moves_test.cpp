@@ -10,6 +10,7 @@
 
 #include "catalog/block_kind.h"
 #include "measure/approximation/cheap_moves.h"
+#include "measure/approximation/geometry_moves.h"
 #include "measure/approximation/measured_text.h"
 #include "measure/approximation/tabled_terms.h"
 #include "measure/approximation/tidied_text.h"
@@ -56,6 +57,11 @@ class Observed {
 
     std::string textWith(const CheapMove& move) const {
         return editedSource(source_, syntax_, move.edits).text;
+    }
+
+    std::string textWith(const CheapMove& first, const CheapMove& second) const {
+        const CheapMove* const both[] = {&first, &second};
+        return editedSource(source_, syntax_, editsOf(both)).text;
     }
 
   private:
@@ -131,6 +137,63 @@ TEST(BranchMove, SwapInAnotherFunction_KeepsTheQuestion) {
     for (const CheapMove& move : knownSwaps(text.shader())) {
         EXPECT_EQ(move.edits.size(), 1u) << move.words;
     }
+}
+
+TEST(NestedMoves, PartThatASwapKeeps_IsChangedWithin) {
+    const Observed text("float f(float x, float y) {\n    return pow(x * y, 4.0);\n}\n");
+    const auto swaps = knownSwaps(text.shader());
+    const auto drops = droppedTerms(text.shader());
+    const CheapMove* products = saying(swaps, "as the power of 4");
+    const CheapMove* alone = saying(drops, "`x` alone");
+    ASSERT_TRUE(products != nullptr && alone != nullptr);
+    ASSERT_TRUE(areCompatible(*products, *alone) && areCompatible(*alone, *products));
+    const CheapMove* const both[] = {alone, products};
+    const CheapMove together{editsOf(both), "together"};
+    EXPECT_NEAR(text.with(together, 0.7, 0.3), std::pow(0.7, 4.0), 1e-12);
+    EXPECT_EQ(text.textWith(*products, *alone), text.textWith(*alone, *products));
+}
+
+TEST(NestedMoves, PartThatIsLeftOut_IsNotChangedAsWell) {
+    const Observed text("float f(float x, float y) {\n    return x + pow(y, 4.0);\n}\n");
+    const auto swaps = knownSwaps(text.shader());
+    const auto drops = droppedTerms(text.shader());
+    const CheapMove* products = saying(swaps, "as the power of 4");
+    const CheapMove* alone = saying(drops, "`x` alone");
+    const CheapMove* other = saying(drops, "`pow(y, 4.0)` alone");
+    ASSERT_TRUE(products != nullptr && alone != nullptr && other != nullptr);
+    EXPECT_FALSE(areCompatible(*products, *alone)) << "nothing of it would be left";
+    EXPECT_TRUE(areCompatible(*products, *other));
+    EXPECT_FALSE(areCompatible(*alone, *other));
+}
+
+constexpr const char* geometry = "struct Directions {\n    float nl;\n    float nh;\n"
+                                 "    float sin2l;\n    float sin2h;\n    float cos2h;\n"
+                                 "    float HH;\n};\n"
+                                 "Directions at(float x) {\n    Directions d;\n    d.nl = x;\n"
+                                 "    d.nh = x;\n    d.sin2l = 1.0 - x * x;\n    d.HH = 3.0;\n"
+                                 "    d.cos2h = 3.0 * x * x;\n    d.sin2h = 3.0 - d.cos2h;\n"
+                                 "    return d;\n}\n";
+
+TEST(GeometryMove, NumberThatIsReadTwice_ComesFromTheRoundedCosineInBoth) {
+    const Observed text(std::string(geometry) + "float f(float x) {\n    Directions d = at(x);\n"
+                                                "    return sqrt(d.sin2l) + d.sin2l;\n}\n");
+    const auto moves = geometryMoves(text.shader());
+    const CheapMove* sine = saying(moves, "squared sine of n and l");
+    ASSERT_NE(sine, nullptr);
+    EXPECT_EQ(sine->edits.size(), 2u);
+    EXPECT_NEAR(text.with(*sine, 0.4), text.exact(0.4, 0.5), 1e-12);
+    EXPECT_EQ(saying(moves, "n.h"), nullptr) << "it is not read";
+}
+
+TEST(GeometryMove, ShareOfTheSquaredSine_NeedsNoDivision) {
+    const Observed text(std::string(geometry) + "float f(float x) {\n    Directions d = at(x);\n"
+                                                "    return d.sin2h / (d.sin2h + d.cos2h);\n}\n");
+    const auto moves = geometryMoves(text.shader());
+    const CheapMove* share = saying(moves, "without a division");
+    ASSERT_NE(share, nullptr);
+    EXPECT_NEAR(text.with(*share, 0.4), 0.84, 1e-12);
+    EXPECT_EQ(text.textWith(*share).find('/', text.textWith(*share).find("float f(")),
+              std::string::npos);
 }
 
 Block wax() {

@@ -182,7 +182,7 @@ class LevelWriter {
         std::vector<ShaderEdit> edits = way.edits;
         const auto add = [&edits](const ShaderEdit& edit) {
             if (std::ranges::none_of(edits, [&edit](const ShaderEdit& other) {
-                    return edit.first < other.last && other.first < edit.last;
+                    return edit.first <= other.first && other.last <= edit.last;
                 })) {
                 edits.push_back(edit);
             }
@@ -197,7 +197,7 @@ class LevelWriter {
                      each.owner});
             }
         }
-        std::ranges::sort(edits, {}, &ShaderEdit::first);
+        sortEdits(edits);
         return edits;
     }
 

@@ -56,9 +56,16 @@ bool isCompound(const ShaderExpression& expression) {
            expression.kind == NodeKind::Choice || expression.kind == NodeKind::Assign;
 }
 
-/// Returns an operand's text that may stand beside any operator.
+/// Returns an operand for a replacement that keeps it; empty where a macro made it.
+std::string keptOf(const ObservedShader& shader, int index) {
+    const ShaderExpression& expression = shader.at(index);
+    return expression.first < expression.last ? keptPart(expression.first, expression.last)
+                                              : std::string();
+}
+
+/// Returns an operand for a replacement where it may stand beside any operator.
 std::string grouped(const ObservedShader& shader, int index) {
-    const std::string text = textOf(shader, index);
+    const std::string text = keptOf(shader, index);
     return isCompound(shader.at(index)) && !text.empty() ? '(' + text + ')' : text;
 }
 
@@ -92,7 +99,7 @@ void addOperand(Replacements& moves, const ObservedShader& shader, int index, st
     const ShaderExpression& expression = shader.at(index);
     const int operand = expression.operands[which];
     if (shader.at(operand).type == expression.type && expression.type.isFloat()) {
-        moves.add(index, textOf(shader, operand), words);
+        moves.add(index, keptOf(shader, operand), words);
     }
 }
 
@@ -265,6 +272,10 @@ constexpr FunctionSwap functionSwaps[] = {
      "float plainPower(float d, float c, float e) {\n"
      "    return c > 0.0 ? pow(c, e) : 0.0;\n}\n",
      "power of the rounded cosine"},
+    {"pow1m", 3, "firstPower1m",
+     "float firstPower1m(float d, float c, float e) {\n"
+     "    return c > 0.0 ? exp2(-2.88539008 * e * d / (1.0 + c)) : 0.0;\n}\n",
+     "power by the first term of its logarithm"},
     {"powSC", 3, "rationalPowerSC",
      "float rationalPowerSC(float s2, float c2, float e) {\n"
      "    return c2 > 0.0 ? c2 / (c2 + 0.5 * e * s2) : 0.0;\n}\n",
@@ -273,6 +284,22 @@ constexpr FunctionSwap functionSwaps[] = {
      "float gaussianPowerSC(float s2, float c2, float e) {\n"
      "    return c2 > 0.0 ? exp2(-0.72134752 * e * s2 / (s2 + c2)) : 0.0;\n}\n",
      "power by an exponential of the squared sine"},
+    {"powSC", 3, "firstPowerSC",
+     "float firstPowerSC(float s2, float c2, float e) {\n"
+     "    return c2 > 0.0 ? exp2(-1.44269504 * e * s2 / (s2 + 2.0 * c2)) : 0.0;\n}\n",
+     "power by the first term of its logarithm"},
+    {"minusLnCosBySin2", 2, "firstLnCosBySin2",
+     "float firstLnCosBySin2(float s2, float c2) {\n"
+     "    return 1.0 / (s2 + 2.0 * c2);\n}\n",
+     "logarithm of a cosine by its first term"},
+    {"upperVersine", 1, "roundedUpperVersine",
+     "float roundedUpperVersine(Directions d) {\n"
+     "    return max(1.0 - d.nh, 0.0);\n}\n",
+     "1 - n.h from the rounded cosine"},
+    {"halfVersine", 1, "roundedHalfVersine",
+     "float roundedHalfVersine(Directions d) {\n"
+     "    return clamp(1.0 - d.nh, 0.0, 1.0);\n}\n",
+     "1 - n.h from the rounded cosine"},
     {"ggxUnmasked", 3, "lineUnmasked",
      "float lineUnmasked(float c, float s2, float alpha) {\n"
      "    return c + 0.5 * alpha * (1.0 - c);\n}\n",
@@ -373,7 +400,7 @@ std::string callText(const ObservedShader& shader, const ShaderExpression& expre
     std::string text(name);
     text += '(';
     for (std::size_t i = 0; i < expression.operands.size(); ++i) {
-        const std::string argument = textOf(shader, expression.operands[i]);
+        const std::string argument = keptOf(shader, expression.operands[i]);
         if (argument.empty()) {
             return {};
         }
@@ -439,7 +466,7 @@ void addWholePower(Replacements& moves, const ObservedShader& shader, int index)
     }
     if (const int exponent = wholeExponent(shader, expression.operands[1]); exponent != 0) {
         const std::string name = fmt::format("toThe{}", exponent);
-        const std::string base = textOf(shader, expression.operands[0]);
+        const std::string base = keptOf(shader, expression.operands[0]);
         moves.add(
             index, base.empty() ? "" : fmt::format("{}({})", name, base),
             fmt::format("{} by products, as the power of {}", quoted(shader, index), exponent),
@@ -483,7 +510,7 @@ void addDivisionSwaps(Replacements& moves, const ObservedShader& shader, int ind
         moves.add(
             index,
             fmt::format("{} * inversesqrt({})", text(expression, 0),
-                        textOf(shader, right.operands[0])),
+                        keptOf(shader, right.operands[0])),
             fmt::format("division by a root made an inverse root, in {}", quoted(shader, index)));
     }
     if (expression.sign == "*" && isRoot(left) && isRoot(right)) {

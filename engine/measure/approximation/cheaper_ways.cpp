@@ -13,6 +13,7 @@
 #include "measure/approximation/approximated_block.h"
 #include "measure/approximation/cheap_moves.h"
 #include "measure/approximation/fitted_terms.h"
+#include "measure/approximation/geometry_moves.h"
 #include "measure/approximation/shader_price.h"
 #include "measure/approximation/tabled_terms.h"
 #include "measure/error/parallel.h"
@@ -173,6 +174,7 @@ class CheaperSearch {
 
     void findMoves() {
         addMoves(knownSwaps(shader()));
+        addMoves(geometryMoves(shader()));
         if (options_.ofValues) {
             addMoves(foldedValues(shader()));
         }

@@ -9,6 +9,8 @@
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -182,11 +184,12 @@ class Interpolant {
         return y;
     }
 
+    /// Returns the expression of Sollya in x = 0 .. 1.
     std::string text() const {
         std::string y;
         for (auto it = powers_.rbegin(); it != powers_.rend(); ++it) {
             y = y.empty() ? fmt::format("({:.17g})", *it)
-                          : fmt::format("(({:.17g}) + x * {})", *it, y);
+                          : fmt::format("(({:.17g}) + (2 * x - 1) * {})", *it, y);
         }
         return y;
     }
@@ -197,14 +200,21 @@ class Interpolant {
     std::vector<double> powers_;
 };
 
+/// Returns 0 .. 1 for a range that is nearly that, whose polynomials need not be moved to it.
+std::pair<double, double> roundedRange(double low, double high) {
+    const bool isNearly = low >= 0.0 && low < 0.06 && high > 0.94 && high < 1.0 + 1e-6;
+    return isNearly ? std::pair(0.0, 1.0) : std::pair(low, high);
+}
+
 /// Follows a term by a polynomial; nothing where none does.
 std::optional<OneVariableTerm> followed(const ShaderSource& source, const ObservedShader& shader,
                                         int index, int variable) {
     const ObservedValues& range = shader.valuesOf(variable);
-    OneVariableTerm term{index,        std::string(shader.syntax.textOf(shader.at(variable))),
-                         range.min[0], range.max[0],
-                         {},           0.0,
-                         false};
+    const ShaderExpression& number = shader.at(variable);
+    OneVariableTerm term;
+    term.expression = index;
+    term.variable = keptPart(number.first, number.last);
+    std::tie(term.low, term.high) = roundedRange(range.min[0], range.max[0]);
     const bool hasRange = std::isfinite(term.low) && std::isfinite(term.high) &&
                           term.high - term.low > 1e-6 && term.high - term.low < 1e4;
     auto function =
@@ -217,8 +227,8 @@ std::optional<OneVariableTerm> followed(const ShaderSource& source, const Observ
         return term.isProportional ? function->at(x) / x : function->at(x);
     };
     const Interpolant near(factor, term.low, term.high);
-    double min = std::numeric_limits<double>::infinity();
-    double max = -min;
+    term.min = std::numeric_limits<double>::infinity();
+    double max = -term.min;
     constexpr int samples = 401;
     for (int i = 0; i < samples; ++i) {
         const double x = term.low + (term.high - term.low) * i / (samples - 1);
@@ -226,15 +236,14 @@ std::optional<OneVariableTerm> followed(const ShaderSource& source, const Observ
         if (!std::isfinite(y)) {
             return std::nullopt;
         }
-        min = std::min(min, y);
+        term.min = std::min(term.min, y);
         max = std::max(max, y);
         const double got = term.isProportional ? x * near.at(x) : near.at(x);
         term.residual = std::max(term.residual, std::abs(y - got));
     }
-    if (!(term.residual <= maxResidual * std::max(max - min, 1e-9))) {
+    if (!(term.residual <= maxResidual * std::max(max - term.min, 1e-9))) {
         return std::nullopt;
     }
-    term.isPositive = min >= 0.0;
     term.function = near.text();
     return term;
 }
@@ -258,36 +267,44 @@ int varyingArgument(const ObservedShader& shader, const ShaderExpression& call) 
     return found;
 }
 
+/// Returns how far a polynomial is from the term at most.
+double farthestOf(const OneVariableTerm& term, const FittedPolynomial& polynomial) {
+    return (term.isProportional ? term.high : 1.0) * polynomial.bound + term.residual;
+}
+
+/// Returns the function. GPUs cut to 0 .. 1 for nothing as they compute.
 std::string polynomialCode(const std::string& name, const OneVariableTerm& term,
-                           const std::vector<double>& coefficients) {
+                           const FittedPolynomial& polynomial) {
     std::string y;
+    const std::vector<double>& coefficients = polynomial.coefficients;
     for (auto it = coefficients.rbegin(); it != coefficients.rend(); ++it) {
         y = y.empty() ? floatText(*it) : fmt::format("{} + t * ({})", floatText(*it), y);
     }
     if (term.isProportional) {
         y = coefficients.size() == 1 ? fmt::format("{} * x", y) : fmt::format("x * ({})", y);
     }
-    if (term.isPositive) {
+    if (term.min >= 0.0 && term.min <= farthestOf(term, polynomial)) {
         y = fmt::format("max({}, 0.0)", y);
     }
     if (coefficients.size() == 1) {
         return fmt::format("float {}(float x) {{\n    return {};\n}}\n", name, y);
     }
-    const double half = 0.5 * (term.high - term.low);
-    const double middle = 0.5 * (term.high + term.low);
-    return fmt::format("float {}(float x) {{\n    float t = clamp({} * x + {}, -1.0, 1.0);\n"
+    const double scale = 1.0 / (term.high - term.low);
+    const std::string place =
+        scale == 1.0 && term.low == 0.0
+            ? "x"
+            : fmt::format("{} * x + {}", floatText(scale), floatText(-term.low * scale));
+    return fmt::format("float {}(float x) {{\n    float t = clamp({}, 0.0, 1.0);\n"
                        "    return {};\n}}\n",
-                       name, floatText(1.0 / half), floatText(-middle / half), y);
+                       name, place, y);
 }
 
 /// Says what a polynomial does, with its proved bound: of the term, or of the term over its number.
 std::string polynomialWords(const ObservedShader& shader, const OneVariableTerm& term,
                             const FittedPolynomial& polynomial, int degree) {
-    const double scale = term.isProportional ? term.high : 1.0;
     return fmt::format("`{}` by a polynomial of degree {}, at most {:.2g} off",
                        shortCode(shader.syntax.textOf(shader.at(term.expression))),
-                       degree + (term.isProportional ? 1 : 0),
-                       scale * polynomial.bound + term.residual);
+                       degree + (term.isProportional ? 1 : 0), farthestOf(term, polynomial));
 }
 
 } // namespace
@@ -328,7 +345,7 @@ Result<std::vector<CheapMove>> polynomialMoves(const ObservedShader& shader,
     std::vector<PolynomialWish> wishes;
     for (const OneVariableTerm& term : terms) {
         for (int degree = minDegree; degree <= maxDegree; ++degree) {
-            wishes.push_back({term.function, -1.0, 1.0, degree});
+            wishes.push_back({term.function, 0.0, 1.0, degree});
         }
     }
     const auto fitted = fittedPolynomials(wishes, seconds, isStopped);
@@ -347,7 +364,7 @@ Result<std::vector<CheapMove>> polynomialMoves(const ObservedShader& shader,
         const std::string name = fmt::format("polynomial{}", i + 1);
         moves.push_back(
             {{{expression.first, expression.last, fmt::format("{}({})", name, term.variable),
-               polynomialCode(name, term, polynomial.coefficients), expression.owner}},
+               polynomialCode(name, term, polynomial), expression.owner}},
              polynomialWords(shader, term, polynomial, wishes[i].degree)});
     }
     return moves;

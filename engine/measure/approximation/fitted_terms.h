@@ -10,13 +10,13 @@ namespace patina {
 /// that really occurs.
 struct OneVariableTerm {
     int expression = -1;
-    std::string variable; ///< is the text of the number
+    std::string variable; ///< is the number for a replacement, which keeps it
     double low = 0.0;
     double high = 1.0;
-    /// Is an expression of Sollya in x = -1 .. 1 along the range: a polynomial through many points.
+    double min = 0.0; ///< is the smallest value
+    /// Is an expression of Sollya in x = 0 .. 1 along the range: a polynomial through many points.
     std::string function;
     double residual = 0.0;       ///< is how far that may be from the term
-    bool isPositive = false;     ///< is nowhere below 0, as its polynomials must be
     bool isProportional = false; ///< is 0 at 0, and `function` is what it is over the number
 };
 

@@ -16,9 +16,9 @@ namespace patina {
 struct ShaderEdit {
     std::size_t first = 0; ///< are the offsets in the text before all edits
     std::size_t last = 0;
-    std::string replacement;
-    std::string helper{}; ///< is a function that the replacement calls, with its name in front
-    int function = -1;    ///< is that in which the place is
+    std::string replacement; ///< has parts that stay by keptPart(), so that other edits reach them
+    std::string helper{};    ///< is a function that the replacement calls, with its name in front
+    int function = -1;       ///< is that in which the place is
     /// Is the function that reads a table, whose entries `helper` computes: as it computes them on
     /// the spot, and as it reads a texture (table_source.h).
     std::string tableComputed{};
@@ -33,8 +33,16 @@ struct CheapMove {
     std::optional<BlockTable> table{}; ///< is one that it reads
 };
 
-/// Tells whether two moves change nothing in common, and do not read two tables: a level has one.
+/// Returns what stands in a replacement for a part of the text before all edits, with the edits
+/// that others make in it.
+std::string keptPart(std::size_t first, std::size_t last);
+
+/// Tells whether two moves can be made together: where both change the same text, one of them keeps
+/// what the other changes, or leaves out some of it; and a level reads one table.
 bool areCompatible(const CheapMove& a, const CheapMove& b);
+
+/// Puts edits into the order of the text, a whole before its parts.
+void sortEdits(std::vector<ShaderEdit>& edits);
 
 /// Returns the edits of several moves, in the order of the text.
 std::vector<ShaderEdit> editsOf(std::span<const CheapMove* const> moves);

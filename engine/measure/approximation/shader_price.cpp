@@ -110,7 +110,7 @@ ProgramText ShaderPrice::programOf(const std::vector<ShaderEdit>& edits) const {
         }
     }
     all.insert(all.end(), frame_.begin(), frame_.end());
-    std::ranges::sort(all, {}, &ShaderEdit::first);
+    sortEdits(all);
     return {vertexStage(places_), editedSource(source_, syntax_, all).text};
 }
 
