@@ -184,8 +184,9 @@ nlohmann::json waysJson(const CheaperWays& ways, const ApproximateSubject& subje
 }
 
 std::string waysText(const CheaperWays& ways, const ApproximateSubject& subject, bool isChecked) {
-    std::string text = fmt::format("{}: {:.0f} {} (predicted)\n", subject.subject.block.block->id,
-                                   ways.exact.cost, ways.unit);
+    std::string text = fmt::format(
+        "{}: {:.0f} {} (predicted); floats alone are up to {:.2g} off in the exact way\n",
+        subject.subject.block.block->id, ways.exact.cost, ways.unit, ways.exact.error);
     if (ways.ways.empty()) {
         return text + "nothing cheaper was found\n";
     }

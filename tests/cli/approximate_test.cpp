@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/patina_program.h"
+#include "measure/approximation/error_climb.h"
 #include "measure/approximation/measured_text.h"
 #include "measure/eval/eval_reference.h"
 #include "measure/interpreter/shader_parser.h"
@@ -168,6 +169,32 @@ INSTANTIATE_TEST_SUITE_P(Approximate, OfAPaper, testing::Values(&hair, &banks, &
                                                 : each.param == &banks ? "Banks"
                                                                        : "Edwards");
                          });
+
+// The tangent from a rounded cosine loses half of its digits within 0.0003 of the normal, where few
+// cases that are drawn evenly lie; what is stated has to hold there, too.
+TEST(WorstCases, OfAnExactBlock_AreWhereFloatsLoseDigits) {
+    const TemporaryFolder folder;
+    Paper steep{"steepness",
+                "#include \"lib/directions.glsl\"\nvec3 steepness(Directions d, Steepness p) {\n"
+                "    return p.diffuseColor * sqrt(max(1.0 - d.nl * d.nl, 0.0));\n}\n",
+                colors};
+    writePaper(steep, folder.path());
+    const Catalog catalog = catalogWith(folder.path());
+    ASSERT_EQ(catalog.errors, Errors());
+    const EvalCase exact = caseOf(catalog, "steepness");
+    const auto text = MeasuredText::of(exact, shipped("shaders"));
+    ASSERT_TRUE(text) << patina::text(text.error());
+    const auto drawn = commonCases(exact, {.count = 2000, .seed = 5, .rows = 10});
+    const CaseErrors errorsOf = [&text](const std::vector<EvalCase>& cases) {
+        return text->errors({}, text->judged(texelsOfCases(cases)));
+    };
+    const WorstCases worst = worstCases(errorsOf, drawn, {}, [] { return false; });
+    EXPECT_GT(worst.error, 1.5e-4);
+    const JudgedCases judged = text->judged(texelsOfCases(drawn));
+    EXPECT_LE(text->error({}, judged, 1.0).worst, worst.error);
+    const JudgedCases there = text->judged(texelsOfCases(worst.cases));
+    EXPECT_EQ(text->error({}, there, 1.0).worst, worst.error);
+}
 
 TEST(Approximate, WrittenBlock_IsValidAndPassesTheSweep) {
     const TemporaryFolder folder;

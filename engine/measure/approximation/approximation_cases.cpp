@@ -33,20 +33,34 @@ class DirectionDraw {
         return low + (high - low) * static_cast<double>(engine_()) / 4294967296.0;
     }
 
+    std::uint32_t below(std::uint32_t count) { return engine_() % count; }
+
+    /// Returns a number of any size up to `greatest`: as many between 0.001 and 0.01 of it as
+    /// between 0.01 and 0.1.
+    double ofAnySize(double greatest) { return greatest * std::pow(10.0, uniform(-6.0, 0.0)); }
+
+    /// Returns a direction anywhere, but of sixteen one near the normal and one near the lowest
+    /// that there is: near these formulas lose digits, or bend, within angles of any size.
     glm::dvec3 above() {
-        const double c = uniform(minCosine, 1.0);
+        const std::uint32_t which = below(16);
+        const double angle = ofAnySize(1.0);
+        const double c = which == 0   ? std::max(std::cos(angle), minCosine)
+                         : which == 1 ? minCosine + angle * (1.0 - minCosine)
+                                      : uniform(minCosine, 1.0);
+        const double s = which == 0 ? std::sin(angle) : std::sqrt(std::max(1.0 - c * c, 0.0));
         const double phi = uniform(0.0, 2.0 * std::numbers::pi);
-        const double s = std::sqrt(1.0 - c * c);
-        return floatVector({s * std::cos(phi), s * std::sin(phi), c});
+        return raised({s * std::cos(phi), s * std::sin(phi), c});
     }
 
-    glm::dvec3 nearMirror(const glm::dvec3& l) {
-        const double reach = std::pow(10.0, uniform(-3.0, -0.5));
-        const glm::dvec3 off{uniform(-reach, reach), uniform(-reach, reach), 0.0};
-        glm::dvec3 v = glm::normalize(glm::dvec3(-l.x, -l.y, l.z) + off);
-        v.z = std::max(v.z, minCosine);
-        return floatVector(glm::normalize(v));
+    /// Returns a direction at an angle of any size to another one.
+    glm::dvec3 near(const glm::dvec3& other, double greatest) {
+        const double reach = ofAnySize(greatest);
+        const glm::dvec3 off{uniform(-reach, reach), uniform(-reach, reach),
+                             uniform(-reach, reach)};
+        return raised(other + off);
     }
+
+    static glm::dvec3 mirrored(const glm::dvec3& l) { return {-l.x, -l.y, l.z}; }
 
     EvalPlace place(EvalCase::Subject subject) {
         EvalPlace made;
@@ -55,14 +69,62 @@ class DirectionDraw {
             return made;
         }
         made.l = above();
-        made.v = engine_() % 3 == 0 ? nearMirror(made.l) : above();
+        const std::uint32_t which = below(12);
+        made.v = which < 4 ? near(mirrored(made.l), 0.3) : which == 4 ? near(made.l, 0.3) : above();
         made.pixel = floatVector({uniform(0.0, 24.0), uniform(0.0, 24.0), 0.0});
         return made;
     }
 
   private:
+    /// Returns the direction of a vector, not lower than the lowest, as floats hold it.
+    static glm::dvec3 raised(const glm::dvec3& vector) {
+        glm::dvec3 unit = glm::normalize(vector);
+        const double flat = std::hypot(unit.x, unit.y);
+        if (unit.z < minCosine && flat > 0.0) {
+            const double scale = std::sqrt(1.0 - minCosine * minCosine) / flat;
+            unit = {unit.x * scale, unit.y * scale, minCosine};
+        }
+        return floatVector(unit);
+    }
+
     std::mt19937 engine_;
 };
+
+/// Moves one value of a block, anywhere or a little, within what its slider reaches.
+void moveOneValue(EvalBlock& block, DirectionDraw& draw) {
+    std::vector<const Parameter*> free;
+    for (const Parameter& parameter : block.block->parameters) {
+        if (infoOf(parameter.type).hasRange && parameter.compiled == Compiled::No) {
+            free.push_back(&parameter);
+        }
+    }
+    if (free.empty()) {
+        return;
+    }
+    const Parameter& parameter = *free[draw.below(static_cast<std::uint32_t>(free.size()))];
+    const double low = std::clamp(parameter.softMin, parameter.min, parameter.max);
+    const double high = std::clamp(parameter.softMax, parameter.min, parameter.max);
+    const auto found = block.values.find(parameter.id);
+    const Value& before = found == block.values.end() ? parameter.defaultValue : found->second;
+    const std::uint32_t how = draw.below(4);
+    const double step = draw.ofAnySize(high - low);
+    const auto moved = [&](double x) {
+        return std::clamp(x + draw.uniform(-step, step), low, high);
+    };
+    const auto* number = std::get_if<double>(&before);
+    const auto* triple = std::get_if<glm::dvec3>(&before);
+    if (how > 1 && number != nullptr) {
+        block.values[parameter.id] = moved(*number);
+    } else if (how > 1 && triple != nullptr) {
+        block.values[parameter.id] =
+            glm::dvec3{moved(triple->x), moved(triple->y), moved(triple->z)};
+    } else {
+        const auto any = [&] {
+            return how == 0 ? draw.uniform(low, high) : draw.below(2) == 0 ? low : high;
+        };
+        block.values[parameter.id] = infoOf(parameter.type).ordinary(parameter, any);
+    }
+}
 
 /// Returns common places, different ones for each seed.
 std::vector<EvalPlace> commonPlaces(const EvalCase& subject, const CaseWish& wish) {
@@ -151,6 +213,30 @@ std::vector<EvalCase> edgeCases(const EvalCase& subject, std::size_t count, bool
     for (std::size_t i = 0; i < count; ++i) {
         cases.push_back(rows[i * 7919 % rows.size()]);
         static_cast<EvalPlace&>(cases.back()) = places[i * 104729 % places.size()];
+    }
+    return cases;
+}
+
+std::vector<EvalCase> nearbyCases(const EvalCase& from, std::size_t count, bool hasOwnValues,
+                                  std::uint32_t seed) {
+    DirectionDraw draw(seed);
+    std::vector<EvalCase> cases(count, from);
+    for (EvalCase& each : cases) {
+        const std::uint32_t which = draw.below(4); // bit 0: not the light, bit 1: not the viewer
+        if (each.subject == EvalCase::Subject::Model) {
+            each.l = (which & 1u) == 0 ? draw.near(each.l, 1.0) : each.l;
+            each.v = (which & 2u) == 0 ? draw.near(each.v, 1.0) : each.v;
+        } else if (each.subject == EvalCase::Subject::Fresnel) {
+            const double step = draw.ofAnySize(1.0);
+            each.number = static_cast<double>(
+                static_cast<float>(std::clamp(each.number + draw.uniform(-step, step), 0.0, 1.0)));
+        }
+        const bool isMoved = !hasOwnValues && (which == 3 || draw.below(3) == 0);
+        EvalBlock& block =
+            each.slot.block != nullptr && draw.below(3) == 0 ? each.slot : each.block;
+        if (isMoved && block.block != nullptr) {
+            moveOneValue(block, draw);
+        }
     }
     return cases;
 }

@@ -22,12 +22,19 @@ struct CaseWish {
     bool reachesEnds = false;  ///< every other set of values is at ends of sliders in half of them
 };
 
-/// Returns cases with light and viewer anywhere above the surface, a third of them near the mirror
-/// direction, and for other kinds anything that is common.
+/// Returns cases with light and viewer anywhere above the surface, and for other kinds anything
+/// that is common. Of 16 directions one is near the normal and one near the lowest, of 12 viewers 4
+/// are near the mirror direction and one near the light, each at an angle of any size. What is
+/// found, what it is judged by and what tries its stated error are drawn so, by different seeds.
 std::vector<EvalCase> commonCases(const EvalCase& subject, const CaseWish& wish);
 
 /// Returns about `count` cases where formulas break: those of the stability sweep, thinned out.
 std::vector<EvalCase> edgeCases(const EvalCase& subject, std::size_t count, bool hasOwnValues);
+
+/// Returns cases in which one or two of light, viewer and values are a little elsewhere, or far, as
+/// commonCases() may have them.
+std::vector<EvalCase> nearbyCases(const EvalCase& from, std::size_t count, bool hasOwnValues,
+                                  std::uint32_t seed);
 
 CaseTexels texelsOfCases(const std::vector<EvalCase>& cases);
 

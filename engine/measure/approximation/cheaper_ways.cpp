@@ -12,6 +12,7 @@
 
 #include "measure/approximation/approximated_block.h"
 #include "measure/approximation/cheap_moves.h"
+#include "measure/approximation/error_climb.h"
 #include "measure/approximation/fitted_terms.h"
 #include "measure/approximation/geometry_moves.h"
 #include "measure/approximation/shader_price.h"
@@ -40,6 +41,8 @@ constexpr double secondsOfSollya = 60.0;
 /// judgement of what was found.
 constexpr double maxShareOfTrials = 0.9;
 constexpr double minShareOfTrials = 0.3;
+constexpr std::size_t casesOfClimbRound = 3000; ///< are judged for each round of a climb
+constexpr std::size_t maxClimbRounds = 30;
 constexpr double slowerThanExact = 1.5; ///< is the evaluation of ways, whose tables are computed
 
 /// Is a set of moves with what is known of it.
@@ -47,9 +50,10 @@ struct TriedWay {
     std::vector<std::size_t> moves; ///< are sorted
     TextError error;
     std::optional<double> cost;
-    double guess = 0.0;                   ///< is the cost as the single moves let expect
-    bool isJudged = false;                ///< its error is that on unseen cases
-    bool isProven = false;                ///< and on all of them
+    double guess = 0.0;            ///< is the cost as the single moves let expect
+    bool isJudged = false;         ///< its error is that on unseen cases
+    bool isProven = false;         ///< and on all of them, and in the worst cases
+    std::vector<EvalCase> worst{}; ///< are those
 };
 
 bool isBetter(const TriedWay& a, const TriedWay& b) {
@@ -274,8 +278,8 @@ class CheaperSearch {
     void publish(const std::vector<TriedWay>& front) {
         found_.ways.clear();
         for (const TriedWay& way : front) {
-            CheaperWay shown{editsFor(way.moves), {},    way.error.worst, way.error.mean,
-                             *way.cost,           false, {}};
+            CheaperWay shown{
+                editsFor(way.moves), {}, way.error.worst, way.error.mean, *way.cost, false, {}};
             for (const std::size_t move : way.moves) {
                 shown.table = moves_[move].table ? moves_[move].table : shown.table;
                 shown.isForValues = shown.isForValues || moves_[move].isForValues;
@@ -372,7 +376,8 @@ class CheaperSearch {
         const std::size_t first = std::min(options_.heldOut, casesOfFront);
         const CaseWish wish{first,          heldOutSeed,       rowsOfSearch,
                             rowsFor(first), options_.ofValues, true};
-        const JudgedCases unseen = text_->judged(texelsOfCases(commonCases(subject_, wish)));
+        unseen_ = commonCases(subject_, wish);
+        const JudgedCases unseen = text_->judged(texelsOfCases(unseen_));
         const JudgedCases edge =
             text_->judged(texelsOfCases(edgeCases(subject_, lastEdgeCases, options_.ofValues)));
         do {
@@ -387,8 +392,37 @@ class CheaperSearch {
         publish(front_);
         found_.heldOut = options_.heldOut;
         const TextError own = text_->error({}, unseen, std::numeric_limits<double>::infinity());
-        found_.exact.error = std::max(found_.exact.error, own.worst);
+        const WorstCases worst = climbed({});
+        found_.exact.error = std::max({found_.exact.error, own.worst, worst.error});
         found_.exact.meanError = own.mean;
+        found_.worst = worst.cases;
+        for (const TriedWay& way : front_) {
+            found_.worst.insert(found_.worst.end(), way.worst.begin(), way.worst.end());
+        }
+        if (statedError(found_.exact) > options_.maxError) {
+            found_.notes.push_back(
+                {{},
+                 0,
+                 0,
+                 fmt::format("floats of 32 bits alone are up to {:.2g} off in the exact way, where "
+                             "its formula loses digits",
+                             found_.exact.error),
+                 fmt::format("a greatest error of more than {:.2g}", statedError(found_.exact))});
+        }
+    }
+
+    /// Looks for where a way is farthest off.
+    WorstCases climbed(std::span<const ShaderEdit> edits) {
+        ErrorClimb how;
+        how.rounds = std::min(options_.heldOut / casesOfClimbRound + 1, maxClimbRounds);
+        how.hasOwnValues = options_.ofValues;
+        const CaseErrors errorsOf = [&](const std::vector<EvalCase>& cases) {
+            return text_->errors(edits, text_->judged(texelsOfCases(cases)));
+        };
+        return worstCases(errorsOf, unseen_, how, [this] {
+            report();
+            return options_.isAbandoned();
+        });
     }
 
     /// Judges those of the front on cases that the search has not seen, and forgets what is too far
@@ -464,6 +498,10 @@ class CheaperSearch {
             found_.heldOut = seen + first + count;
         }
         for (TriedWay* way : open) {
+            const bool isWithin = way->error.isWithin(limit_);
+            WorstCases worst = isWithin ? climbed(editsFor(way->moves)) : WorstCases();
+            way->error.worst = std::max(way->error.worst, worst.error);
+            way->worst = std::move(worst.cases);
             way->isProven = true;
         }
         std::erase_if(tried_, [this](const TriedWay& way) { return !way.error.isWithin(limit_); });
@@ -519,9 +557,10 @@ class CheaperSearch {
     JudgedCases cases_;
     JudgedCases quick_;
     JudgedCases edgeCases_;
+    std::vector<EvalCase> unseen_; ///< are those that judge all of the front
     std::vector<ObservedValues> observed_;
     std::vector<CheapMove> moves_;
-    std::set<std::string> words_; ///< are those of the moves, no two of which are the same
+    std::set<std::string> words_;  ///< are those of the moves, no two of which are the same
     std::vector<TriedWay> useful_; ///< are single moves that gain something
     std::vector<TriedWay> tried_;  ///< are all that have a cost
     std::vector<TriedWay> front_;  ///< is sorted by error

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measure/approximation/declared_ways.h"
 
+#include <algorithm>
 #include <limits>
 
+#include "measure/approximation/error_climb.h"
 #include "measure/approximation/shader_price.h"
 
 namespace patina {
@@ -60,11 +62,18 @@ Checked<std::vector<DeclaredWay>> declaredWays(const EvalCase& subject,
         }
         ShaderPrice price(level, text->source(), text->syntax(), family);
         const auto cost = price.of({{}}, isStopped).front();
-        if (cost) {
-            const JudgedCases same{texelsWith(common, levels), judged.exact};
-            ways.push_back(
-                {levels, text->error({}, same, std::numeric_limits<double>::infinity()), *cost});
+        if (!cost) {
+            continue;
         }
+        const JudgedCases same{texelsWith(common, levels), judged.exact};
+        TextError error = text->error({}, same, std::numeric_limits<double>::infinity());
+        const CaseErrors errorsOf = [&](const std::vector<EvalCase>& some) {
+            return text->errors(
+                {}, {texelsWith(some, levels), exact->judged(texelsOfCases(some)).exact});
+        };
+        const ErrorClimb how{.hasOwnValues = cases.hasOwnValues};
+        error.worst = std::max(error.worst, worstCases(errorsOf, common, how, isStopped).error);
+        ways.push_back({levels, error, *cost});
     }
     return ways;
 }

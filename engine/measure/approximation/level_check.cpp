@@ -22,6 +22,7 @@ namespace {
 
 constexpr std::uint32_t seedOfDevice = 3;
 constexpr std::size_t firstRowOfDevice = 4096; ///< is behind the sets of values of the search
+constexpr std::size_t casesAround = 12;        ///< are tried around each of the worst ones
 constexpr std::size_t sweptCases = 60000;
 
 /// Makes a folder that is removed with it.
@@ -104,6 +105,7 @@ class DeviceCheck {
                             options_.ofValues,
                             true};
         cases_ = commonCases(subject_, wish);
+        addWorst();
         exact_ = ways_.text->judged(texelsOfCases(cases_));
         std::vector<CheaperWay> kept;
         for (std::size_t i = 0; i < ways_.ways.size(); ++i) {
@@ -120,6 +122,16 @@ class DeviceCheck {
     }
 
   private:
+    /// Adds the cases where ways are farthest off, and some around each of them.
+    void addWorst() {
+        std::uint32_t seed = seedOfDevice;
+        for (const EvalCase& worst : ways_.worst) {
+            const auto some = nearbyCases(worst, casesAround, options_.ofValues, seed++);
+            cases_.push_back(worst);
+            cases_.insert(cases_.end(), some.begin(), some.end());
+        }
+    }
+
     /// Leaves out ways than which a cheaper one states no larger an error. They are from the
     /// dearest to the cheapest.
     static std::vector<CheaperWay> frontOf(const std::vector<CheaperWay>& ways) {

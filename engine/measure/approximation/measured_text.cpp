@@ -70,6 +70,20 @@ class OwnFunctions {
     std::set<int> own_;
 };
 
+/// Makes the directions of a case unit in double precision. As floats they are a little longer or
+/// shorter, which is part of what a text in floats loses, and much of it next to the normal.
+std::vector<double> withUnitDirections(std::vector<double> texels) {
+    constexpr std::size_t directions = 4; // n, t, l and v, each at the front of a vec4
+    for (std::size_t i = 0; i < directions && 4 * i + 2 < texels.size(); ++i) {
+        const auto vector = std::span(texels).subspan(4 * i, 3);
+        const double length = std::hypot(vector[0], vector[1], vector[2]);
+        for (double& component : vector) {
+            component = length > 0.0 && std::isfinite(length) ? component / length : component;
+        }
+    }
+    return texels;
+}
+
 } // namespace
 
 Checked<MeasuredText> MeasuredText::of(const EvalCase& subject,
@@ -118,7 +132,8 @@ JudgedCases MeasuredText::judged(CaseTexels texels) const {
     inParallel(cases.texels.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
         ShaderEvaluator evaluator(*syntax_, ShaderPrecision::Double);
         for (std::size_t i = begin; i < end; ++i) {
-            evaluate(evaluator, function, cases.texels[i],
+            evaluate(evaluator, function,
+                     isCut_ ? withUnitDirections(cases.texels[i]) : cases.texels[i],
                      std::span(cases.exact).subspan(i * shape_.results, shape_.results));
         }
     });
@@ -173,28 +188,27 @@ TextError MeasuredText::error(std::span<const ShaderEdit> edits, const JudgedCas
     return compared(evaluator, syntax->functionNamed(rootFunction), cases, limit);
 }
 
-std::set<std::string> MeasuredText::calledIn(std::span<const ShaderEdit> edits,
-                                             const CaseTexels& texels) const {
-    std::set<std::string> names;
+std::vector<double> MeasuredText::errors(std::span<const ShaderEdit> edits,
+                                         const JudgedCases& cases) const {
+    std::vector<double> all(cases.texels.size(), std::numeric_limits<double>::infinity());
     const ShaderSource source = editedSource(*source_, *syntax_, edits);
     const auto syntax = parsedShader(source, rootFunction);
     if (!syntax) {
-        return names;
+        return all;
     }
-    std::vector<ObservedValues> values;
-    std::vector<double> ignored(shape_.results);
-    ShaderEvaluator evaluator(*syntax, ShaderPrecision::Double);
-    evaluator.observe(&values);
-    for (const std::vector<double>& each : texels) {
-        evaluate(evaluator, syntax->functionNamed(rootFunction), each, ignored);
-    }
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const ShaderExpression& each = syntax->expressions[i];
-        if (each.kind == ShaderExpression::Kind::Call && values[i].count > 0) {
-            names.emplace(each.sign);
+    const int function = syntax->functionNamed(rootFunction);
+    inParallel(all.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+        ShaderEvaluator evaluator(*syntax, ShaderPrecision::Float);
+        std::vector<double> got(shape_.results);
+        for (std::size_t i = begin; i < end; ++i) {
+            evaluate(evaluator, function, cases.texels[i], got);
+            const auto exact = std::span(cases.exact).subspan(i * shape_.results, shape_.results);
+            if (isSafe(exact, got)) {
+                all[i] = errorOf(exact, got);
+            }
         }
-    }
-    return names;
+    });
+    return all;
 }
 
 TextError MeasuredText::errorInHalf(const std::vector<bool>& halved, const JudgedCases& cases,

@@ -43,7 +43,8 @@ class MeasuredText {
     /// Are the functions of the block and of the library that only the block's function calls.
     const std::set<int>& ownFunctions() const { return own_; }
 
-    /// Evaluates the exact text in double precision, on all cores.
+    /// Evaluates the exact text in double precision, on all cores, for directions that are unit in
+    /// double precision, too.
     JudgedCases judged(CaseTexels texels) const;
 
     /// Returns the values of all expressions of the exact text in these cases.
@@ -54,9 +55,9 @@ class MeasuredText {
     TextError error(std::span<const ShaderEdit> edits, const JudgedCases& cases,
                     double limit) const;
 
-    /// Returns the names of the functions that the text with edits calls in any of these cases.
-    std::set<std::string> calledIn(std::span<const ShaderEdit> edits,
-                                   const CaseTexels& texels) const;
+    /// Returns the error of each case, as error() evaluates it, on all cores; infinite where it is
+    /// not safe.
+    std::vector<double> errors(std::span<const ShaderEdit> edits, const JudgedCases& cases) const;
 
     /// Evaluates the text in float, and these of its expressions in floats of 16 bits, and compares
     /// it; where `limit` is passed it goes no further.
