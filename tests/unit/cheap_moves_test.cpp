@@ -343,5 +343,29 @@ TEST(TidiedText, WhatDoesNothing_IsGoneAndTheValueIsTheSame) {
     EXPECT_EQ(tidiedSource(broken, "f", {"f"}).text, broken.text);
 }
 
+TEST(TidiedText, CopiesAndUnusedArguments_AreGoneFromFunctionAndCalls) {
+    const ShaderSource raw{"float g(float a, float b, float c) {\n    float copy = b;\n"
+                           "    return copy * copy;\n}\n"
+                           "float h(float x) {\n    return g(1.0, (x), x * 2.0);\n}\n"
+                           "float f(float x, float y) {\n    return h(x) + g(y, g(x, y, x), x);\n"
+                           "}\n",
+                           {"generated"},
+                           {}};
+    EXPECT_EQ(tidiedSource(raw, "f", {"f", "g", "h"}).text,
+              "float g(float b) {\n    return b * b;\n}\n"
+              "float h(float x) {\n    return g(x);\n}\n"
+              "float f(float x, float y) {\n    return h(x) + g(g(y));\n}\n");
+    const std::string kept = tidiedSource(raw, "f", {"f", "g"}).text;
+    EXPECT_NE(kept.find("float g(float a, float b, float c)"), std::string::npos)
+        << "another function calls it:\n"
+        << kept;
+}
+
+TEST(TidiedText, CopyOfWhatChanges_Stays) {
+    const std::string text = "float f(float x, float y) {\n    float before = x;\n"
+                             "    x = y * 2.0;\n    return before + x;\n}\n";
+    EXPECT_EQ(tidiedSource({text, {"generated"}, {}}, "f", {"f"}).text, text);
+}
+
 } // namespace
 } // namespace patina::tests::cheap_moves_test

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "measure/approximation/shader_edit.h"
+#include "measure/approximation/unused_argument.h"
 #include "measure/interpreter/shader_parser.h"
 
 namespace patina {
@@ -78,6 +79,7 @@ class TidyPass {
                 body >= 0) {
                 findReads(owner);
                 visit(body);
+                replaceCopies(owner);
             }
         }
         for (std::size_t i = 0; i < syntax_.expressions.size(); ++i) {
@@ -110,6 +112,69 @@ class TidyPass {
     }
     void replace(std::size_t first, std::size_t last, std::string by) {
         edits_.push_back({first, last, std::move(by)});
+    }
+
+    // --- copies
+
+    /// Counts how often each variable of a function is written to.
+    std::map<std::size_t, int> writesOf(int owner) const {
+        std::map<std::size_t, int> writes;
+        const auto count = [&](int target) {
+            const ShaderExpression& root = at(rootOf(target));
+            writes[root.place] += root.kind == PartKind::Local ? 1 : 0;
+        };
+        for (const ShaderExpression& each : syntax_.expressions) {
+            if (each.owner != owner) {
+                continue;
+            }
+            if (each.kind == PartKind::Assign || each.kind == PartKind::Step) {
+                count(each.operands.front());
+            }
+            for (std::size_t i = 0; each.kind == PartKind::Call && i < each.operands.size(); ++i) {
+                const auto& called = syntax_.functions[static_cast<std::size_t>(each.function)];
+                if (called.arguments[i].isOut) {
+                    count(each.operands[i]);
+                }
+            }
+        }
+        return writes;
+    }
+
+    /// Reads what a variable is a copy of in its place, where neither ever changes.
+    void replaceCopies(int owner) {
+        const std::map<std::size_t, int> writes = writesOf(owner);
+        const auto isFixed = [&](const ShaderExpression& variable) {
+            const auto known = writes.find(variable.place);
+            const int times = known == writes.end() ? 0 : known->second;
+            const auto named = declared_.find(std::string(variable.sign));
+            const bool isDeclared = variables_.contains(variable.place);
+            const int names = named == declared_.end() ? 0 : named->second;
+            return variable.kind == PartKind::Local && times == (isDeclared ? 1 : 0) &&
+                   names == times;
+        };
+        for (const ShaderStatement& each : syntax_.statements) {
+            if (each.declares.size() != 1 || each.statements.size() != 1) {
+                continue;
+            }
+            const ShaderExpression& given = at(line(each.statements.front()).expression);
+            const ShaderExpression& copy = at(given.operands[0]);
+            const ShaderExpression& source = at(given.operands[1]);
+            if (given.owner == owner && isFixed(copy) && isFixed(source) &&
+                copy.type == source.type) {
+                replaceReads(owner, given.operands[0], std::string(source.sign));
+            }
+        }
+    }
+
+    void replaceReads(int owner, int written, const std::string& by) {
+        for (std::size_t i = 0; i < syntax_.expressions.size(); ++i) {
+            const ShaderExpression& each = syntax_.expressions[i];
+            if (each.owner == owner && each.kind == PartKind::Local &&
+                each.place == at(written).place && static_cast<int>(i) != written &&
+                each.first < each.last) {
+                replace(each.first, each.last, by);
+            }
+        }
     }
 
     // --- statements
@@ -440,7 +505,11 @@ ShaderSource tidiedSource(ShaderSource source, std::string_view root,
         const auto syntax = parsedShader(source, root);
         const auto edits = syntax ? TidyPass(*syntax, functions).run() : std::vector<ShaderEdit>();
         ShaderSource next = changed(source, root, edits);
-        if (next.text == source.text) {
+        if (next.text == source.text && syntax) {
+            next.text = editedPart(source.text, 0, source.text.size(),
+                                   withoutUnusedArgument(*syntax, functions));
+        }
+        if (next.text == source.text || !parsedShader(next, root)) {
             break;
         }
         source = std::move(next);
