@@ -10,6 +10,7 @@
 
 #include "catalog/block_kind.h"
 #include "measure/approximation/cheap_moves.h"
+#include "measure/approximation/direction_tables.h"
 #include "measure/approximation/geometry_moves.h"
 #include "measure/approximation/measured_text.h"
 #include "measure/approximation/tabled_terms.h"
@@ -295,6 +296,31 @@ TEST(TabledTerm, FunctionWithoutTheValues_HasNone) {
                        "    return exp(-x) * pow(x, 3.3) / (x + 1.0) + y * p.width;\n}\n");
     EXPECT_TRUE(tabledTerms(lit.shader(), light).empty()) << "lights have no tables";
     EXPECT_FALSE(tabledTerms(lit.shader(), wax()).empty());
+}
+
+constexpr const char* termOfADirection =
+    "float bend(Wax p, float c, float s2) {\n"
+    "    return exp(-p.width * c) * sqrt(0.1 + s2) + pow(c, 1.7);\n}\n";
+
+TEST(DirectionTable, FunctionOfTwoDirections_IsReadFromOneTableOfOneNumber) {
+    const Observed text(std::string(waxStruct) + geometry + termOfADirection +
+                        "float f(float x, float y, Wax p) {\n    Directions d = at(x);\n"
+                        "    Directions e = at(y);\n"
+                        "    return bend(p, d.nl, d.sin2l) * bend(p, e.nl, e.sin2l);\n}\n");
+    const auto moves = directionTables(text.shader(), wax(), 1);
+    EXPECT_LT(smallestError(text, moves, "along the cosine"), 1e-3);
+    ASSERT_FALSE(moves.empty());
+    EXPECT_EQ(moves.front().edits.size(), 2u);
+    EXPECT_EQ(moves.front().table->of, std::vector<std::string>{"width"});
+    EXPECT_EQ(moves.front().table->size, (glm::ivec2{256, 1}));
+}
+
+TEST(DirectionTable, FunctionOfTwoCosines_IsLeftOut) {
+    const Observed text(std::string(waxStruct) + geometry + termOfADirection +
+                        "float f(float x, float y, Wax p) {\n    Directions d = at(x);\n"
+                        "    Directions e = at(y);\n"
+                        "    return bend(p, d.nl, e.sin2l) + bend(p, d.nh, d.sin2l);\n}\n");
+    EXPECT_TRUE(directionTables(text.shader(), wax(), 1).empty());
 }
 
 /// Levels that a block's author declared are no ways that a search has found; that of Phong reaches

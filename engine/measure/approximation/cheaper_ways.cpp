@@ -12,6 +12,7 @@
 
 #include "measure/approximation/approximated_block.h"
 #include "measure/approximation/cheap_moves.h"
+#include "measure/approximation/direction_tables.h"
 #include "measure/approximation/error_climb.h"
 #include "measure/approximation/fitted_terms.h"
 #include "measure/approximation/geometry_moves.h"
@@ -182,7 +183,10 @@ class CheaperSearch {
         if (options_.ofValues) {
             addMoves(foldedValues(shader()));
         }
-        addMoves(tabledTerms(shader(), *subject_.block.block));
+        std::vector<CheapMove> tables = tabledTerms(shader(), *subject_.block.block);
+        const std::size_t count = tables.size();
+        addMoves(std::move(tables));
+        addMoves(directionTables(shader(), *subject_.block.block, count + 1));
         addMoves(droppedTerms(shader()));
     }
 

@@ -14,6 +14,7 @@
 #include "catalog/table_source.h"
 #include "measure/approximation/function_slice.h"
 #include "measure/approximation/shader_price.h"
+#include "measure/approximation/table_axis.h"
 #include "measure/interpreter/shader_builtins.h"
 #include "shading/program/block_source.h"
 
@@ -21,98 +22,9 @@ namespace patina {
 namespace {
 
 constexpr std::size_t maxTabledTerms = 12;
-constexpr int entriesOfLine = 256;
-constexpr int entriesOfPlane = 128; ///< along each axis
-constexpr double costOfLoop = 8.0;  ///< counts its rounds, as the driver guesses them
+constexpr double costOfLoop = 8.0; ///< counts its rounds, as the driver guesses them
 /// Are the least costs, in roots or divisions, that are worth a look-up by so many numbers.
 constexpr std::array minCost{2.0, 3.0, 6.0};
-
-/// Says how the entries of a table are spread over a range of a number.
-enum class Spread {
-    Even,
-    Low,   ///< they lie closer where the number is small, as its squares do
-    High,  ///< they lie closer where it is large
-    Faster ///< they lie closer and closer where it is small
-};
-
-/// Is an axis of a table: a number of the shader, 0 .. 1 between the ends of the range that occurs.
-struct TableAxis {
-    std::string variable; ///< is its text
-    double low = 0.0;
-    double high = 1.0;
-    Spread spread = Spread::Even;
-
-    double span() const { return high - low; }
-    /// Is where half of the entries of Spread::Faster lie below.
-    double knee() const { return span() / 16.0; }
-
-    /// Returns the place on the axis, as an expression.
-    std::string place() const {
-        const std::string from =
-            low == 0.0 ? variable : fmt::format("({} - {})", variable, floatText(low));
-        switch (spread) {
-        case Spread::Low:
-            return fmt::format("sqrt(clamp({}, 0.0, 1.0))", scaled(from));
-        case Spread::High:
-            return fmt::format("1.0 - sqrt(clamp({}, 0.0, 1.0))",
-                               scaled(fmt::format("({} - {})", floatText(high), variable)));
-        case Spread::Faster:
-            return fmt::format("{} * {} / max({} + {}, {})", floatText(1.0 + knee() / span()), from,
-                               from, floatText(knee()), floatText(knee()));
-        default:
-            return scaled(from);
-        }
-    }
-
-    std::string scaled(const std::string& part) const {
-        return span() == 1.0 ? part : fmt::format("{} * {}", floatText(1.0 / span()), part);
-    }
-
-    /// Says how entries lie, as "closer where it is small"; empty for those that lie evenly.
-    std::string_view words() const {
-        switch (spread) {
-        case Spread::Low:
-            return ", closer where it is small";
-        case Spread::High:
-            return ", closer where it is large";
-        case Spread::Faster:
-            return ", much closer where it is small";
-        default:
-            return "";
-        }
-    }
-
-    /// Returns the number at a place `u`, as an expression.
-    std::string number(const std::string& u) const {
-        const std::string begin = low == 0.0 ? std::string() : floatText(low) + " + ";
-        switch (spread) {
-        case Spread::Low:
-            return fmt::format("{}{} * {} * {}", begin, floatText(span()), u, u);
-        case Spread::High:
-            return fmt::format("{} - {} * (1.0 - {}) * (1.0 - {})", floatText(high),
-                               floatText(span()), u, u);
-        case Spread::Faster:
-            return fmt::format("{}{} * {} / ({} - {})", begin, floatText(knee()), u,
-                               floatText(1.0 + knee() / span()), u);
-        default:
-            return fmt::format("{}{} * {}", begin, floatText(span()), u);
-        }
-    }
-};
-
-/// Widens a range that nearly is one that has a name: what is missing was not drawn.
-void complete(TableAxis& axis) {
-    constexpr double slack = 1e-3;
-    if (axis.low >= -slack && axis.high <= 1.0 + slack && axis.high > 0.5 && axis.low < 0.5) {
-        axis.low = 0.0;
-        axis.high = 1.0;
-    } else if (axis.low >= -1.0 - slack && axis.high <= 1.0 + slack && axis.span() > 1.0) {
-        axis.low = -1.0;
-        axis.high = 1.0;
-    } else if (axis.low > 0.0 && axis.low < 0.2 * axis.high) {
-        axis.low = 0.0;
-    }
-}
 
 /// Tells how much functions and expressions take, in roots or divisions.
 class TermCost {
@@ -284,17 +196,13 @@ class TableMoves {
         }
         for (const SlicedTerm::Variable& each : term.slice.variables) {
             const ObservedValues& range = shader.valuesOf(each.expression);
-            axes_.push_back({each.text, range.min[0], range.max[0], Spread::Even});
-            complete(axes_.back());
+            axes_.push_back(TableAxis::of(each.text, range.min[0], range.max[0]));
         }
     }
 
     void addTo(std::vector<CheapMove>& moves) const {
-        for (const TableAxis& axis : axes_) {
-            if (!std::isfinite(axis.low) || !std::isfinite(axis.high) || !(axis.span() > 1e-6) ||
-                !(axis.span() < 1e12)) {
-                return;
-            }
+        if (!std::ranges::all_of(axes_, &TableAxis::isUsable)) {
+            return;
         }
         if (axes_.empty()) {
             moves.push_back(move({}, moves.size()));
@@ -313,13 +221,13 @@ class TableMoves {
     }
 
   private:
-    static constexpr std::array<std::pair<Spread, Spread>, 6> spreads() {
-        return {{{Spread::Even, Spread::Even},
-                 {Spread::Low, Spread::Low},
-                 {Spread::High, Spread::High},
-                 {Spread::Faster, Spread::Faster},
-                 {Spread::Even, Spread::Faster},
-                 {Spread::Faster, Spread::Even}}};
+    static constexpr std::array<std::pair<TableSpread, TableSpread>, 6> spreads() {
+        return {{{TableSpread::Even, TableSpread::Even},
+                 {TableSpread::Low, TableSpread::Low},
+                 {TableSpread::High, TableSpread::High},
+                 {TableSpread::Faster, TableSpread::Faster},
+                 {TableSpread::Even, TableSpread::Faster},
+                 {TableSpread::Faster, TableSpread::Even}}};
     }
 
     CheapMove move(const std::vector<TableAxis>& axes, std::size_t number) const {
