@@ -415,6 +415,17 @@ TEST(ShaderEvaluator, FloatPrecision_RoundsEachOperation) {
     EXPECT_NEAR(inDouble, 1e-9, 1e-16);
 }
 
+TEST(ShaderEvaluator, FloatTooSmallToBeNormal_IsNone) {
+    const ShaderSource source{
+        "float f(float x) {\n    return x * 1e-10 * 1e10;\n}\n", {"generated"}, {}};
+    const auto syntax = parsedShader(source, "f");
+    ASSERT_TRUE(syntax);
+    const double x = 1e-30;
+    double inFloat = -1.0;
+    ShaderEvaluator(*syntax, ShaderPrecision::Float).call(0, {&x, 1}, {}, {&inFloat, 1});
+    EXPECT_EQ(inFloat, 0.0);
+}
+
 TEST(ShaderEvaluator, LoopWithoutAnEnd_GivesNoNumber) {
     const ShaderSource source{"float f(float x) {\n    while (true) {\n        x += 1.0;\n    }\n"
                               "    return x;\n}\n",

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -27,7 +29,8 @@ struct ObservedValues {
 };
 
 /// Evaluates functions of a parsed shader on the CPU. What a device rounds differently, as its
-/// powers and roots, is rounded to the nearest float here.
+/// powers and roots, is rounded to the nearest float here; one too small for a normal float is 0,
+/// as on most devices.
 class ShaderEvaluator {
   public:
     /// `syntax` must outlive it.
@@ -55,8 +58,11 @@ class ShaderEvaluator {
     enum class Flow { Next, Break, Continue, Return };
 
     double rounded(double x) const {
-        return precision_ == ShaderPrecision::Float ? static_cast<double>(static_cast<float>(x))
-                                                    : x;
+        if (precision_ == ShaderPrecision::Double) {
+            return x;
+        }
+        const auto single = static_cast<float>(x);
+        return std::abs(single) < std::numeric_limits<float>::min() ? 0.0 : double(single);
     }
     const ShaderExpression& at(int index) const {
         return syntax_.expressions[static_cast<std::size_t>(index)];
