@@ -10,8 +10,8 @@
 namespace patina {
 
 /// Returns a hash of what decides how a preset looks: its file, those of its parents, and the
-/// images that it names and may read; of a block, its descriptor and its GLSL. A file that cannot be
-/// read counts as an empty one.
+/// images that it names and may read; of a block, its descriptor and its GLSL. A file that cannot
+/// be read counts as an empty one.
 std::string presetHash(const std::string& preset, const Catalog& catalog, bool allowsOutside);
 
 /// Returns a hash of every file of the blocks, and of what they include.
