@@ -37,6 +37,8 @@ constexpr std::size_t batchSize = 16; ///< counts the texts that are compiled be
 constexpr std::size_t beamWidth = 10;
 constexpr std::size_t triedPerRound = 48;
 constexpr double worthwhile = 0.995; ///< is the cost, over another one, that is a gain
+/// Is the cost, over that without it, that is expected of a move that gains only beside others.
+constexpr double gainHopedFor = 0.9;
 constexpr double secondsOfSollya = 60.0;
 /// Are the largest and the smallest share of the time that trials may take; the rest is for the
 /// judgement of what was found.
@@ -306,7 +308,8 @@ class CheaperSearch {
             judge(ways);
             report();
             for (const TriedWay& way : priced(std::move(ways))) {
-                if (*way.cost < worthwhile * found_.exact.cost) {
+                if (*way.cost < worthwhile * found_.exact.cost ||
+                    moves_[way.moves.front()].gainsBeside) {
                     useful_.push_back(way);
                 }
             }
@@ -322,6 +325,9 @@ class CheaperSearch {
             if (other == move || !areCompatible(moves_[other], moves_[move])) {
                 return std::nullopt;
             }
+        }
+        if (moves_[move].gainsBeside) {
+            more.guess = std::min(more.guess, gainHopedFor * *way.cost);
         }
         more.moves.push_back(move);
         std::ranges::sort(more.moves);

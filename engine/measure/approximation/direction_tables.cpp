@@ -45,7 +45,10 @@ struct DirectionCall {
     int expression = -1;
     int cosine = -1;    ///< is the argument that is the cosine itself
     std::string values; ///< is the name of the block's values where the call stands
-    std::string entry;  ///< is the call in a table's entry: of the cosine `c` and the values `p`
+    /// Is the call in a table's entry: of the cosine `c`, the values `p`, or `q`, a copy of those
+    /// that it reads, which is what an entry may give to another function.
+    std::string entry;
+    bool givesValues = false;
     std::set<std::string> fields; ///< are those of the values that it reads
 };
 
@@ -53,7 +56,7 @@ struct DirectionCall {
 class CallReader {
   public:
     CallReader(const ObservedShader& shader, const Block& block)
-        : shader_(shader), values_(structName(block)) {}
+        : shader_(shader), values_(structName(block)), layout_(layoutOf(block)) {}
 
     std::optional<DirectionCall> read(int index) {
         const ShaderExpression& call = shader_.at(index);
@@ -61,7 +64,7 @@ class CallReader {
         if (call.kind != CallKind::Call || !isVector) {
             return std::nullopt;
         }
-        made_ = {index, -1, {}, std::string(call.sign) + '(', {}};
+        made_ = {index, -1, {}, std::string(call.sign) + '(', false, {}};
         for (std::size_t i = 0; i < call.operands.size(); ++i) {
             const auto given = argument(call.operands[i]);
             if (!given) {
@@ -77,7 +80,7 @@ class CallReader {
             return std::nullopt;
         }
         addFields(call.function);
-        return std::move(made_);
+        return areKnown() ? std::optional(std::move(made_)) : std::nullopt;
     }
 
   private:
@@ -93,7 +96,8 @@ class CallReader {
         const ShaderExpression& each = shader_.at(index);
         if (isOf(index, values_)) {
             made_.values = each.sign;
-            return "p";
+            made_.givesValues = true;
+            return "q";
         }
         if (each.kind == CallKind::Literal && each.first < each.last) {
             return std::string(shader_.syntax.textOf(each));
@@ -141,6 +145,14 @@ class CallReader {
         return {};
     }
 
+    /// Tells whether the program that fills tables has all that the call reads.
+    bool areKnown() const {
+        return std::ranges::all_of(made_.fields, [this](const std::string& name) {
+            return std::ranges::find(layout_.fields, name, &ParameterField::name) !=
+                   layout_.fields.end();
+        });
+    }
+
     /// Adds the fields of the values that a function reads, and those that it calls.
     void addFields(int function) {
         std::set<int> reached{function};
@@ -164,6 +176,7 @@ class CallReader {
 
     const ObservedShader& shader_;
     std::string values_;
+    ParameterLayout layout_;
     std::string whose_;
     DirectionCall made_;
 };
@@ -192,8 +205,9 @@ class CallTable {
         const BlockTable table{fmt::format("found.table{}", number), {entriesOfLine, 1}, of()};
         const std::size_t size = shader_.at(first.expression).size;
         const std::string entry = fmt::format(
-            "vec3 {}(vec2 u, {} p) {{\n    float c = {};\n    return vec3({}{});\n}}\n",
-            entryFunction(block_, table), structName(block_), axis.number("u.x"), first.entry,
+            "vec3 {}(vec2 u, {} p) {{\n{}    float c = {};\n    return vec3({}{});\n}}\n",
+            entryFunction(block_, table), structName(block_), copied(first), axis.number("u.x"),
+            first.entry,
             size == 1   ? ", 0.0, 0.0"
             : size == 2 ? ", 0.0"
                         : "");
@@ -214,6 +228,17 @@ class CallTable {
     }
 
   private:
+    std::string copied(const DirectionCall& call) const {
+        if (!call.givesValues) {
+            return {};
+        }
+        std::string code = fmt::format("    {} q;\n", structName(block_));
+        for (const std::string& field : call.fields) {
+            code += fmt::format("    q.{0} = p.{0};\n", field);
+        }
+        return code;
+    }
+
     std::string textOf(int index) const {
         return std::string(shader_.syntax.textOf(shader_.at(index)));
     }

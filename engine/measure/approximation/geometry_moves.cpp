@@ -79,6 +79,7 @@ ShaderEdit editOf(const ShaderExpression& expression, const std::string& form) {
 
 void addIfAny(std::vector<CheapMove>& moves, CheapMove move) {
     if (!move.edits.empty()) {
+        move.gainsBeside = true;
         moves.push_back(std::move(move));
     }
 }

@@ -31,6 +31,7 @@ struct CheapMove {
     std::string words;        ///< say what it does, as "exponential by a polynomial of degree 4"
     bool isForValues = false; ///< holds for the values of a preset only
     std::optional<BlockTable> table{}; ///< is one that it reads
+    bool gainsBeside = false; ///< may gain only beside others, as what it saves is read twice
 };
 
 /// Returns what stands in a replacement for a part of the text before all edits, with the edits
