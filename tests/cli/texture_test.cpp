@@ -56,24 +56,19 @@ TEST_F(TextureOption, PictureWithoutAlphaOnTheOpacity_MakesHoles) {
 }
 
 TEST_F(TextureOption, SetInTheWordsOfFiles_IsTheSamePicture) {
-    const Outcome usual =
-        drawn({"--texture", "diffuse.color=" + image(), "--texture", "diffuse.color:scale=3,3"});
+    const Outcome usual = drawn({"--texture", "diffuse.color=" + image(), "--texture",
+                                 "diffuse.color:scale=3,3", "--texture", "normal=" + image()});
     ASSERT_EQ(usual.exitCode, 0) << usual.err;
     const std::string picture = readFile(folder_ / "out.png");
-    for (const char* named :
-         {"textures.diffuse.color.file=", "textures.diffuse.color=", "diffuse.color="}) {
+    using Words = std::pair<const char*, const char*>;
+    for (const auto& [color, normal] : {Words{"textures.diffuse.color.file=", "normal="},
+                                        Words{"diffuse.color=", "textures.normal="}}) {
         const Outcome outcome =
-            drawn({"--set", named + image(), "--set", "textures.diffuse.color.scale=3,3"});
+            drawn({"--set", color + image(), "--set", "textures.diffuse.color.scale=3,3", "--set",
+                   normal + image()});
         ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
-        EXPECT_EQ(readFile(folder_ / "out.png"), picture) << named;
+        EXPECT_EQ(readFile(folder_ / "out.png"), picture) << color;
     }
-}
-
-TEST_F(TextureOption, SetOnTheWholeMaterial_IsAMap) {
-    ASSERT_EQ(drawn({"--texture", "normal=" + image()}, "usual.png").exitCode, 0);
-    const Outcome outcome = drawn({"--set", "normal=" + image()});
-    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
-    EXPECT_EQ(readFile(folder_ / "out.png"), readFile(folder_ / "usual.png"));
 }
 
 TEST_F(TextureOption, SetOnAPass_IsItsImage) {
