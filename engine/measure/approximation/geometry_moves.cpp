@@ -20,10 +20,10 @@ struct GeometryForm {
 
 // shaders/lib/directions.glsl says how the exact ones are computed.
 constexpr GeometryForm geometryForms[] = {
-    {"Directions", "rv", "2.0 * {0}.nl * {0}.nv - {0}.lv",
+    {"Directions", "rv", "min(2.0 * {0}.nl * {0}.nv - {0}.lv, 1.0)",
      "r.v as 2 (n.l)(n.v) - l.v, as it is rounded"},
     {"Directions", "versineRv", "max(1.0 - {0}.rv, 0.0)", "1 - r.v from the rounded cosine"},
-    {"Directions", "versineRv", "1.0 - (2.0 * {0}.nl * {0}.nv - {0}.lv)",
+    {"Directions", "versineRv", "max(1.0 - (2.0 * {0}.nl * {0}.nv - {0}.lv), 0.0)",
      "1 - r.v as 1 - 2 (n.l)(n.v) + l.v, as it is rounded"},
     {"Directions", "versineLh", "max(1.0 - {0}.lh, 0.0)", "1 - l.h from the rounded cosine"},
     {"Directions", "versineL", "1.0 - {0}.nl", "1 - n.l from the rounded cosine"},
