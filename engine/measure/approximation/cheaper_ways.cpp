@@ -36,7 +36,8 @@ constexpr std::uint32_t firstLastSeed = 4; ///< 3 is that of the cases on the de
 constexpr std::size_t batchSize = 16; ///< counts the texts that are compiled between two reports
 constexpr std::size_t beamWidth = 10;
 constexpr std::size_t triedPerRound = 48;
-constexpr double worthwhile = 0.995; ///< is the cost, over another one, that is a gain
+constexpr std::size_t roundsOfKnown = 2; ///< put known moves together before the many others
+constexpr double worthwhile = 0.995;     ///< is the cost, over another one, that is a gain
 /// Is the cost, over that without it, that is expected of a move that gains only beside others.
 constexpr double gainHopedFor = 0.9;
 constexpr double secondsOfSollya = 60.0;
@@ -81,10 +82,14 @@ class CheaperSearch {
             return tl::unexpected(oneError(
                 Error{{}, 0, 0, "the block's program does not compile", "one that draws"}));
         }
-        findMoves();
+        findKnownMoves();
         trySingles(0);
+        tryTogether(roundsOfKnown);
+        const std::size_t known = moves_.size();
+        addMoves(droppedTerms(shader()));
+        trySingles(known);
         addPolynomials();
-        tryTogether();
+        tryTogether(std::numeric_limits<std::size_t>::max());
         finish();
         if (options_.isAbandoned()) {
             return tl::unexpected(oneError(Error{{}, 0, 0, "it was stopped", {}}));
@@ -179,7 +184,7 @@ class CheaperSearch {
                            std::filesystem::path(at.file).filename().string(), at.column);
     }
 
-    void findMoves() {
+    void findKnownMoves() {
         addMoves(knownSwaps(shader()));
         addMoves(geometryMoves(shader()));
         if (options_.ofValues) {
@@ -189,7 +194,6 @@ class CheaperSearch {
         const std::size_t count = tables.size();
         addMoves(std::move(tables));
         addMoves(directionTables(shader(), *subject_.block.block, count + 1));
-        addMoves(droppedTerms(shader()));
     }
 
     void addPolynomials() {
@@ -342,9 +346,9 @@ class CheaperSearch {
         });
     }
 
-    void tryTogether() {
+    void tryTogether(std::size_t rounds) {
         std::ranges::sort(useful_, {}, [](const TriedWay& way) { return *way.cost; });
-        while (!isOver()) {
+        for (std::size_t round = 0; round < rounds && !isOver(); ++round) {
             std::vector<TriedWay> next;
             for (const TriedWay& way : beam()) {
                 for (const TriedWay& single : useful_) {
