@@ -11,8 +11,6 @@
 namespace patina {
 namespace {
 
-/// Is the least share of all passes' time with which one is listed: less is only waited for.
-constexpr double shownPass = 1e-3;
 constexpr std::size_t passColumns = 30;
 
 double percentOf(double milliseconds, const EffectCosts& costs) {
@@ -127,19 +125,14 @@ std::string passesText(const EffectCosts& costs) {
     if (costs.passes.empty()) {
         return {};
     }
-    double sum = 0.0;
-    for (const PassCost& cost : costs.passes) {
-        sum += cost.milliseconds.median;
-    }
+    const double all = costs.ofAllPasses();
     std::string text = "\npass of a frame in which something has moved, each waited for\n";
-    for (const PassCost& cost : costs.passes) {
+    for (const PassCost& cost : costs.visiblePasses()) {
         const double milliseconds = cost.milliseconds.median;
-        if (milliseconds >= shownPass * sum) {
-            text += fmt::format("{}  {:8.3f} ms {:5.1f} % ({:.3f} .. {:.3f})\n",
-                                padded(cost.pass, passColumns), milliseconds,
-                                100.0 * milliseconds / sum, cost.milliseconds.lower,
-                                cost.milliseconds.upper);
-        }
+        text += fmt::format("{}  {:8.3f} ms {:5.1f} % ({:.3f} .. {:.3f})\n",
+                            padded(cost.pass, passColumns), milliseconds,
+                            100.0 * milliseconds / all, cost.milliseconds.lower,
+                            cost.milliseconds.upper);
     }
     return text;
 }

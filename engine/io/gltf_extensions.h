@@ -14,4 +14,12 @@ inline bool isReadExtension(std::string_view name) {
     return std::ranges::find(geometry, name) != geometry.end();
 }
 
+/// Tells whether a glTF extension says how materials or their textures are.
+inline bool isOfMaterials(std::string_view extension) {
+    constexpr std::array<std::string_view, 4> prefixes{"KHR_materials_", "KHR_texture_",
+                                                       "EXT_texture_", "MSFT_texture_"};
+    return std::ranges::any_of(
+        prefixes, [extension](std::string_view each) { return extension.starts_with(each); });
+}
+
 } // namespace patina

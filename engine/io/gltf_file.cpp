@@ -167,11 +167,11 @@ bool adaptForLibrary(json& document, bool binary) {
 /// Tells whether an extension can be read or ignored. Those for materials, textures, lights and
 /// animations do not matter here.
 bool isKnown(const std::string& extension) {
-    constexpr std::array<std::string_view, 9> harmless{
-        "KHR_materials_", "KHR_texture_",  "EXT_texture_", "MSFT_texture_", "KHR_lights_",
-        "KHR_animation",  "KHR_technique", "KHR_xmp",      "EXT_lights_"};
+    constexpr std::array<std::string_view, 5> harmless{"KHR_lights_", "KHR_animation",
+                                                       "KHR_technique", "KHR_xmp", "EXT_lights_"};
     const auto starts = [&](std::string_view prefix) { return extension.starts_with(prefix); };
-    return isReadExtension(extension) || std::ranges::any_of(harmless, starts);
+    return isReadExtension(extension) || isOfMaterials(extension) ||
+           std::ranges::any_of(harmless, starts);
 }
 
 Result<void> checkRequired(const tinygltf::Model& model) {

@@ -2,7 +2,6 @@
 #include "io/gltf_left_out.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -15,13 +14,6 @@ namespace {
 using What = LeftOut::What;
 
 constexpr std::string_view lightsExtension = "KHR_lights_punctual"; ///< lights are told by name
-
-bool isOfMaterials(std::string_view extension) {
-    constexpr std::array<std::string_view, 4> prefixes{"KHR_materials_", "KHR_texture_",
-                                                       "EXT_texture_", "MSFT_texture_"};
-    return std::ranges::any_of(prefixes,
-                               [&](std::string_view each) { return extension.starts_with(each); });
-}
 
 template <class Element>
 void addAll(LeftOut& left, What what, const std::vector<Element>& elements) {

@@ -13,7 +13,6 @@ namespace patina {
 namespace {
 
 constexpr QSize passTimesSize(460, 420);
-constexpr double shownPass = 1e-3; ///< share of all; what takes less is only waited for
 
 QTreeWidgetItem* rowOf(const QString& name, double milliseconds, double all) {
     const QLocale locale = numberLocale();
@@ -31,20 +30,15 @@ PassTimesDialog::PassTimesDialog(const EffectCosts& costs, QWidget* parent) : QD
     setAttribute(Qt::WA_DeleteOnClose);
     setObjectName("passTimes");
     setWindowTitle(tr("Times of the Passes"));
-    double all = 0.0;
-    for (const PassCost& cost : costs.passes) {
-        all += cost.milliseconds.median;
-    }
+    const double all = costs.ofAllPasses();
     auto* list = new QTreeWidget(this);
     list->setHeaderLabels({tr("Pass"), tr("ms"), tr("%")});
     list->setRootIsDecorated(false);
     list->setAccessibleName(tr("Times of the passes"));
-    for (const PassCost& cost : costs.passes) {
-        if (cost.milliseconds.median >= shownPass * all) {
-            QString name = QString::fromStdString(cost.pass);
-            name[0] = name[0].toUpper();
-            list->addTopLevelItem(rowOf(name, cost.milliseconds.median, all));
-        }
+    for (const PassCost& cost : costs.visiblePasses()) {
+        QString name = QString::fromStdString(cost.pass);
+        name[0] = name[0].toUpper();
+        list->addTopLevelItem(rowOf(name, cost.milliseconds.median, all));
     }
     list->addTopLevelItem(rowOf(tr("All, waited for one by one"), all, all));
     list->header()->setStretchLastSection(false);

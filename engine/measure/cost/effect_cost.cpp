@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -302,6 +303,24 @@ const EffectCost* EffectCosts::of(std::string_view effect) const {
         std::find_if(effects.begin(), effects.end(),
                      [effect](const EffectCost& cost) { return cost.effect == effect; });
     return found == effects.end() ? nullptr : &*found;
+}
+
+double EffectCosts::ofAllPasses() const {
+    double all = 0.0;
+    for (const PassCost& cost : passes) {
+        all += cost.milliseconds.median;
+    }
+    return all;
+}
+
+std::vector<PassCost> EffectCosts::visiblePasses() const {
+    constexpr double minShare = 1e-3;
+    const double all = ofAllPasses();
+    std::vector<PassCost> visible;
+    std::ranges::copy_if(passes, std::back_inserter(visible), [all](const PassCost& cost) {
+        return cost.milliseconds.median >= minShare * all;
+    });
+    return visible;
 }
 
 double sumOf(const EffectCosts& costs, const std::vector<EffectRow>& rows) {

@@ -54,6 +54,12 @@ struct EffectCosts {
     /// Returns the cost of an effect; null where it was not measured.
     const EffectCost* of(std::string_view effect) const;
 
+    /// Returns the milliseconds of all passes, waited for one by one.
+    double ofAllPasses() const;
+
+    /// Returns the passes that take a thousandth of that or more: the others are only waited for.
+    std::vector<PassCost> visiblePasses() const;
+
     friend bool operator==(const EffectCosts&, const EffectCosts&) = default;
 };
 

@@ -216,7 +216,7 @@ bool FrameJob::drawPasses(std::span<Pass* const> passes) {
 
 bool FrameJob::drawPass(Pass& pass) {
     const bool isDone = pass.draw(prepared_, gpu_, budget_);
-    lap(passes_.nameOf(pass));
+    lap(pass.name());
     return isDone;
 }
 

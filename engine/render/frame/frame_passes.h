@@ -2,8 +2,6 @@
 #pragma once
 
 #include <array>
-#include <string_view>
-#include <utility>
 
 #include "render/pass/background_pass.h"
 #include "render/pass/blended_pass.h"
@@ -38,30 +36,6 @@ struct FramePasses {
     std::array<Pass*, 3> beforeObjects() { return {&meshes, &shadows, &target}; }
     std::array<Pass*, 8> objects() {
         return {&solid, &fins, &background, &ground, &strokes, &outlines, &blended, &layers};
-    }
-
-    /// Returns what a pass draws, in words for users; those of one thing have the same.
-    std::string_view nameOf(const Pass& pass) const {
-        const std::pair<const Pass*, std::string_view> names[] = {
-            {&meshes, "meshes"},
-            {&shadows, "shadow maps"},
-            {&target, "targets"},
-            {&solid, "solid objects"},
-            {&fins, "fins of strands"},
-            {&background, "background"},
-            {&ground, "ground"},
-            {&strokes, "strokes"},
-            {&outlines, "outlines"},
-            {&blended, "transparent objects"},
-            {&layers, "transparent objects"},
-            {&depthNormals, "depth and normals"},
-            {&resolve, "resolve"}};
-        for (const auto& [each, name] : names) {
-            if (each == &pass) {
-                return name;
-            }
-        }
-        return "others";
     }
 
     MeshPass meshes;

@@ -12,7 +12,7 @@ namespace patina {
 class PassStopwatch {
   public:
     struct Lap {
-        std::string_view pass; ///< is FramePasses::nameOf(), or a word for what is no pass
+        std::string_view pass; ///< is Pass::name(), or a word for what is no pass
         double milliseconds = 0.0;
     };
 

@@ -13,6 +13,7 @@ class BackgroundPass : public Pass {
     /// Ends the step while a software driver is at work on the picture, since what is drawn next
     /// would have to wait for it.
     bool draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget) override;
+    std::string_view name() const override { return "background"; }
 
   private:
     bool isDrawn_ = false;

@@ -15,6 +15,7 @@ class BlendedPass : public Pass {
   public:
     Result<bool> prepare(PreparedFrame& frame, FrameGpu& gpu) override;
     bool draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget) override;
+    std::string_view name() const override { return "transparent objects"; }
     void forget() override { release(); }
 
     /// Frees the memory of the refraction targets.

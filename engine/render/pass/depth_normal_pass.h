@@ -19,6 +19,7 @@ class DepthNormalPass : public Pass {
   public:
     Result<bool> prepare(PreparedFrame& frame, FrameGpu& gpu) override;
     bool draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget) override;
+    std::string_view name() const override { return "depth and normals"; }
     void forget() override { program_.reset(); }
 
     /// Returns true where the images of the last frame are there.

@@ -13,6 +13,7 @@ class FinPass : public Pass {
   public:
     Result<bool> prepare(PreparedFrame& frame, FrameGpu& gpu) override;
     bool draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget) override;
+    std::string_view name() const override { return "fins of strands"; }
 
   private:
     std::size_t batch_ = 0;

@@ -13,6 +13,7 @@ class LayerPass : public Pass {
   public:
     Result<bool> prepare(PreparedFrame& frame, FrameGpu& gpu) override;
     bool draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget) override;
+    std::string_view name() const override { return "transparent objects"; }
     void forget() override { composer_.forget(); }
 
     /// Frees the memory of the layers.

@@ -14,6 +14,7 @@ class MeshPass : public Pass {
 
     /// Uploads their content, some megabytes at a time.
     bool draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget) override;
+    std::string_view name() const override { return "meshes"; }
 
   private:
     static bool findEdges(const PreparedFrame& frame, FrameGpu& gpu, const StepBudget& budget);

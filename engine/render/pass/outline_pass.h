@@ -13,6 +13,7 @@ class OutlinePass : public Pass {
   public:
     Result<bool> prepare(PreparedFrame& frame, FrameGpu& gpu) override;
     bool draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget) override;
+    std::string_view name() const override { return "outlines"; }
 
   private:
     std::size_t batch_ = 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string_view>
+
 #include "core/error.h"
 
 namespace patina {
@@ -24,6 +26,10 @@ class Pass {
     /// Draws what was prepared. Returns false when the budget is used up; the next call continues.
     /// A call after the last does nothing.
     virtual bool draw(const PreparedFrame&, FrameGpu&, StepBudget&) { return true; }
+
+    /// Returns what it draws, in words for users; passes that draw one thing have the same. Empty
+    /// where it only prepares.
+    virtual std::string_view name() const { return {}; }
 
     /// Drops what was made from shader files, because they may have changed.
     virtual void forget() {}

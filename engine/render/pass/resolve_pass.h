@@ -11,6 +11,7 @@ class ResolvePass : public Pass {
   public:
     Result<bool> prepare(PreparedFrame& frame, FrameGpu& gpu) override;
     bool draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget) override;
+    std::string_view name() const override { return "resolve"; }
 
   private:
     bool isResolved_ = false;

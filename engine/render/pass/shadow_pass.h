@@ -12,6 +12,7 @@ class ShadowPass : public Pass {
   public:
     Result<bool> prepare(PreparedFrame& frame, FrameGpu& gpu) override;
     bool draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget) override;
+    std::string_view name() const override { return "shadow maps"; }
 
     /// Returns why the frame has no shadows although it should; empty otherwise.
     const std::optional<Error>& error() const { return error_; }

@@ -14,6 +14,7 @@ class SolidPass : public Pass {
   public:
     Result<bool> prepare(PreparedFrame& frame, FrameGpu& gpu) override;
     bool draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget) override;
+    std::string_view name() const override { return "solid objects"; }
 
     /// Returns the tiles of the frame that was prepared.
     const RowTiles& tiles() const { return tiles_; }

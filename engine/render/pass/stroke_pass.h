@@ -13,6 +13,7 @@ class StrokePass : public Pass {
   public:
     Result<bool> prepare(PreparedFrame& frame, FrameGpu& gpu) override;
     bool draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget) override;
+    std::string_view name() const override { return "strokes"; }
 
   private:
     bool drawBatch(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget);

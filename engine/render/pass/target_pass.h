@@ -10,6 +10,7 @@ class TargetPass : public Pass {
   public:
     Result<bool> prepare(PreparedFrame& frame, FrameGpu& gpu) override;
     bool draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budget) override;
+    std::string_view name() const override { return "targets"; }
 
   private:
     bool isCleared_ = false;
