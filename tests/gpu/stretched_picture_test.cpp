@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A picture that is shown in another size.
+#include <algorithm>
 #include <vector>
 
 #include <epoxy/gl.h>
@@ -28,9 +29,9 @@ class StretchedPictureTest : public GpuTest {
         glDisable(GL_SCISSOR_TEST);
     }
 
-    static std::vector<unsigned char> pixels() {
-        std::vector<unsigned char> bytes(std::size_t(4) * larger.x * larger.y);
-        glReadPixels(0, 0, larger.x, larger.y, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+    static std::vector<unsigned char> pixels(glm::ivec2 read = larger) {
+        std::vector<unsigned char> bytes(std::size_t(4) * read.x * read.y);
+        glReadPixels(0, 0, read.x, read.y, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
         return bytes;
     }
 };
@@ -46,6 +47,27 @@ TEST_F(StretchedPictureTest, DrawnByAProgram_IsAsTheDriverStretchesIt) {
     const auto drawn = pixels();
     for (std::size_t i = 0; i < shown.size(); ++i) {
         EXPECT_NEAR(drawn[i], shown[i], 1) << i;
+    }
+}
+
+/// Of a view that only gets wider or narrower.
+TEST_F(StretchedPictureTest, Undistorted_IsCutOffOrHasItsEdgesDrawnOut) {
+    const StretchedPicture picture(size);
+    fill(picture);
+    const auto whole = pixels(size);
+    for (const int width : {3, 9}) {
+        const glm::ivec2 shownSize(width, size.y);
+        const StretchedPicture target(shownSize);
+        picture.showUndistorted(target.framebuffer(), shownSize);
+        const auto shown = pixels(shownSize);
+        for (int y = 0; y < size.y; ++y) {
+            for (int x = 0; x < width; ++x) {
+                const int from = std::clamp(x + (size.x - width) / 2, 0, size.x - 1);
+                EXPECT_EQ(shown[std::size_t(4) * (y * width + x)],
+                          whole[std::size_t(4) * (y * size.x + from)])
+                    << width << ": " << x << ' ' << y;
+            }
+        }
     }
 }
 

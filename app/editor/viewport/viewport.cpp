@@ -81,7 +81,7 @@ void Viewport::paintGL() {
     if (!resizing_) {
         frames_.paint();
     } else if (last_) {
-        last_->show(defaultFramebufferObject(), pixelsOf(*this, size()));
+        last_->showUndistorted(defaultFramebufferObject(), pixelsOf(*this, size()));
     }
 }
 

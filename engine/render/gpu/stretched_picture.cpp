@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/gpu/stretched_picture.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 #include <epoxy/gl.h>
@@ -11,6 +13,12 @@
 
 namespace patina {
 namespace {
+
+/// Draws the columns from.x .. from.y of a picture, without the last, to those of another one.
+void stretchColumns(glm::ivec2 from, int height, glm::ivec2 to, int newHeight, GLenum filter) {
+    glBlitFramebuffer(from.x, 0, from.y, height, to.x, 0, to.y, newHeight, GL_COLOR_BUFFER_BIT,
+                      filter);
+}
 
 void stretch(unsigned from, glm::ivec2 size, unsigned to, glm::ivec2 newSize) {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
@@ -34,6 +42,23 @@ void StretchedPicture::take(unsigned framebuffer) {
 
 void StretchedPicture::show(unsigned framebuffer, glm::ivec2 size) const {
     stretch(kept_.name(), size_, framebuffer, size);
+}
+
+void StretchedPicture::showUndistorted(unsigned framebuffer, glm::ivec2 size) const {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, kept_.name());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    const double scale = double(size.y) / size_.y;
+    const int seen = std::clamp(int(std::lround(size.x / scale)), 1, size_.x);
+    const int covered = std::clamp(int(std::lround(seen * scale)), 1, size.x);
+    const int first = (size_.x - seen) / 2;
+    const int left = (size.x - covered) / 2;
+    const int right = left + covered;
+    stretchColumns({first, first + seen}, size_.y, {left, right}, size.y, GL_LINEAR);
+    if (covered < size.x) { // one column each, which a linear filter would blend with the next
+        stretchColumns({0, 1}, size_.y, {0, left}, size.y, GL_NEAREST);
+        stretchColumns({size_.x - 1, size_.x}, size_.y, {right, size.x}, size.y, GL_NEAREST);
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
 }
 
 Checked<void> StretchedPicture::draw(unsigned framebuffer, glm::ivec2 size, const Catalog& catalog,
