@@ -13,7 +13,7 @@
 namespace patina {
 namespace {
 
-// In units of the mesh's radius.
+// Both are measured in the mesh's radius.
 constexpr double coplanar =
     1e-5;                       ///< metres between a plane and the corners of one of its triangles
 constexpr double convex = 1e-4; ///< metres by which a corner may lie in front of a plane

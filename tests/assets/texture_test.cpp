@@ -117,7 +117,7 @@ TEST(Texture, OneChannel_GivesItsCodesAsAlphaWhileItsLightIsDecoded) {
     }
 }
 
-/// By the weights of Rec. 709.
+/// The weights are those of Rec. 709.
 TEST(Texture, ColorWithoutAlpha_GivesItsLuminance) {
     const FileImage green{{1, 1, 3, {0.0f, 1.0f, 0.0f}}, 0};
     EXPECT_NEAR(alphaOf(green, TextureDecoding::Color), 0.7152f, 1e-6);

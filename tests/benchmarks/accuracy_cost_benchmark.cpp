@@ -18,7 +18,7 @@ namespace {
 constexpr glm::ivec2 usualSize{256, 256};
 constexpr glm::ivec2 smallSize{32, 32}; ///< where 4096 directions are looked into
 
-/// For the levels of a setting: pairs of slow frames get fewer.
+/// Limits the levels of a setting: pairs of slow frames get fewer.
 constexpr double longestSeconds = 30.0;
 
 using Words = std::vector<std::pair<std::string, std::string>>;

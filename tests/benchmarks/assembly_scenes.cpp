@@ -9,10 +9,10 @@
 namespace patina::benchmarks {
 namespace {
 
-/// Of lights and of what lies in their way to the eye: with every model.
+/// Lights and what lies in their way to the eye are tried with every model.
 constexpr std::array surroundings{"sun", "studio", "lamps", "haze", "glow", "rim"};
 
-/// Of the surface, whatever its model makes of it: with a few.
+/// Effects of the surface, whatever its model makes of it, are tried with a few.
 constexpr std::array effects{"image", "relief", "glass", "cutout", "sky", "shade"};
 constexpr std::array effectModels{"lambert", "phong", "gaussian", "oren-nayar", "cook-torrance"};
 

@@ -80,7 +80,7 @@ void add(Uniforms& uniforms, const TextureUse& use) {
     uniforms["imageThreshold"] = {float(use.threshold)};
 }
 
-/// Of the matrix that takes (x, 1) into the map.
+/// Returns a row of the matrix that takes (x, 1) into the map.
 std::vector<float> rowOf(const ShadowView& view, const glm::dvec3& axis, double shift) {
     return {float(axis.x), float(axis.y), float(axis.z),
             float(shift - glm::dot(axis, view.origin))};

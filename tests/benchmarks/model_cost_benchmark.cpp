@@ -130,7 +130,7 @@ bool printContest(const Contest& contest) {
     return kept;
 }
 
-/// Of an even count the mean of the two in the middle.
+/// Returns the mean of the two in the middle for an even count.
 double medianOf(std::vector<double> numbers) {
     std::ranges::sort(numbers);
     return 0.5 * (numbers[(numbers.size() - 1) / 2] + numbers[numbers.size() / 2]);

@@ -46,7 +46,7 @@ Subject subjectOf(const Catalog& catalog, const ModelChoice& choice) {
 
 void addParameters(SourceBuilder& builder, const EvalBlock& block, const std::string& function,
                    std::span<const SlotFill> slots) {
-    // As views do, which also look at values that may be equal.
+    // Views do the same, which also look at values that may be equal.
     const std::vector<CompiledValue> compiled =
         BlockUse(*block.block, block.values, block.accuracy).compiled();
     builder.add(constantsSource(*block.block));

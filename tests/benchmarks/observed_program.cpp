@@ -44,7 +44,7 @@ class ObservedProgram::Implementation {
         return std::chrono::duration<double>(Clock::now() - began_).count();
     }
 
-    /// Until one of the words was printed; negative as in secondsToFirstFrame().
+    /// Returns the seconds until one of the words was printed; negative as secondsToFirstFrame().
     double secondsUntil(std::initializer_list<const char*> words, double limitSeconds) {
         while (running() && secondsRunning() < limitSeconds) {
             const std::string said = messages();

@@ -87,7 +87,7 @@ void addParts(Scene& scene, const Catalog& catalog) {
     }
 }
 
-/// Of all that can be put together, the material with most levels.
+/// Returns the material with the largest number of levels that can be put together.
 Shipped richest(const Catalog& catalog) {
     Shipped best;
     for (const Block* model : catalog.ofKind("models")) {

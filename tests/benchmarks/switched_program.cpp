@@ -26,7 +26,7 @@ constexpr int modelAt = 2;
 constexpr int slotAt = 20;
 constexpr int objectVec4s = 40;
 
-/// In sceneData: the ambient colour, the kind of fog and its values, the lights.
+/// These are places in sceneData: the ambient colour, the kind of fog and its values, the lights.
 constexpr int fogKind = 1;
 constexpr int fogAt = 2;
 constexpr int lightCount = 8;
@@ -57,7 +57,7 @@ std::string chosen(const std::vector<const Block*>& blocks, const std::string& k
     return text;
 }
 
-/// By `kind`, with the values that begin at a place.
+/// Calls the block chosen by `kind` with the values that begin at a place.
 std::string chosenAt(const std::vector<const Block*>& blocks, const char* call, int place) {
     return chosen(blocks, "kind", fmt::format(fmt::runtime(call), place).c_str());
 }
@@ -210,7 +210,7 @@ gl::Program linkedOrExit(const ProgramSource& source) {
     return std::move(*linked);
 }
 
-/// From 1 on.
+/// Counts from 1 on.
 float numberOf(const std::vector<const Block*>& blocks, const std::string& id) {
     const auto found = std::ranges::find(blocks, id, [](const Block* block) { return block->id; });
     return static_cast<float>(found - blocks.begin() + 1);

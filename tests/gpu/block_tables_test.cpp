@@ -49,7 +49,7 @@ class BlockTablesTest : public GpuTest {
         return program ? program->fragment.text : std::string();
     }
 
-    /// Of the device's frame against the one in double precision.
+    /// Compares the device's frame with the one in double precision.
     FrameError error(const Scene& scene) {
         auto buffer = renderer->surfaces().capture(scene, wholeView(scene), source_);
         EXPECT_TRUE(buffer) << (buffer ? "" : buffer.error().text());

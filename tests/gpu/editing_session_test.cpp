@@ -69,7 +69,7 @@ class EditingSession : public GpuTest {
         return all;
     }
 
-    /// Of a session from the first edit to the last, and to the first again.
+    /// Counts over a session from the first edit to the last, and to the first again.
     struct Session {
         int compiled = 0;
         std::size_t sets = 0; ///< different ones that were seen

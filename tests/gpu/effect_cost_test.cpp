@@ -33,7 +33,7 @@ std::pair<double, double> ranksOf(int count) {
     return {interval.lower, interval.upper};
 }
 
-/// Of the tables, for n = 6, 9, 15 and 20: 1 6, 2 8, 4 12, 6 15.
+/// The tables say for n = 6, 9, 15 and 20: 1 6, 2 8, 4 12, 6 15.
 TEST(MedianInterval, Ranks_AreThoseOfTheTables) {
     EXPECT_EQ(ranksOf(6), std::pair(1.0, 6.0));
     EXPECT_EQ(ranksOf(9), std::pair(2.0, 8.0));
@@ -41,7 +41,7 @@ TEST(MedianInterval, Ranks_AreThoseOfTheTables) {
     EXPECT_EQ(ranksOf(20), std::pair(6.0, 15.0));
 }
 
-/// Of 1.96 standard deviations of n fair coins, sqrt(n) / 2, on each side of the middle. A chance
+/// They lie 1.96 standard deviations of n fair coins, sqrt(n) / 2, from the middle. A chance
 /// of 2^-n, from n = 1075 on, is 0.
 TEST(MedianInterval, VeryManySamples_HaveTheRanksOfTheNormalDistribution) {
     for (const int count : {1000, 1074, 1075, 1200, 100000}) {

@@ -61,7 +61,7 @@ class EnvironmentFrames : public EnvironmentTest {
         return image ? *image : Image();
     }
 
-    /// With a shadow and a ground.
+    /// Returns a scene with a shadow and a ground.
     Scene everything() {
         Scene scene = inTheStudio("cook-torrance");
         scene.lights = {sun({0.5, -1.0, -0.5})};

@@ -191,7 +191,7 @@ TEST_F(FittedEnvironmentTest, ViewThatMoves_IsAsBrightAsAtRestForManyPresets) {
     }
 }
 
-/// Without images, and with some, where the light is fitted at each pixel.
+/// Some have images, where the light is fitted at each pixel.
 TEST_F(FittedEnvironmentTest, PresetsOfAllSorts_LookAsWhenSampled) {
     size_ = 64;
     const std::filesystem::path presets = PATINA_SOURCE_DIR "/presets";

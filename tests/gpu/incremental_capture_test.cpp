@@ -66,7 +66,7 @@ class IncrementalCaptureTest : public GpuTest {
         return made ? *made : LinearFrame();
     }
 
-    /// With an exposure of 0.
+    /// Draws the frame at once, with an exposure of 0.
     LinearFrame whole(const ChosenFrame& frame) {
         const auto image = renderer->capture(frame.scene, frame.view, source_, false);
         EXPECT_TRUE(image);

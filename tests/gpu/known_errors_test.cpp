@@ -48,7 +48,7 @@ class KnownErrorsTest : public GpuTest {
     Light lightAt(double c) const { return sun({std::sqrt((1.0 - c) * (1.0 + c)), 0.0, -c}); }
 };
 
-/// Of a picture of one pixel: how far the level is off, in light.
+/// Returns how far the level is off in a picture of one pixel, in light.
 double errorOf(const CostSweep& sweep, const std::string& choice, const std::string& level) {
     const double right = std::max(greatestOf(sweep.groundTruth()->colors.front()), minShownLight);
     return sweep.chart().find({{choice, level}})->error.max * right;

@@ -80,7 +80,7 @@ class OcclusionTest : public EnvironmentTest {
         return scene;
     }
 
-    /// Of the middle of the groove's floor.
+    /// Returns what the middle of the groove's floor sees of its surroundings.
     float share() {
         const Mesh& mesh = meshes["grooved"];
         for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {

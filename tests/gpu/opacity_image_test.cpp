@@ -24,7 +24,7 @@ TEST_F(OpacityImage, Alpha_BlendsWithTheBackground) {
     expectNear(at(drawn(), 0.5, 0.5) * brightness, glm::vec3(expected));
 }
 
-/// As files of one channel, of colours and of floats have it.
+/// Files of one channel, of colours and of floats have no alpha.
 TEST_F(OpacityImage, WithoutAlpha_BlendsByItsGrey) {
     file("grey", {1, 1}, 1, {0.25f});
     file("grey of 8 bits", {1, 1}, 1, {64.0f / 255.0f}, 8);

@@ -43,7 +43,7 @@ TEST_F(OutsideRowsTest, ShapeOfThePictureUnknown_TakesNothingOut) {
     EXPECT_TRUE(rows(ballAt(9.0), 0.0).front().in);
 }
 
-/// As the frame leaves it out.
+/// The frame leaves out the same objects.
 TEST_F(OutsideRowsTest, FrameOfThatShape_DrawsAsManyObjects) {
     makeRenderer();
     for (const double x : {0.5, 2.1, 2.3, 9.0}) {

@@ -36,7 +36,7 @@ class PictureAccuracyTest : public GpuTest {
 
     Image linear(const Scene& scene) { return capture(scene, false, size); }
 
-    /// Of linear values, from the exact scene's picture.
+    /// Compares linear values with the exact scene's picture.
     Difference difference(const Scene& scene, std::string_view choice, std::string_view level) {
         const Image exact = linear(scene);
         const Image other = linear(with(scene, choice, level));

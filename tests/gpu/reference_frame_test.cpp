@@ -39,7 +39,7 @@ class ReferenceFrameTest : public GpuTest {
                                       std::vector<bool>(scene.objects.size(), true));
     }
 
-    /// With all directions of an environment that the device draws.
+    /// Draws all directions of an environment that the device draws.
     void finish(ReferenceFrame& frame, const Scene& scene) {
         for (int round = 1; round <= directions_ / EnvironmentLight::roundSamples; ++round) {
             while (!frame.step(std::chrono::milliseconds(10))) {
@@ -53,7 +53,7 @@ class ReferenceFrameTest : public GpuTest {
 
     int directions_ = EnvironmentLight::roundSamples;
 
-    /// Of the device's frame against the one in double precision.
+    /// Compares the device's frame with the one in double precision.
     FrameError error(const Scene& scene) {
         auto right = reference(scene);
         EXPECT_TRUE(right) << (right ? "" : right.error().text());
@@ -143,7 +143,7 @@ TEST_F(ReferenceFrameTest, EveryFog_IsInIt) {
     }
 }
 
-/// From above and from within the box, past its edges.
+/// The camera looks from above and from within the box, past its edges.
 TEST_F(ReferenceFrameTest, FogThatEndsSomewhere_IsInIt) {
     for (const double pitch : {-20.0, 0.0, 35.0}) {
         SCOPED_TRACE(pitch);
@@ -166,7 +166,7 @@ TEST_F(ReferenceFrameTest, Hemisphere_IsInIt) {
     EXPECT_LE(error(scene).p99, rounding);
 }
 
-/// With and without an environment, on a ring whose inner side hides light from itself.
+/// A ring is lit with and without an environment; its inner side hides light from itself.
 TEST_F(ReferenceFrameTest, Occlusion_IsInIt) {
     Scene scene = simpleScene("phong");
     scene.objects[0].mesh = "builtin:torus";

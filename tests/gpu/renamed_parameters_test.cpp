@@ -148,7 +148,7 @@ class RenamedParameters : public ShadingTest {
         return program ? program->fragment.text : text(program.error());
     }
 
-    /// Without the names that the blocks were given, what stands for them, and numbers of lines.
+    /// Leaves out the names that the blocks were given, what stands for them, and line numbers.
     static std::string withoutNames(const std::string& text) {
         const std::string lines = replaced(
             text, "#(define thickness thicknessRenamed|undef thickness|line [0-9 ]+)\n", "");

@@ -100,7 +100,7 @@ class ShadowTest : public GpuTest {
         return wrong;
     }
 
-    /// For a light at a place: metres on the floor inside the shadow of the square.
+    /// Returns how far inside the shadow of the square the place lies, in metres on the floor.
     static double insideOf(glm::dvec2 place, const glm::dvec3& light, double height) {
         const glm::dvec3 x(place.x, 0.0, place.y);
         const double share = height / light.y;

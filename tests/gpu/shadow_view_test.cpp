@@ -33,7 +33,7 @@ class ShadowViewTest : public ShadingTest {
         return data;
     }
 
-    /// As passes/shadows_parallel.glsl does.
+    /// Computes what passes/shadows_parallel.glsl does.
     static glm::dvec3 seen(const Data& data, const glm::dvec3& x) {
         const glm::dvec3 from = x - glm::dvec3(data[3]);
         return {glm::dot(from, glm::dvec3(data[0])), glm::dot(from, glm::dvec3(data[1])),

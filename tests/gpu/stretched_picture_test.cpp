@@ -50,7 +50,7 @@ TEST_F(StretchedPictureTest, DrawnByAProgram_IsAsTheDriverStretchesIt) {
     }
 }
 
-/// Of a view that only gets wider or narrower.
+/// The view only gets wider or narrower.
 TEST_F(StretchedPictureTest, Undistorted_IsCutOffOrHasItsEdgesDrawnOut) {
     const StretchedPicture picture(size);
     fill(picture);

@@ -44,7 +44,7 @@ class TextureTest : public GpuTest {
         scene.lights.front().block.parameters["intensity"] = double(brightness);
         scene.objects.front().mesh = "quad";
         color(glm::dvec3(0.5));
-        // As high and wide as the view: 2 at distance 1 and 90 degrees.
+        // It is as high and wide as the view: 2 at distance 1 and 90 degrees.
         scene.camera.distance = 1.0;
         scene.camera.fieldOfView = 90.0;
     }

@@ -143,7 +143,7 @@ TEST_F(TextureTest, MissingFile_IsAChecker) {
     EXPECT_GT(glm::distance(at(image, 0.06, 0.06), at(image, 0.19, 0.06)), 0.5f);
 }
 
-/// As visible as on a colour: neighbouring fields of the checker look different.
+/// It shows as on a colour: neighbouring fields of the checker look different.
 TEST_F(TextureTest, MissingReliefOrOpacity_IsSeen) {
     for (const char* id : {"normal", "height", "opacity"}) {
         scene.lights.front() = sun({-0.6, 0.0, -0.8});

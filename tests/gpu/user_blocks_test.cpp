@@ -47,7 +47,7 @@ class UserBlockTest : public GpuTest {
         ASSERT_TRUE(catalog->errors.empty()) << text(catalog->errors);
     }
 
-    /// As when the folder's watcher has seen a change.
+    /// Reads the blocks as when the folder's watcher has seen a change, and draws them.
     Image redraw() {
         load();
         renderer->setCatalog(catalog);

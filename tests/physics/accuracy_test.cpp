@@ -62,7 +62,7 @@ TEST(SphericalGaussian, OfAPower_ErrsTheLessTheSharperItIs) {
     expectAbout(powerError("gaussian", 200.0), 1.4e-3);
 }
 
-/// Of h, which lies halfway between the light and the viewer, or on both.
+/// Returns the highlight at an h halfway between the light and the viewer, or on both.
 double halfHighlight(const Subject& model, double c) {
     const glm::dvec3 both{std::sqrt((1.0 - c) * (1.0 + c)), 0.0, c};
     return model.shade(geometry(both, both)).x;

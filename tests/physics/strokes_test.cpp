@@ -106,7 +106,7 @@ TEST(SurfaceHalftone, OnAnyScale_CoversTheTone) {
     }
 }
 
-/// On a ball of radius 1 beside the origin, where lattices of two axes meet.
+/// The places lie on a ball of radius 1 beside the origin, where lattices of two axes meet.
 TEST(SurfaceHalftone, WhereAnotherAxisTakesOver_KeepsTheToneWithoutASudden) {
     double jump = 0.0;
     double sum = 0.0;

@@ -260,7 +260,7 @@ double workedMs() {
     return 1e3 * double(time.tv_sec) + 1e-6 * double(time.tv_nsec);
 }
 
-/// By the window's own clock, which does not depend on what else the machine does.
+/// The window's own clock measures it, which does not depend on what else the machine does.
 TEST_F(AccuracyPanel, WhileMeasuring_TheWindowAnswers) {
     newFrames();
     double longest = 0.0;

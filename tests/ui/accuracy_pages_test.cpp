@@ -42,7 +42,7 @@ class MeasuredModels : public AccuracyPanel {
         EXPECT_TRUE(QTest::qWaitFor([this] { return !page().isMeasuring(); }, waitMs));
     }
 
-    /// As it was when all was measured.
+    /// Undoes all that was done after the measurement.
     void goBack() {
         document().undoStack().setIndex(start_);
         settle();
@@ -209,7 +209,7 @@ class ScalingPanel : public AccuracyPanel {
 
     ScalingPage& page() { return *pages().findChild<ScalingPage*>(); }
 
-    /// Of the menu View > Look.
+    /// Returns the action of the menu View > Look with the text.
     QAction& lookAction(const QString& text) {
         const QList<QAction*> all = window().findChildren<QAction*>();
         return **std::ranges::find(all, text, &QAction::text);

@@ -27,7 +27,7 @@ class MeasuredPicture : public AccuracyPanel {
 
     bool isMeasured() const { return isMeasured_; }
 
-    /// As it was when all was measured.
+    /// Undoes all that was done after the measurement.
     void goBack() {
         document().undoStack().setIndex(start_);
         for (QCheckBox* asked : budget().findChildren<QCheckBox*>()) {

@@ -142,7 +142,7 @@ Mark markOf(const QTreeWidgetItem& row) {
     return {edge, image.pixelColor(image.width() / 2, middle).alpha() > 0};
 }
 
-/// But for the rounding of what is half transparent.
+/// Allows for the rounding of what is half transparent.
 bool isColour(const QColor& color, const QColor& wanted) {
     return std::abs(color.red() - wanted.red()) <= 4 &&
            std::abs(color.green() - wanted.green()) <= 4 &&

@@ -108,7 +108,7 @@ TEST_F(EffectsPanel, MaterialWithoutImages_HasALabelForThem) {
     EXPECT_EQ(row("texture")->text(0), "not in: Images");
 }
 
-/// In the panel and in the status line.
+/// The panel and the status line use the same name.
 TEST_F(EffectsPanel, Image_IsCalledByWhatItChanges) {
     document().setModel(Side::A, "phong");
     document().setTexture(document().selection().currentPath(kinds::models), "diffuse.color",

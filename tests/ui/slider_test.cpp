@@ -10,7 +10,7 @@ using Slider = Form;
 using Number = Form;
 using Label = Form;
 
-/// From 0 to 1 in steps of a hundredth.
+/// Goes from 0 to 1 in steps of a hundredth.
 SliderRange range01() {
     Parameter parameter;
     parameter.min = parameter.softMin = 0.0;
