@@ -4,6 +4,7 @@
 
 #include "frame_target.h"
 #include "gpu_fixture.h"
+#include "scene/picture_choice_text.h"
 #include "shading/effects/display_set.h"
 #include "support/program.h"
 
@@ -298,13 +299,44 @@ TEST_F(PicturePassesTest, ValueOfAPass_IsTakenWithoutDrawingTheScene) {
     }
 }
 
-TEST_F(PicturePassesTest, PictureThatIsGone_IsNotShownAgain) {
+TEST_F(PicturePassesTest, PictureThatWasNotDrawn_IsNotShownAgain) {
     const Scene scene = with("kuwahara");
-    FrameTarget target(33);
     EXPECT_FALSE(renderer->job().takePasses(scene, scene));
+}
+
+/// A slider may be taken up long after the targets were freed. One sample per pixel is drawn into
+/// the picture itself, several are not, and a part of the pixels is stretched to it.
+TEST_F(PicturePassesTest, ReleasedTargets_LeaveThePictureToThePasses) {
+    FrameTarget target(33);
+    for (const auto& [samples, scale] : {std::pair("1", "full"), {"4", "full"}, {"4", "half"}}) {
+        SCOPED_TRACE(fmt::format("{} samples, {}", samples, scale));
+        Scene scene = with("watercolour");
+        for (const auto& [id, level] : {std::pair("picture.samples", samples),
+                                        {"picture.scale", scale}}) {
+            const PictureChoiceText& text = *pictureChoiceText(id);
+            scene.accuracy.choose(text.choice, *text.level(level));
+        }
+        set(scene, "thinness", 0.7);
+        renderer->draw(scene, viewOf(scene), meshSource(), target.name());
+        const auto wanted = target.picture();
+        set(scene, "thinness", 0.2);
+        renderer->draw(scene, viewOf(scene), meshSource(), target.name());
+        renderer->job().releaseTargets();
+        set(scene, "thinness", 0.7);
+        ASSERT_TRUE(renderer->job().takePasses(scene, scene));
+        renderer->job().show(target.name());
+        EXPECT_EQ(target.picture(), wanted);
+        renderer->draw(scene, viewOf(scene), meshSource(), target.name());
+        EXPECT_EQ(target.picture(), wanted);
+    }
+}
+
+TEST_F(PicturePassesTest, ReleasedTargets_OfAPictureWithoutPassesAreGone) {
+    const Scene scene = simpleScene();
+    FrameTarget target(33);
     renderer->draw(scene, viewOf(scene), meshSource(), target.name());
     renderer->job().releaseTargets();
-    EXPECT_FALSE(renderer->job().takePasses(scene, scene));
+    EXPECT_FALSE(renderer->job().hasPicture());
 }
 
 /// What a frame without them does not have: depths for a pass that reads them.

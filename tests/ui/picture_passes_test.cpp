@@ -39,6 +39,16 @@ TEST_F(PicturePasses, SlidersTick_DrawsThePassAlone) {
     EXPECT_EQ(view().grabFramebuffer(), restyledPicture);
 }
 
+/// The view frees what it draws into once it rests, but not the picture under a pass.
+TEST_F(PicturePasses, SlidersTickAfterARest_DrawsThePassAlone) {
+    constexpr int restMs = 1000;
+    QTest::qWait(restMs);
+    const int already = restyled();
+    set("radius", 20.0);
+    EXPECT_EQ(newFrames(), 0);
+    EXPECT_EQ(restyled(), already + 1);
+}
+
 TEST_F(PicturePasses, RemovedPass_LeavesThePictureWithoutIt) {
     document().undoStack().undo();
     newFrames();

@@ -367,12 +367,17 @@ Result<Image> FrameJob::read(bool display, std::optional<double> exposure) {
 /// Draws one pixel at the end, because a driver may keep the images that were drawn with last until
 /// others are.
 void FrameJob::releaseTargets() {
-    hasPicture_ = false;
     passes_.layers.release();
     passes_.blended.release();
-    passes_.depthNormals.release();
     gpu_.sketchTarget = HdrTarget();
     gpu_.isSketch = false;
+    if (hasPicture() && passes_.display.hasPasses()) {
+        passes_.display.release();
+        gpu_.frameTarget.keepResolved();
+        return;
+    }
+    hasPicture_ = false;
+    passes_.depthNormals.release();
     if (!passes_.display.isPrepared() || !gpu_.frameTarget.fit(glm::ivec2(1), 1, false)) {
         gpu_.frameTarget = HdrTarget();
         return;

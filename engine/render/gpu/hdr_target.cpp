@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 #include <epoxy/gl.h>
 #include <fmt/format.h>
@@ -160,6 +161,19 @@ void HdrTarget::stretch() const {
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, stretchedFramebuffer_.name());
     glBlitFramebuffer(0, 0, built_.scaled.x, built_.scaled.y, 0, 0, built_.size.x, built_.size.y,
                       GL_COLOR_BUFFER_BIT, GL_LINEAR);
+}
+
+void HdrTarget::keepResolved() {
+    HdrTarget kept;
+    kept.built_ = built_;
+    if (built_.isStretched()) {
+        kept.stretchedImage_ = std::move(stretchedImage_);
+        kept.stretchedFramebuffer_ = std::move(stretchedFramebuffer_);
+    } else {
+        kept.resolvedImage_ = std::move(resolvedImage_);
+        kept.resolvedFramebuffer_ = std::move(resolvedFramebuffer_);
+    }
+    *this = std::move(kept);
 }
 
 } // namespace patina

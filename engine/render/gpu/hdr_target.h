@@ -54,6 +54,9 @@ class HdrTarget {
     /// Stretches averaged() to the resolved image; does nothing where both have one size.
     void stretch() const;
 
+    /// Frees all but resolved(); the next fit() makes the rest again.
+    void keepResolved();
+
     /// Returns how wide a pixel that is drawn is in pixels of the resolved image.
     double pixelWidth() const { return double(built_.size.x) / drawnSize().x; }
 

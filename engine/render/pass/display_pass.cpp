@@ -90,13 +90,12 @@ bool DisplayPass::pack(const Scene& scene) {
 
 void DisplayPass::show(const gl::Texture& linear, unsigned framebuffer, double exposure,
                        double share) {
-    const bool hasPasses = !current_->passes.empty();
-    if (!hasPasses) {
+    if (!hasPasses()) {
         chain_.release();
     }
-    glBindFramebuffer(GL_FRAMEBUFFER, hasPasses ? chain_.begin(linear.size()) : framebuffer);
-    drawDisplayed(linear, exposure, hasPasses ? 1.0 : share);
-    if (hasPasses) {
+    glBindFramebuffer(GL_FRAMEBUFFER, hasPasses() ? chain_.begin(linear.size()) : framebuffer);
+    drawDisplayed(linear, exposure, hasPasses() ? 1.0 : share);
+    if (hasPasses()) {
         chain_.draw(current_->passes, framebuffer, share);
     }
 }

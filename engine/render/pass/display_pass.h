@@ -33,6 +33,9 @@ class DisplayPass : public Pass {
 
     bool isPrepared() const { return current_ != nullptr; }
 
+    /// Returns true when passes are drawn over the picture.
+    bool hasPasses() const { return isPrepared() && !current_->passes.empty(); }
+
     /// Takes the values of the tone curve and of the passes from a scene, for show() without a new
     /// frame. Returns false where the programs for `effects` are not there; then it does nothing.
     bool take(const Scene& scene, const Scene& effects, const Catalog& catalog);
