@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "trial/trial_gate.h"
+#include "ui/gl_errors.h"
 #include "ui/virtual_display.h"
 
 int main(int argc, char** argv) {
@@ -24,6 +25,7 @@ int main(int argc, char** argv) {
     setenv("DISPLAY", display.name().c_str(), 1);
     setenv("QT_QPA_PLATFORM", "xcb", 1);
     unsetenv("WAYLAND_DISPLAY");
+    testing::UnitTest::GetInstance()->listeners().Append(new patina::tests::GlErrors);
     patina::setBlockGate(std::make_shared<patina::TrialGate>(
         patina::TrialGate::Options{.program = PATINA_BINARY_DIR "/bin/patina",
                                    .limits = {.memoryBytes = std::size_t(1) << 30}}));
