@@ -47,7 +47,7 @@ std::size_t eachField(const Block& block, OfParameter ofParameter, OfChoice ofCh
         }
     }
     for (const AccuracyChoice& choice : block.accuracy) {
-        if (&choice != wavelengthChoice(block)) {
+        if (!isOfProgram(block, choice)) {
             ofChoice(choice, placed(floats, 1));
         }
     }

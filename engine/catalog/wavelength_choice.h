@@ -5,18 +5,31 @@
 #include <charconv>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "catalog/block.h"
 
 namespace patina {
 
-/// Returns the whole number from 0 that a level's id is; nothing where it is none.
-inline std::optional<int> wholeNumber(const EnumValue& level) {
+/// Returns the whole number from 0 that a text is; nothing where it is none.
+inline std::optional<int> wholeNumber(std::string_view text) {
     int number = 0;
-    const char* end = level.id.data() + level.id.size();
-    const auto read = std::from_chars(level.id.data(), end, number);
+    const char* end = text.data() + text.size();
+    const auto read = std::from_chars(text.data(), end, number);
     return read.ec == std::errc() && read.ptr == end && number >= 0 ? std::optional(number)
                                                                     : std::nullopt;
+}
+
+/// Returns the whole number from 0 that a level's id is; nothing where it is none.
+inline std::optional<int> wholeNumber(const EnumValue& level) {
+    return wholeNumber(std::string_view(level.id));
+}
+
+/// Returns how many rays a level asks for by an id such as "rays4"; nothing where it is none.
+inline std::optional<int> rayCount(const EnumValue& level) {
+    constexpr std::string_view word = "rays";
+    return level.id.starts_with(word) ? wholeNumber(std::string_view(level.id).substr(word.size()))
+                                      : std::nullopt;
 }
 
 /// Returns the accuracy choice of a refraction block whose levels count the wavelengths that bend
@@ -33,6 +46,27 @@ inline const AccuracyChoice* wavelengthChoice(const Block& block) {
                });
     });
     return found == block.accuracy.end() ? nullptr : &*found;
+}
+
+/// Returns the accuracy choice of a refraction block whose levels count the rays of a pixel that
+/// look for what is behind a body: "rays1", "rays4". The program reads it, too. Null where there is
+/// none.
+inline const AccuracyChoice* rayChoice(const Block& block) {
+    if (block.kind != kinds::refraction) {
+        return nullptr;
+    }
+    const auto found = std::ranges::find_if(block.accuracy, [](const AccuracyChoice& choice) {
+        return !choice.values.empty() &&
+               std::ranges::all_of(choice.values, [](const EnumValue& level) {
+                   return rayCount(level).value_or(0) > 0;
+               });
+    });
+    return found == block.accuracy.end() ? nullptr : &*found;
+}
+
+/// Returns true when the program reads the choice, so that the block's functions do not know it.
+inline bool isOfProgram(const Block& block, const AccuracyChoice& choice) {
+    return &choice == wavelengthChoice(block) || &choice == rayChoice(block);
 }
 
 } // namespace patina

@@ -16,16 +16,18 @@ namespace patina {
 namespace {
 
 /// Tells whether no level of the choice is in the program, whichever is chosen.
-bool isWithoutEffect(const BlockUse& use, const AccuracyChoice& choice) {
-    return &choice == wavelengthChoice(use.block()) && wavelengthCount(use) == 0;
+bool isWithoutEffect(const BlockUse& use, const AccuracyChoice& choice, const EffectSet& set) {
+    return (&choice == wavelengthChoice(use.block()) && wavelengthCount(use) == 0) ||
+           (&choice == rayChoice(use.block()) && !set.isShownRefracted);
 }
 
-void addBlock(std::vector<Choice>& choices, const BlockUse& use, const std::string& prefix) {
+void addBlock(std::vector<Choice>& choices, const BlockUse& use, const EffectSet& set,
+              const std::string& prefix) {
     const Block& block = use.block();
     for (const AccuracyChoice& accuracy : block.accuracy) {
         const bool isKnown = std::ranges::any_of(
             choices, [&accuracy](const Choice& known) { return known.key == accuracy.id; });
-        if (isKnown || accuracy.values.size() < 2 || isWithoutEffect(use, accuracy)) {
+        if (isKnown || accuracy.values.size() < 2 || isWithoutEffect(use, accuracy, set)) {
             continue;
         }
         Choice choice{Choice::Scope::Material, prefix + accuracy.id, accuracy.id, accuracy.label,
@@ -58,14 +60,14 @@ std::vector<Choice> materialChoices(const Scene& scene, std::size_t object,
     }
     const EffectSet set = effectSet(scene.objects[object].material, scene, catalog);
     if (set.model) {
-        addBlock(choices, *set.model, {});
+        addBlock(choices, *set.model, set, {});
     }
     for (const BlockUse& slot : set.slots) {
-        addBlock(choices, slot, slot.block().kind + '.');
+        addBlock(choices, slot, set, slot.block().kind + '.');
     }
     for (const std::optional<BlockUse>& part : {set.blend, set.refraction}) {
         if (part) {
-            addBlock(choices, *part, part->block().kind + '.');
+            addBlock(choices, *part, set, part->block().kind + '.');
         }
     }
     return choices;

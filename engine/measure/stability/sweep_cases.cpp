@@ -67,8 +67,7 @@ std::vector<std::size_t> compiledCounts(const Block& block) {
         }
     }
     for (const AccuracyChoice& choice : block.accuracy) {
-        // How many wavelengths are followed the block's functions do not know.
-        counts.push_back(&choice == wavelengthChoice(block) ? 1 : choice.values.size());
+        counts.push_back(isOfProgram(block, choice) ? 1 : choice.values.size());
     }
     return counts;
 }

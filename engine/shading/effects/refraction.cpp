@@ -129,6 +129,23 @@ void writePassage(SurfaceText& text, const Block& block) {
     text.out.add(isOther ? fmt::format("#undef {}\n", roles::thickness) : "");
 }
 
+/// Writes the look for what is behind the body, with the rays that a pixel has for it.
+void writeBehind(SurfaceText& text, const BlockUse& use) {
+    if (!text.set.isShownRefracted) {
+        text.out.addFile("passes/refraction_alone.glsl");
+        return;
+    }
+    text.out.addFile("passes/refraction_behind.glsl");
+    const AccuracyChoice* choice = rayChoice(use.block());
+    const int rays = choice == nullptr ? 1 : rayCount(use.level(*choice)).value_or(1);
+    if (rays > 1) {
+        text.out.add(fmt::format("#define RAYS_BEHIND {}\n", rays));
+        text.out.addFile("passes/refraction_behind_rays.glsl");
+    } else {
+        text.out.addFile("passes/refraction_behind_ray.glsl");
+    }
+}
+
 std::string namesSource(const Block& block) {
     const std::string function = functionName(block);
     return fmt::format("#define Refraction {0}\n#define refractedRay {1}\n"
@@ -172,12 +189,14 @@ void writeFacets(SurfaceText& text, const BlockUse& use) {
     text.out.addFile("passes/refraction_facets_rays.glsl");
 }
 
-/// Returns what is compiled of the block, without a number of wavelengths that bend alike.
-std::string detailOf(const BlockUse& use) {
+/// Returns what is compiled of the block, without a number of wavelengths that bend alike, or of
+/// rays that look for nothing.
+std::string detailOf(const BlockUse& use, const EffectSet& set) {
     const AccuracyChoice* idle = wavelengthCount(use) > 0 ? nullptr : wavelengthChoice(use.block());
+    const AccuracyChoice* rays = set.isShownRefracted ? nullptr : rayChoice(use.block());
     std::string text;
     for (const CompiledValue& value : use.compiled()) {
-        if (idle == nullptr || value.id != idle->id) {
+        if ((idle == nullptr || value.id != idle->id) && (rays == nullptr || value.id != rays->id)) {
             text += fmt::format("{}{}={}", text.empty() ? "" : ", ", value.id, value.value);
         }
     }
@@ -315,9 +334,17 @@ void RefractionEffect::choose(const MaterialSubject& subject, const EffectSet&) 
     }
 }
 
+/// Where nothing is behind the body no rays look for it.
+void RefractionEffect::choose(const SceneSubject& subject, const EffectSet&) {
+    const AccuracyChoice* rays = refraction ? rayChoice(refraction->block()) : nullptr;
+    if (rays != nullptr && !showsSceneRefracted(subject.scene, subject.catalog)) {
+        refraction->setExact(*rays);
+    }
+}
+
 void RefractionEffect::list(EffectListing& listing, const EffectSet& set) const {
     if (refraction) {
-        listing.add(effectName(*refraction), detailOf(*refraction),
+        listing.add(effectName(*refraction), detailOf(*refraction, set),
                     [&set](const EffectSubject& subject) { return refractionText(subject, set); });
     }
 }
@@ -360,8 +387,7 @@ void RefractionEffect::write(SurfaceText& text) const {
     }
     // The way inside is looked along only where there is one.
     text.out.add(isSheet(block) ? "#define STEPS_INSIDE 0\n" : "#define STEPS_INSIDE 8\n");
-    text.out.addFile(text.set.isShownRefracted ? "passes/refraction_behind.glsl"
-                                               : "passes/refraction_alone.glsl");
+    writeBehind(text, *refraction);
     writePassage(text, block);
     text.out.addFile(bendsApart ? "passes/refraction_colors.glsl" : "passes/refraction_color.glsl");
     if (followsFacets(block)) {

@@ -45,6 +45,7 @@ struct RefractionEffect {
     std::optional<BlockUse> refraction;
 
     void choose(const MaterialSubject& subject, const EffectSet& set);
+    void choose(const SceneSubject& subject, const EffectSet& set);
     void admit(const BlockUse& use) { admitTo(refraction, kinds::refraction, use); }
     void addTo(ChoiceHash& hash) const { hash.add(refraction); }
     void list(EffectListing& listing, const EffectSet& set) const;
