@@ -7,11 +7,15 @@
 
 namespace patina {
 
+double nmInUnit(const Parameter& wavelengths) {
+    return wavelengths.unit == "nm" ? 1.0 : 1e-3;
+}
+
 void takeWavelengths(const Parameter& parameter, const glm::dvec3& ofScene, double* numbers) {
     if (parameter.role != roles::wavelengths || parameter.type != ParameterType::Vec3) {
         return;
     }
-    const double unit = parameter.unit == "nm" ? 1.0 : 1e-3;
+    const double unit = nmInUnit(parameter);
     for (int channel = 0; channel < 3; ++channel) {
         if (!(numbers[channel] >= minWavelength * unit)) {
             numbers[channel] = std::max(ofScene[channel], minWavelength) * unit;

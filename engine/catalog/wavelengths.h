@@ -15,6 +15,9 @@ inline constexpr glm::dvec3 srgbWavelengths{611.4f, 549.1f, 464.3f};
 /// Is the shortest wavelength in nm that a block is given; shorter ones mean those of the scene.
 inline constexpr double minWavelength = 100.0;
 
+/// Returns how many of a parameter's unit, nm or µm, a nm is.
+double nmInUnit(const Parameter& wavelengths);
+
 /// Replaces what is below minWavelength by the scene's wavelengths (nm), where the parameter has
 /// the role of wavelengths; other parameters keep their numbers. Its unit is nm or µm.
 void takeWavelengths(const Parameter& parameter, const glm::dvec3& ofScene, double* numbers);

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "measure/choice/choices.h"
+#include "shading/effects/body_index.h"
 #include "shading/effects/effect_key.h"
 #include "shading/effects/effect_rows.h"
-#include "shading/effects/refraction.h"
 #include "shading_scene.h"
 
 namespace patina::refraction_rows_test {
@@ -35,7 +35,12 @@ class RefractionRows : public ShadingTest {
     std::string text() const { return fragment(scene_.objects[0].material, scene_); }
     bool textHas(const std::string& word) const { return text().find(word) != std::string::npos; }
 
-    double index() { return bodyIndex(glass(), refractionChoice(glass(), catalog()), catalog()); }
+    BodyIndex ofGlass() const {
+        const Material& glass = scene_.objects[0].material;
+        return BodyIndex(glass, refractionChoice(glass, catalog()), catalog(), scene_.wavelengths);
+    }
+
+    double index() { return ofGlass().channels().y; }
 
     /// An object that can be seen through the first one.
     void addAnother() {
@@ -126,6 +131,53 @@ TEST_F(RefractionRows, Index_IsTheModelsWhereThereIsNoFresnelTerm) {
     EXPECT_DOUBLE_EQ(index(), 1.8);
 }
 
+/// By the constants of its data sheet, N-BK7 has 1.5168 at 587.6 nm, 1.52238 at 486.1 nm and
+/// 1.51432 at 656.3 nm, and so an Abbe number of 64.17.
+TEST_F(RefractionRows, Index_FollowsTheConstantsOfTheFresnelTerm) {
+    glass().parts["fresnel"] = block("fresnel", "dispersive");
+    EXPECT_NEAR(ofGlass().at(587.56), 1.51680, 1e-5);
+    EXPECT_NEAR(ofGlass().at(486.13), 1.52238, 1e-5);
+    EXPECT_NEAR(ofGlass().at(656.27), 1.51432, 1e-5);
+    EXPECT_NEAR(ofGlass().dispersion(), 20.0 / 64.17, 1e-3);
+    EXPECT_NEAR(ofGlass().ofBlock(), 1.51680, 1e-5);
+    EXPECT_EQ(row("refraction").line.reason,
+              "What passes is refracted with indices of 1.516, 1.519 and 1.524 for red, green and "
+              "blue, in light of 15 wavelengths, and shows the background's colour.");
+    scene_.wavelengths = {656.27, 587.56, 486.13};
+    EXPECT_EQ(row("refraction").line.reason,
+              "What passes is refracted with indices of 1.514, 1.517 and 1.522 for red, green and "
+              "blue, in light of 15 wavelengths, and shows the background's colour.");
+    glass().parts["fresnel"].parameters["temperature"] = 2020.0;
+    EXPECT_NEAR(ofGlass().at(587.56), 1.51680 + 3e-6 * 1998.0, 1e-5);
+    glass().parts["fresnel"].parameters["index.outside"] = 1.25;
+    EXPECT_NEAR(ofGlass().at(587.56), (1.51680 + 3e-6 * 1998.0) / 1.25, 1e-5);
+    values()["index.from"] = std::string("own");
+    EXPECT_DOUBLE_EQ(index(), 1.5);
+    EXPECT_EQ(ofGlass().dispersion(), 0.0);
+    EXPECT_FALSE(textHas("WAVELENGTH"));
+}
+
+TEST_F(RefractionRows, Index_IsThatBelowAFilmWhereItDoesNotAbsorb) {
+    glass().parts["fresnel"] = block("fresnel", "thin-film");
+    EXPECT_DOUBLE_EQ(index(), 1.52);
+    EXPECT_FALSE(textHas("WAVELENGTH"));
+    Values& film = glass().parts["fresnel"].parameters;
+    film["eta"] = glm::dvec3(1.6, 1.7, 1.9);
+    EXPECT_TRUE(textHas("#define WAVELENGTHS 15\n"));
+    EXPECT_DOUBLE_EQ(ofGlass().at(srgbWavelengths.x + 50.0), 1.6);
+    EXPECT_DOUBLE_EQ(ofGlass().at(0.5 * (srgbWavelengths.y + srgbWavelengths.z)), 1.8);
+    film["k"] = glm::dvec3(3.0);
+    EXPECT_DOUBLE_EQ(index(), 1.5);
+}
+
+/// The scene's green, since a pane leaves light in its old direction.
+TEST_F(RefractionRows, Pane_HasOneRayByTheConstants) {
+    glass().parts["fresnel"] = block("fresnel", "dispersive");
+    glass().parts["refraction"] = block("refraction", "thin-pane");
+    EXPECT_FALSE(textHas("WAVELENGTH"));
+    EXPECT_DOUBLE_EQ(ofGlass().ofBlock(), ofGlass().at(srgbWavelengths.y));
+}
+
 TEST_F(RefractionRows, ThatBendsAllAlike_KnowsNoWavelengths) {
     const std::string plain = text();
     for (const char* level : {"15", "9", "5", "3"}) {
@@ -158,7 +210,7 @@ TEST_F(RefractionRows, Wavelengths_AreAChoiceWhereColoursBendApart) {
 }
 
 TEST_F(RefractionRows, Key_DiffersExactlyWhereTheTextDoes) {
-    std::vector<Material> materials(11, glass());
+    std::vector<Material> materials(12, glass());
     materials[1].opacity = 1.0;
     materials[2].parts["refraction"].parameters["index"] = 1.0;
     materials[3].parts["refraction"].parameters["index"] = 1.7;
@@ -171,6 +223,7 @@ TEST_F(RefractionRows, Key_DiffersExactlyWhereTheTextDoes) {
     materials[9].accuracy["wavelengths"] = "3";
     materials[10] = materials[4];
     materials[10].accuracy["wavelengths"] = "9";
+    materials[11].parts["fresnel"] = block("fresnel", "dispersive");
     for (const Material& a : materials) {
         for (const Material& b : materials) {
             EXPECT_EQ(EffectKey::ofMaterial(a, catalog()) == EffectKey::ofMaterial(b, catalog()),

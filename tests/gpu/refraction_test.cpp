@@ -344,6 +344,28 @@ TEST_F(WavelengthsOfABall, OfEachLevel_AreTheSumOfTheirPicturesAndNearerToAll) {
     }
 }
 
+/// Cauchy's two constants are an index and a dispersion.
+TEST_F(WavelengthsOfABall, ByTheConstantsOfTheFresnelTerm_AreThoseOfItsIndexAndDispersion) {
+    const auto square = [](double length) { return 1.0 / (length * length); };
+    const double b = 0.05 * dispersion * (index - 1.0) / (square(0.4861) - square(0.6563));
+    const Image own = of("5");
+    BlockValues& term = scene_.objects[0].material.parts["fresnel"];
+    term = block("fresnel", "dispersive");
+    term.parameters["formula"] = std::string("cauchy");
+    term.parameters["cauchy"] = glm::dvec3(index - b * square(0.5876) - 0.001, b, 0.0);
+    term.parameters["temperature.slope"] = 1e-5;
+    term.parameters["temperature.measured"] = 20.0;
+    term.parameters["temperature"] = 120.0; // + 0.001
+    set(scene_.objects[0], "index.from", std::string("surface"));
+    set(scene_.objects[0], "index", 1.2);
+    set(scene_.objects[0], "dispersion", 0.0);
+    scene_.objects[0].material.accuracy["wavelengths"] = "5";
+    const Image picture = drawn(17);
+    for (std::size_t i = 0; i < own.pixels.size(); ++i) {
+        EXPECT_NEAR(picture.pixels[i], own.pixels[i], 1e-4f) << i;
+    }
+}
+
 class RefractionOfAPane : public RefractionTest {};
 
 TEST_F(RefractionOfAPane, Tilted_ShiftsWhatIsBehind) {

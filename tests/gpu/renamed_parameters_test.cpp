@@ -8,9 +8,9 @@
 #include "catalog/shader_names.h"
 #include "scene/environment.h"
 #include "scene/transparency.h"
+#include "shading/effects/body_index.h"
 #include "shading/effects/fog.h"
 #include "shading/effects/outline.h"
-#include "shading/effects/refraction.h"
 #include "shading_scene.h"
 #include "support/program.h"
 
@@ -156,7 +156,7 @@ class RenamedParameters : public ShadingTest {
     }
 
     static double index(const Catalog& blocks, const Material& material) {
-        return bodyIndex(material, refractionChoice(material, blocks), blocks);
+        return BodyIndex(material, refractionChoice(material, blocks), blocks).channels().y;
     }
 };
 

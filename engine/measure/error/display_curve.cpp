@@ -6,7 +6,7 @@
 #include "catalog/parameter_layout.h"
 #include "core/color.h"
 #include "core/exposure.h"
-#include "measure/eval/compiled_block.h"
+#include "shading/program/compiled_block.h"
 
 namespace patina {
 

@@ -10,9 +10,9 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "measure/eval/compiled_block.h"
 #include "shading/effects/effect_set.h"
 #include "shading/effects/surface_buffer_layout.h"
+#include "shading/program/compiled_block.h"
 
 namespace patina {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "measure/eval/compiled_block.h"
+#include "shading/program/compiled_block.h"
 
 namespace patina {
 namespace {

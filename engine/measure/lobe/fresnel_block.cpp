@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "measure/eval/compiled_block.h"
 #include "measure/stability/sweep_cases.h"
+#include "shading/program/compiled_block.h"
 
 namespace patina {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "measure/eval/compiled_block.h"
 #include "measure/lobe/fresnel_block.h"
+#include "shading/program/compiled_block.h"
 
 namespace patina {
 namespace {

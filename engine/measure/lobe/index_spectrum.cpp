@@ -11,9 +11,9 @@
 #include "catalog/fills.h"
 #include "catalog/spectrum.h"
 #include "catalog/wavelengths.h"
-#include "measure/eval/compiled_block.h"
 #include "measure/lobe/fresnel_block.h"
 #include "measure/stability/sweep_cases.h"
+#include "shading/program/compiled_block.h"
 
 namespace patina {
 namespace {

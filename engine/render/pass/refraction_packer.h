@@ -11,8 +11,9 @@
 namespace patina {
 
 /// Writes the refraction data of a material to its `objectData`: the block's values, with the index
-/// of refraction from bodyIndex(), the scene's background colour, and the index for each of its
-/// wavelengths. It allocates nothing once the number of wavelengths is known.
+/// of refraction from BodyIndex, the scene's background colour, and the index for each of its
+/// wavelengths. It allocates nothing once the number of wavelengths is known, unless the Fresnel
+/// term works the index out.
 void packRefraction(std::span<glm::vec4> out, const Pipeline& pipeline, const Material& material,
                     const Scene& scene);
 

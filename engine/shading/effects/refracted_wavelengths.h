@@ -12,11 +12,6 @@ namespace patina {
 /// the block does not let them be chosen.
 int wavelengthCount(const BlockUse& refraction);
 
-/// Returns the index for light of a wavelength in nm, > 0, of a body whose index for the line d is
-/// given, and whose dispersion is 20 over its Abbe number: Cauchy's two terms, as
-/// dispersedIndices() has them (lib/interface.glsl). At least 0.01.
-double indexAt(double wavelength, double index, double dispersion);
-
 /// Says where the wavelengths of a body lie in `objectData`, a vec4 for each: its shares of the
 /// three channels, then the body's index for it, which is packed with the refraction.
 struct WavelengthPlace {

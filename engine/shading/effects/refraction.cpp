@@ -11,6 +11,7 @@
 
 #include "catalog/wavelength_choice.h"
 #include "measured/spectrum_color.h"
+#include "shading/effects/body_index.h"
 #include "shading/effects/data_layout.h"
 #include "shading/effects/effect_set.h"
 #include "shading/effects/refracted_wavelengths.h"
@@ -20,58 +21,13 @@
 namespace patina {
 namespace {
 
-std::optional<double> numberIn(const Block& block, const Values& values, std::string_view role) {
-    const Parameter* parameter = block.withRole(role);
-    const auto* number =
-        parameter == nullptr ? nullptr : std::get_if<double>(&givenValue(*parameter, values));
-    return number == nullptr ? std::nullopt : std::optional(*number);
-}
-
-/// Returns the index of a dielectric that reflects so much of what meets it straight.
-double indexOf(const glm::dvec3& f0) {
-    const double mean = std::clamp((f0.x + f0.y + f0.z) / 3.0, 0.0, 0.66);
-    return (1.0 + std::sqrt(mean)) / (1.0 - std::sqrt(mean));
-}
-
-std::optional<double> fresnelIndex(const Block& block, const Values& values) {
-    const auto outside = numberIn(block, values, roles::indexOutside);
-    const auto inside = numberIn(block, values, roles::indexInside);
-    if (outside && inside) {
-        return *inside / std::max(*outside, 1e-6);
-    }
-    const Parameter* f0 = block.withRole(roles::f0);
-    const auto* color = f0 == nullptr ? nullptr : std::get_if<glm::dvec3>(&givenValue(*f0, values));
-    return color == nullptr ? std::nullopt : std::optional(indexOf(*color));
-}
-
-/// Returns the index that the material has by what else it is made of.
-std::optional<double> surfaceIndex(const Material& material, const Catalog& catalog) {
-    const BlockValues* part = material.part(kinds::fresnel);
-    const Block* fresnel = part == nullptr ? nullptr : catalog.find(kinds::fresnel, part->id);
-    if (fresnel != nullptr) {
-        if (const auto index = fresnelIndex(*fresnel, part->parameters)) {
-            return index;
-        }
-    }
-    const Block* model = catalog.find(kinds::models, material.model.id);
-    return model == nullptr ? std::nullopt
-                            : numberIn(*model, material.model.parameters, roles::index);
-}
-
-bool isOwn(const Block& block, const Values& values) {
-    const Parameter* from = block.withRole(roles::indexFrom);
-    const auto* word =
-        from == nullptr ? nullptr : std::get_if<std::string>(&givenValue(*from, values));
-    return word == nullptr || *word == "own";
-}
-
 bool isNeutral(const Material& material, const RefractionChoice& choice, const Catalog& catalog) {
     const auto colors = [&choice](const Parameter& parameter) {
         return parameter.role == roles::filter &&
                givenValue(parameter, *choice.values) != Value(glm::dvec3(1.0));
     };
     return std::ranges::none_of(choice.block->parameters, colors) &&
-           bodyIndex(material, choice, catalog) == 1.0;
+           BodyIndex(material, choice, catalog).channels() == glm::dvec3(1.0);
 }
 
 const char* whatIsBehind(const EffectSet& set) {
@@ -79,6 +35,14 @@ const char* whatIsBehind(const EffectSet& set) {
         return set.environment ? "the scene and the environment" : "the scene";
     }
     return set.environment ? "the environment" : "the background's colour";
+}
+
+std::string indexText(const BodyIndex& index) {
+    const glm::dvec3& each = index.channels();
+    return index.bendsApart()
+               ? fmt::format("indices of {:.4g}, {:.4g} and {:.4g} for red, green and blue", each.x,
+                             each.y, each.z)
+               : fmt::format("an index of {:.4g}", each.y);
 }
 
 std::string refractionText(const EffectSubject& subject, const EffectSet& set) {
@@ -89,8 +53,8 @@ std::string refractionText(const EffectSubject& subject, const EffectSet& set) {
     const int wavelengths = set.refraction ? wavelengthCount(*set.refraction) : 0;
     const std::string rays =
         wavelengths > 0 ? fmt::format(", in light of {} wavelengths,", wavelengths) : "";
-    return fmt::format("What passes is refracted with an index of {:.4g}{} and shows {}.{}",
-                       bodyIndex(*subject.material, choice, subject.catalog), rays,
+    const BodyIndex index(*subject.material, choice, subject.catalog, subject.scene.wavelengths);
+    return fmt::format("What passes is refracted with {}{} and shows {}.{}", indexText(index), rays,
                        whatIsBehind(set), order);
 }
 
@@ -260,34 +224,11 @@ RefractionChoice refractionChoice(const Material& material, const Catalog& catal
     return choice;
 }
 
-double bodyIndex(const Material& material, const RefractionChoice& choice, const Catalog& catalog) {
-    std::optional<double> index;
-    if (!isOwn(*choice.block, *choice.values)) {
-        index = surfaceIndex(material, catalog);
-    }
-    if (!index) {
-        index = numberIn(*choice.block, *choice.values, roles::index);
-    }
-    const double given = index.value_or(1.0);
-    return std::isfinite(given) ? std::clamp(given, 0.1, 10.0) : 1.0;
-}
-
 int wavelengthCount(const BlockUse& refraction) {
     const AccuracyChoice* choice = wavelengthChoice(refraction.block());
     return choice == nullptr || !bendsColorsApart(refraction)
                ? 0
                : wholeNumber(refraction.level(*choice)).value_or(0);
-}
-
-double indexAt(double wavelength, double index, double dispersion) {
-    // The lines F, d and C by which Abbe numbers are stated, in micrometres.
-    constexpr double lineF = 0.4861;
-    constexpr double lineD = 0.5876;
-    constexpr double lineC = 0.6563;
-    const double spread = 0.05 * dispersion * (index - 1.0);
-    const double b = spread / (1.0 / (lineF * lineF) - 1.0 / (lineC * lineC));
-    const double micrometres = 0.001 * wavelength;
-    return std::max(index + b * (1.0 / (micrometres * micrometres) - 1.0 / (lineD * lineD)), 0.01);
 }
 
 std::optional<WavelengthPlace> wavelengthPlace(const ObjectLayout& layout) {
@@ -327,6 +268,11 @@ void RefractionEffect::choose(const MaterialSubject& subject, const EffectSet&) 
     refraction.reset();
     if (choice.block != nullptr) {
         refraction.emplace(*choice.block, *choice.values, subject.material.accuracy);
+        const Parameter* dispersion = choice.block->withRole(roles::dispersion);
+        if (dispersion != nullptr &&
+            BodyIndex(subject.material, choice, subject.catalog).bendsApart()) {
+            refraction->setUnequal(*dispersion);
+        }
         const AccuracyChoice* wavelengths = wavelengthChoice(*choice.block);
         if (wavelengths != nullptr && !bendsColorsApart(*refraction)) {
             refraction->setExact(*wavelengths);

@@ -15,14 +15,8 @@ struct RefractionChoice {
 };
 
 /// A neutral choice is left out: where nothing passes, and where the index is 1 and nothing is
-/// coloured. Allocates nothing.
+/// coloured. Allocates nothing, unless the index is one that the Fresnel term works out.
 RefractionChoice refractionChoice(const Material& material, const Catalog& catalog);
-
-/// Returns the index of the body relative to what surrounds it, by the roles of parameters: the
-/// block's own `index`, or, where its `indexFrom` does not say "own", that of the material's
-/// Fresnel term (`indexInside` over `indexOutside`, or sqrt(f0) = (n - 1) / (n + 1) for the mean of
-/// `f0`), or the model's `index`. 0.1 .. 10.
-double bodyIndex(const Material& material, const RefractionChoice& choice, const Catalog& catalog);
 
 /// Tells whether light leaves it in its old direction: a pane, which has a thickness.
 bool isSheet(const Block& refraction);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "measure/eval/compiled_block.h"
+#include "shading/program/compiled_block.h"
 
 #include <algorithm>
 
