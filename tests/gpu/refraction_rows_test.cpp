@@ -178,6 +178,13 @@ TEST_F(RefractionRows, Pane_HasOneRayByTheConstants) {
     EXPECT_DOUBLE_EQ(ofGlass().ofBlock(), ofGlass().at(srgbWavelengths.y));
 }
 
+TEST_F(RefractionRows, MirroredByATerm_SaysSo) {
+    glass().parts["fresnel"] = block("fresnel", "thin-film");
+    EXPECT_EQ(row("refraction").line.reason,
+              "What passes is refracted with an index of 1.52 and shows the background's colour. "
+              "What its surface mirrors is by the Fresnel term.");
+}
+
 TEST_F(RefractionRows, ThatBendsAllAlike_KnowsNoWavelengths) {
     const std::string plain = text();
     for (const char* level : {"15", "9", "5", "3"}) {
@@ -210,7 +217,7 @@ TEST_F(RefractionRows, Wavelengths_AreAChoiceWhereColoursBendApart) {
 }
 
 TEST_F(RefractionRows, Key_DiffersExactlyWhereTheTextDoes) {
-    std::vector<Material> materials(12, glass());
+    std::vector<Material> materials(14, glass());
     materials[1].opacity = 1.0;
     materials[2].parts["refraction"].parameters["index"] = 1.0;
     materials[3].parts["refraction"].parameters["index"] = 1.7;
@@ -224,6 +231,9 @@ TEST_F(RefractionRows, Key_DiffersExactlyWhereTheTextDoes) {
     materials[10] = materials[4];
     materials[10].accuracy["wavelengths"] = "9";
     materials[11].parts["fresnel"] = block("fresnel", "dispersive");
+    materials[12].parts["fresnel"] = block("fresnel", "thin-film");
+    materials[13] = materials[12];
+    materials[13].parts["refraction"].parameters["index.from"] = std::string("own");
     for (const Material& a : materials) {
         for (const Material& b : materials) {
             EXPECT_EQ(EffectKey::ofMaterial(a, catalog()) == EffectKey::ofMaterial(b, catalog()),

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <map>
 
+#include "catalog/parameter_layout.h"
 #include "measured/spectrum_color.h"
+#include "reference/reference.h"
 #include "refraction_fixture.h"
+#include "shading/effects/surface_program.h"
 
 namespace patina::refraction_test {
 namespace {
@@ -421,6 +424,106 @@ TEST_F(RefractionOfAPane, Opacity_MixesTheSurfaceIn) {
 }
 
 class Refraction : public RefractionTest {};
+
+/// Bodies whose Fresnel term decides what they mirror.
+class MirroredByATerm : public RefractionTest {
+  protected:
+    /// Makes a body of which a white square is seen, with a film of magnesium fluoride on it.
+    void coat(const std::string& mesh, const std::string& kind, double thickness) {
+        scene_.background = glm::dvec3(0.0);
+        scene_.objects = {clear(mesh, kind, 1.2), glowing(glm::dvec3(1.0), {0.0, 0.0, -2.0})};
+        scene_.objects[0].rotation.x = mesh == "plane" ? 90.0 : 0.0;
+        set(scene_.objects[0], "index.from", std::string("surface"));
+        BlockValues& term = scene_.objects[0].material.parts["fresnel"];
+        term = block("fresnel", "thin-film");
+        term.parameters["film.thickness"] = thickness;
+    }
+
+    /// Returns what the film mirrors facing the light.
+    glm::dvec3 facing() const {
+        const BlockValues& term = *scene_.objects[0].material.part("fresnel");
+        const Block& film = *catalog->find("fresnel", term.id);
+        return reference::findBlock("fresnel", term.id)
+            ->fresnel(1.0, 0.0, packed(film, term.parameters, {}));
+    }
+};
+
+/// Four per cent of each face of bare glass become one of coated glass.
+TEST_F(MirroredByATerm, ABall_LetsThroughWhatItsFilmDoesTwice) {
+    for (const double thickness : {0.0, 549.1 / (4.0 * 1.38), 250.0}) {
+        coat("ball", "solid-body", thickness);
+        const glm::dvec3 left = 1.0 - facing();
+        const glm::dvec3 seen(middle(drawn(33)));
+        EXPECT_LT(glm::distance(seen, left * left), 1e-3) << thickness;
+    }
+    coat("ball", "solid-body", 549.1 / (4.0 * 1.38));
+    EXPECT_GT(middle(drawn(33)).g, 0.97f);
+}
+
+TEST_F(MirroredByATerm, APane_LetsThroughWhatBothItsFacesDo) {
+    for (const double thickness : {0.0, 549.1 / (4.0 * 1.38), 250.0}) {
+        coat("plane", "thin-pane", thickness);
+        const glm::dvec3 share = facing();
+        const glm::dvec3 seen(middle(drawn(33)));
+        EXPECT_LT(glm::distance(seen, 1.0 - 2.0 * share / (1.0 + share)), 1e-3) << thickness;
+    }
+}
+
+TEST_F(MirroredByATerm, InWhiteSurroundings_IsWhite) {
+    surround(true);
+    for (const char* fresnel : {"thin-film", "schlick", "empirical", "constant"}) {
+        for (const double dispersion : {0.0, 1.0}) {
+            scene_.objects = {clear("sphere", "solid-body", 1.5)};
+            set(scene_.objects[0], "index.from", std::string("surface"));
+            set(scene_.objects[0], "dispersion", dispersion);
+            BlockValues& term = scene_.objects[0].material.parts["fresnel"];
+            term = block("fresnel", fresnel);
+            if (const Parameter* f0 = catalog->find("fresnel", fresnel)->withRole(roles::f0)) {
+                term.parameters[f0->id] = glm::dvec3(0.1, 0.2, 0.3);
+            }
+            scene_.objects[0].material.accuracy["wavelengths"] = "3";
+            for (const float value : drawn(17).pixels) {
+                ASSERT_NEAR(value, 1.0f, 2e-3f) << fresnel << ' ' << dispersion;
+            }
+        }
+    }
+}
+
+/// With as thick a film as is none the body is the clear one of its index, whatever its rays.
+TEST_F(MirroredByATerm, WithoutAFilm_IsTheBodyOfItsIndex) {
+    for (const double dispersion : {0.0, 1.0}) {
+        surround(false);
+        coat("sphere", "solid-body", 0.0);
+        set(scene_.objects[0], "dispersion", dispersion);
+        scene_.objects[0].material.accuracy["wavelengths"] = "3";
+        const Image coated = drawn(17);
+        scene_.objects[0].material.parts.erase("fresnel");
+        set(scene_.objects[0], "index", 1.52);
+        const Image bare = drawn(17);
+        for (std::size_t i = 0; i < bare.pixels.size(); ++i) {
+            ASSERT_NEAR(coated.pixels[i], bare.pixels[i], 3e-3f) << dispersion << ' ' << i;
+        }
+    }
+}
+
+/// The body's own index says nothing of its surface, nor does a term that is told by an index.
+TEST_F(MirroredByATerm, OnlyWhereItsIndexIsTheTerms) {
+    coat("sphere", "solid-body", 100.0);
+    const auto text = [this] {
+        const EffectSet set = effectSet(scene_.objects[0].material, scene_, *catalog);
+        const auto program = surfaceProgram(set, *catalog);
+        EXPECT_TRUE(program);
+        return program ? program->fragment.text : std::string();
+    };
+    EXPECT_NE(text().find("termShare"), std::string::npos);
+    set(scene_.objects[0], "index.from", std::string("own"));
+    EXPECT_EQ(text().find("termShare"), std::string::npos);
+    set(scene_.objects[0], "index.from", std::string("surface"));
+    for (const char* fresnel : {"dielectric", "dispersive"}) {
+        scene_.objects[0].material.parts["fresnel"] = block("fresnel", fresnel);
+        EXPECT_EQ(text().find("termShare"), std::string::npos) << fresnel;
+    }
+}
 
 /// All that arrives is 1: neither more nor less leaves, whatever becomes of the rays.
 TEST_F(Refraction, InWhiteSurroundings_IsWhite) {

@@ -16,6 +16,7 @@
 #include "shading/effects/effect_set.h"
 #include "shading/effects/refracted_wavelengths.h"
 #include "shading/effects/surface_text.h"
+#include "shading/program/compiled_block.h"
 #include "shading/program/given_value.h"
 
 namespace patina {
@@ -54,8 +55,10 @@ std::string refractionText(const EffectSubject& subject, const EffectSet& set) {
     const std::string rays =
         wavelengths > 0 ? fmt::format(", in light of {} wavelengths,", wavelengths) : "";
     const BodyIndex index(*subject.material, choice, subject.catalog, subject.scene.wavelengths);
-    return fmt::format("What passes is refracted with {}{} and shows {}.{}", indexText(index), rays,
-                       whatIsBehind(set), order);
+    const char* mirrored =
+        set.mirrorsByTerm ? " What its surface mirrors is by the Fresnel term." : "";
+    return fmt::format("What passes is refracted with {}{} and shows {}.{}{}", indexText(index),
+                       rays, whatIsBehind(set), mirrored, order);
 }
 
 bool bendsColorsApart(const BlockUse& use) {
@@ -66,8 +69,8 @@ bool bendsColorsApart(const BlockUse& use) {
            });
 }
 
-/// One ray stands for all colours where they are refracted alike: green. Else each wavelength has
-/// one, or each channel where the block does not let wavelengths be chosen.
+/// One ray stands for all colours where they are refracted and mirrored alike: green. Else each
+/// wavelength has one, or each channel where the block does not let wavelengths be chosen.
 std::string channelSource(const SurfaceText& text, const BlockUse& use) {
     if (const auto wavelengths = wavelengthPlace(text.object)) {
         return fmt::format("#define WAVELENGTHS {}\n#define FIRST_WAVELENGTH {}\n"
@@ -76,8 +79,9 @@ std::string channelSource(const SurfaceText& text, const BlockUse& use) {
                            fieldName(use.block().withRole(roles::index)->id),
                            fieldName(use.block().withRole(roles::dispersion)->id));
     }
-    return bendsColorsApart(use) ? "#define FIRST_CHANNEL 0\n#define LAST_CHANNEL 2\n"
-                                 : "#define FIRST_CHANNEL 1\n#define LAST_CHANNEL 1\n";
+    return bendsColorsApart(use) || text.set.mirrorsByTerm
+               ? "#define FIRST_CHANNEL 0\n#define LAST_CHANNEL 2\n"
+               : "#define FIRST_CHANNEL 1\n#define LAST_CHANNEL 1\n";
 }
 
 /// Writes the way of a ray inside. A sheet's field may be called otherwise than its role.
@@ -115,6 +119,56 @@ std::string namesSource(const Block& block) {
     return fmt::format("#define Refraction {0}\n#define refractedRay {1}\n"
                        "#define mirroredShare {1}Mirrored\n#define leftShare {1}Left\n",
                        structName(block), function);
+}
+
+/// Returns the material's Fresnel term that the model calls or that is blended over its light.
+const BlockUse* termIn(const EffectSet& set) {
+    const auto slot = std::ranges::find(set.slots, kinds::fresnel, [](const BlockUse& use) {
+        return std::string_view(use.block().kind);
+    });
+    return slot != set.slots.end() ? &*slot : set.blend ? &*set.blend : nullptr;
+}
+
+int placeOf(const BlockUse& term, const SurfaceText& text) {
+    const auto isSlot = [&term](const BlockPlace& place) { return place.block == &term.block(); };
+    const auto slot = std::ranges::find_if(text.object.slots, isSlot);
+    return slot != text.object.slots.end() ? slot->first
+                                           : text.object.part(kinds::fresnel)->first;
+}
+
+/// Tells whether the term reflects what a clear surface of its index does.
+bool isOfIndex(const Block& term) {
+    const auto code = compiledBlock(term);
+    return term.withRole(roles::indexInside) != nullptr ||
+           (code && (*code)->optionalCall(reference::indicesSuffix) != nullptr);
+}
+
+/// Tells whether the material's Fresnel term decides what a body mirrors, and its index does not.
+bool isMirroredByTerm(const MaterialSubject& subject, const RefractionChoice& choice,
+                      const EffectSet& set) {
+    const BlockUse* term = termIn(set);
+    const BlockValues* part = subject.material.part(kinds::fresnel);
+    return term != nullptr && part != nullptr && part->id == term->block().id &&
+           !hasOwnIndex(choice) && !isOfIndex(term->block());
+}
+
+/// Puts the share that the Fresnel term mirrors in the place of the block's own.
+void writeTerm(SurfaceText& text, const Block& refraction, bool bendsApart) {
+    const BlockUse& use = *termIn(text.set);
+    const Block& term = use.block();
+    text.addBlock(term);
+    text.addUnpack(use, "unpackTerm");
+    text.out.add(fmt::format("#define Term {}\n#define termReflectance {}\n"
+                             "#define OF_FACES(share) {}\n",
+                             structName(term), functionName(term),
+                             isSheet(refraction) ? "paneReflectance(share)" : "(share)"));
+    text.out.addFile(bendsApart ? "passes/refraction_term_wavelength.glsl"
+                                : "passes/refraction_term_channel.glsl");
+    text.out.addFile("passes/refraction_term.glsl");
+    text.out.add("#undef mirroredShare\n#define mirroredShare termShare\n");
+    text.out.add(bendsApart ? "#define forWavelength termForWavelength\n" : "");
+    text.last += fmt::format("    surfaceTerm = unpackTerm({});\n", placeOf(use, text)) +
+                 text.textures.values(kinds::fresnel, "surfaceTerm");
 }
 
 /// Returns the choice whose levels count reflections inside of a body; null where there is none.
@@ -263,7 +317,7 @@ bool showsSceneRefracted(const Scene& scene, const Catalog& catalog) {
     return isSeen(scene.ground) || std::ranges::count_if(scene.objects, isDrawn) > 1;
 }
 
-void RefractionEffect::choose(const MaterialSubject& subject, const EffectSet&) {
+void RefractionEffect::choose(const MaterialSubject& subject, const EffectSet& set) {
     const RefractionChoice choice = refractionChoice(subject.material, subject.catalog);
     refraction.reset();
     if (choice.block != nullptr) {
@@ -278,6 +332,12 @@ void RefractionEffect::choose(const MaterialSubject& subject, const EffectSet&) 
             refraction->setExact(*wavelengths);
         }
     }
+    mirrorsByTerm = refraction && isMirroredByTerm(subject, choice, set);
+}
+
+void RefractionEffect::addTo(ChoiceHash& hash) const {
+    hash.add(refraction);
+    hash.add(mirrorsByTerm);
 }
 
 /// Where nothing is behind the body no rays look for it.
@@ -330,6 +390,9 @@ void RefractionEffect::write(SurfaceText& text) const {
     const bool bendsApart = wavelengthCount(*refraction) > 0;
     if (bendsApart) {
         text.out.addFile("passes/refraction_wavelengths.glsl");
+    }
+    if (mirrorsByTerm) {
+        writeTerm(text, block, bendsApart);
     }
     // The way inside is looked along only where there is one.
     text.out.add(isSheet(block) ? "#define STEPS_INSIDE 0\n" : "#define STEPS_INSIDE 8\n");

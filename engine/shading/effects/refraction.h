@@ -37,11 +37,14 @@ struct RefractionEffect {
     static constexpr bool isKnownToReference = true;
 
     std::optional<BlockUse> refraction;
+    /// Says that what the surface mirrors is by the material's Fresnel term, whose index does not
+    /// tell it.
+    bool mirrorsByTerm = false;
 
     void choose(const MaterialSubject& subject, const EffectSet& set);
     void choose(const SceneSubject& subject, const EffectSet& set);
     void admit(const BlockUse& use) { admitTo(refraction, kinds::refraction, use); }
-    void addTo(ChoiceHash& hash) const { hash.add(refraction); }
+    void addTo(ChoiceHash& hash) const;
     void list(EffectListing& listing, const EffectSet& set) const;
     void listMissing(LeftOutListing& listing, const EffectSet& set) const;
     EffectLine absent(const EffectSet&) const {
