@@ -107,6 +107,10 @@ inline constexpr std::string_view factorSuffixes[] = {"Distribution", "Masking"}
 /// works out from its values; not every block has one.
 inline constexpr std::string_view indicesSuffix = "Indices";
 
+/// Ends the name of a function by which a Fresnel block tells what it reflects of light that swings
+/// across the plane of incidence, where the roles of its parameters do not.
+inline constexpr std::string_view acrossSuffix = "Across";
+
 /// Holds a compiled block.
 struct Block {
     std::string_view kind;

@@ -37,3 +37,18 @@ vec3 dispersiveFresnel(Incidence i, DispersiveFresnel p) {
 vec3 dispersiveFresnelTint(DispersiveFresnel p) {
     return p.color;
 }
+
+float dispersiveAcross(Incidence i, float etaI, float etaT) {
+    float Rs;
+    float Rp;
+    dielectricReflectances(i, etaI, etaT, Rs, Rp);
+    return Rs;
+}
+
+// The same for light that swings across the plane of incidence.
+vec3 dispersiveFresnelAcross(Incidence i, DispersiveFresnel p) {
+    vec3 indices = dispersiveFresnelIndices(p);
+    return vec3(dispersiveAcross(i, p.indexOutside, indices.x),
+                dispersiveAcross(i, p.indexOutside, indices.y),
+                dispersiveAcross(i, p.indexOutside, indices.z));
+}

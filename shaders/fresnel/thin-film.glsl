@@ -94,3 +94,35 @@ vec3 thinFilmFresnel(Incidence i, ThinFilmFresnel p) {
 vec3 thinFilmFresnelTint(ThinFilmFresnel p) {
     return p.color;
 }
+
+// The reflectance of light that swings across the plane of incidence. It knows the media by u_j
+// alone, so it is that of media of the indices u_j seen straight; where u1 is 0 or imaginary it is
+// worked out by the matrix of s, with everything divided by cosh.
+float filmAcross(Incidence i, float n0, float n1, float phase, float eta, float k) {
+    float u0 = n0 * i.c;
+    float u12 = squareAcross(n1, n0, i);
+    float imaginary = 2.0 * eta * k;
+    float t = squareAcross(eta, n0, i) - k * k;
+    float big = 0.5 * (sqrt(t * t + imaginary * imaginary) + abs(t));
+    float less = 0.25 * imaginary * imaginary / max(big, 1e-30);
+    vec2 u2 = vec2(sqrt(t > 0.0 ? big : less), sqrt(t > 0.0 ? less : big));
+    if (u12 > 1e-10) {
+        return filmReflectance(incidenceOf(1.0), u0, sqrt(u12), phase, u2.x, u2.y);
+    }
+    float w = sqrt(max(-u12, 0.0));
+    float x = phase * w;
+    float e = exp(-2.0 * x);
+    float S1 = w > 1e-10 ? filmTanh(x) / w : phase;
+    float S2 = -w * filmTanh(x);
+    vec2 B = vec2(1.0 + S1 * u2.y, -S1 * u2.x) * u0;
+    vec2 C = vec2(u2.x, u2.y - S2);
+    return filmShare(B - C, B + C, u0 * u2.x * 4.0 * e / ((1.0 + e) * (1.0 + e)));
+}
+
+// The same per channel, at its wavelength.
+vec3 thinFilmFresnelAcross(Incidence i, ThinFilmFresnel p) {
+    vec3 phase = vec3(2.0 * PI * p.filmThickness) / p.wavelength;
+    return vec3(filmAcross(i, p.indexOutside, p.filmIndex, phase.x, p.eta.x, p.k.x),
+                filmAcross(i, p.indexOutside, p.filmIndex, phase.y, p.eta.y, p.k.y),
+                filmAcross(i, p.indexOutside, p.filmIndex, phase.z, p.eta.z, p.k.z));
+}

@@ -42,3 +42,9 @@ float acrossOf(vec3 l, vec3 v, vec4 field) {
     float along = dot(across, swings);
     return size > 1e-14 ? mix(0.5, min(along * along / size, 1.0), field.w) : 0.5;
 }
+
+// The reflectance of that light by that of ordinary light and that of light that swings across the
+// plane of incidence.
+vec3 polarisedOf(vec3 ordinary, vec3 across) {
+    return max(mix(2.0 * ordinary - across, across, fieldAcross), vec3(0.0));
+}

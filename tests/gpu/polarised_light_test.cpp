@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Polarised light and the Fresnel terms that it meets.
+#include <array>
 #include <cmath>
-#include <set>
 
+#include "catalog/parameter_layout.h"
 #include "gpu_fixture.h"
 #include "measure/lobe/fresnel_curve.h"
+#include "reference/reference.h"
+#include "shading/effects/effect_rows.h"
 #include "shading/effects/surface_program.h"
 
 namespace patina::polarised_light_test {
@@ -81,9 +84,57 @@ TEST_F(PolarisedLight, InThePlaneOfIncidenceAtBrewstersAngle_IsDark) {
     EXPECT_NEAR(seen(polarised(scene, across), size).y, 2.0 * ordinary, 2e-3 * ordinary);
 }
 
+/// The same by the constants of glass.
+TEST_F(PolarisedLight, AtBrewstersAngleOfConstants_IsDark) {
+    const Scene scene = mirror("dispersive", glm::degrees(std::atan(1.5186))); // at 549 nm
+    constexpr int size = 33;
+    const double ordinary = seen(scene, size).y;
+    EXPECT_GT(ordinary, 0.01);
+    EXPECT_LT(seen(polarised(scene, along), size).y, 2e-4 * ordinary);
+}
+
+/// Of a film each part is its own: neither of the bare glass.
+TEST_F(PolarisedLight, OnAFilm_IsReflectedAsInDoublePrecision) {
+    const Block& film = *catalog->find("fresnel", "thin-film");
+    const Values values = defaults("fresnel", "thin-film");
+    for (const double degrees : {30.0, 50.0, 70.0}) {
+        Scene scene = mirror("thin-film", degrees);
+        scene.objects[0].material.parts["fresnel"].parameters = values;
+        const double c = std::cos(glm::radians(degrees));
+        const std::array<double, 2> incidence{c, 1.0 - c};
+        const std::vector<double> packedValues = packed(film, values, {});
+        const reference::Block& code = *reference::findBlock("fresnel", "thin-film");
+        const auto right = code.call<3>(reference::acrossSuffix, incidence, packedValues);
+        const glm::dvec3 ordinary = code.fresnel(c, 1.0 - c, packedValues);
+        const glm::dvec3 s = seen(polarised(scene, across));
+        const glm::dvec3 p = seen(polarised(scene, along));
+        for (int channel = 0; channel < 3; ++channel) {
+            const double ratio = 2.0 * ordinary[channel] / right[std::size_t(channel)] - 1.0;
+            EXPECT_NEAR(p[channel] / s[channel], ratio, 4e-3) << degrees << ' ' << channel;
+        }
+    }
+}
+
+/// A term without such parts says so.
+TEST_F(PolarisedLight, OnAnEmpiricalTerm_IsOrdinaryLightAndItsRowSaysSo) {
+    const auto reason = [this](const Scene& scene) {
+        for (const EffectRow& row : effectRows(scene, 0, *catalog)) {
+            if (row.line.effect == "fresnel/empirical") {
+                return row.line.reason;
+            }
+        }
+        return std::string();
+    };
+    const Scene scene = mirror("empirical", 50.0);
+    EXPECT_EQ(reason(scene), "The material chooses it for the model.");
+    EXPECT_EQ(reason(polarised(scene, along)),
+              "The material chooses it for the model. It knows no polarisation: polarised light is "
+              "mirrored like ordinary light.");
+    EXPECT_EQ(text(polarised(scene, along)).find("fieldAcross"), std::string::npos);
+}
+
 /// Ordinary light is half of each, whatever the term.
 TEST_F(PolarisedLight, AcrossAndAlong_AddUpToOrdinaryLight) {
-    const std::set<std::string> withoutInterface{"dispersive", "empirical", "thin-film"};
     for (const Block* fresnel : catalog->ofKind("fresnel")) {
         SCOPED_TRACE(fresnel->id);
         const Scene scene = mirror(fresnel->id, 50.0);
@@ -95,7 +146,7 @@ TEST_F(PolarisedLight, AcrossAndAlong_AddUpToOrdinaryLight) {
                         4e-3 * both[channel] + 1e-6);
         }
         const bool answers = one.y > 1.02 * other.y;
-        EXPECT_EQ(answers, !withoutInterface.contains(fresnel->id));
+        EXPECT_EQ(answers, fresnel->id != "empirical"); // which is no reflectance of a surface
     }
 }
 

@@ -2,7 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
+#include <numbers>
 
 #include "physics_cases.h"
 
@@ -234,6 +237,84 @@ TEST(ThinFilm, WithoutThickness_IsTheBareMetalOrGlass) {
 TEST(ThinFilm, HalfAWave_IsAsIfThereWereNone) {
     EXPECT_NEAR(film(550.0 / (2.0 * 1.38), 1.38, 1.52).reflectance(1.0),
                 dielectric(1.0, 1.52).reflectance(1.0), rounding);
+}
+
+using Complex = std::complex<double>;
+
+/// Returns |r|^2 of a film for light that swings across (s) or along the plane of incidence (p), by
+/// the characteristic matrix with complex numbers; `delta` is 2 pi over the wavelength times the
+/// thickness.
+double filmShare(double c, double n0, double n1, Complex n2, double delta, bool isAcross) {
+    const double across2 = n0 * n0 * (1.0 - c * c);
+    const Complex u0 = n0 * c;
+    const Complex u1 = std::sqrt(Complex(n1 * n1 - across2));
+    const Complex u2 = std::sqrt(n2 * n2 - across2);
+    const auto admittance = [isAcross](Complex n, Complex u) { return isAcross ? u : n * n / u; };
+    const Complex y0 = admittance(n0, u0);
+    const Complex y1 = admittance(n1, u1);
+    const Complex y2 = admittance(n2, u2);
+    const Complex i(0.0, 1.0);
+    const Complex phase = delta * u1;
+    const Complex b = std::cos(phase) - i * std::sin(phase) / y1 * y2;
+    const Complex d = std::cos(phase) * y2 - i * y1 * std::sin(phase);
+    return std::norm((y0 * b - d) / (y0 * b + d));
+}
+
+/// From glass an air gap lets less and less through: the film's u1 is then imaginary.
+TEST(ThinFilm, AcrossAndAlongThePlane_AreThoseOfTheMatrix) {
+    for (const double outside : {1.0, 1.5}) {
+        for (const double index : {1.0001, 1.38, 2.5}) {
+            for (const Complex below : {Complex(1.52), Complex(2.9, 3.1), Complex(0.2, 4.0)}) {
+                for (const double thickness : {0.0, 100.0, 700.0}) {
+                    const Subject made("fresnel", "thin-film",
+                                       {{"film.thickness", thickness},
+                                        {"film.index", index},
+                                        {"eta", glm::dvec3(below.real())},
+                                        {"k", glm::dvec3(below.imag())},
+                                        {"index.outside", outside},
+                                        {"wavelength", glm::dvec3(550.0)}});
+                    for (const double c : {0.05, 0.3, 0.6, 0.9, 1.0}) {
+                        const std::array<double, 2> incidence{c, 1.0 - c};
+                        const double s = made.code->call<3>(reference::acrossSuffix, incidence,
+                                                            made.parameters)[0];
+                        const double p = 2.0 * made.reflectance(c) - s;
+                        const double delta = 2.0 * std::numbers::pi * thickness / 550.0;
+                        EXPECT_NEAR(s, filmShare(c, outside, index, below, delta, true), 1e-9)
+                            << outside << ' ' << index << ' ' << below << ' ' << thickness << ' '
+                            << c;
+                        EXPECT_NEAR(p, filmShare(c, outside, index, below, delta, false), 1e-9)
+                            << outside << ' ' << index << ' ' << below << ' ' << thickness << ' '
+                            << c;
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST(ThinFilm, AcrossThePlane_IsAShareInHardCases) {
+    for (const double outside : {0.01, 1.0, 100.0}) {
+        for (const double index : {0.1, 1.0, 10.0}) {
+            for (const double eta : {0.0, 1e-6, 1.0, 100.0}) {
+                for (const double k : {0.0, 100.0}) {
+                    const Subject made("fresnel", "thin-film",
+                                       {{"film.thickness", 10000.0},
+                                        {"film.index", index},
+                                        {"eta", glm::dvec3(eta)},
+                                        {"k", glm::dvec3(k)},
+                                        {"index.outside", outside},
+                                        {"wavelength", glm::dvec3(100.0)}});
+                    for (const double c : {0.0, 1e-8, 0.5, 1.0}) {
+                        const std::array<double, 2> incidence{c, 1.0 - c};
+                        const double s = made.code->call<3>(reference::acrossSuffix, incidence,
+                                                            made.parameters)[0];
+                        EXPECT_TRUE(s >= 0.0 && s <= 1.0)
+                            << outside << ' ' << index << ' ' << eta << ' ' << k << ' ' << c;
+                    }
+                }
+            }
+        }
+    }
 }
 
 TEST(BlinnF0Fresnel, FullReflectance_ReflectsEverythingAtEveryAngle) {

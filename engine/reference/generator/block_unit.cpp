@@ -25,24 +25,35 @@ bool isOfDirections(const BlockFunction& function) {
     return function.argument == directions;
 }
 
+/// Tells whether the block's own text has a function.
+bool isDeclared(const Block& block, const BlockFunction& wanted, const Declarations& own) {
+    std::vector<std::string> types;
+    if (!wanted.argument.empty()) {
+        types.emplace_back(wanted.argument);
+    }
+    types.push_back(structName(block));
+    const std::string name = functionName(block) + std::string(wanted.suffix);
+    return std::ranges::any_of(own.functions, [&](const FunctionDeclaration& function) {
+        return function.name == name && function.result == wanted.result &&
+               std::ranges::equal(function.arguments, types, {},
+                                  [](const auto& argument) { return std::string(argument.type); });
+    });
+}
+
 /// Returns the functions of a block that are called with numbers or Directions: those of its kind,
-/// and a Fresnel block's indices where its own text has them.
+/// and those of a Fresnel block that its own text has beside them.
 std::vector<BlockFunction> functionsOf(const Block& block, const Declarations& own) {
     const BlockKind* kind = findKind(block.kind);
     std::vector<BlockFunction> all;
     if (kind != nullptr) {
         all.assign(kind->functions.begin(), kind->functions.end());
     }
-    const std::string name = functionName(block) + std::string(reference::indicesSuffix);
-    const bool tellsIndices =
-        block.kind == kinds::fresnel &&
-        std::ranges::any_of(own.functions, [&](const FunctionDeclaration& function) {
-            return function.name == name && function.result == "vec3" &&
-                   function.arguments.size() == 1 &&
-                   function.arguments[0].type == structName(block);
-        });
-    if (tellsIndices) {
-        all.push_back(BlockFunction{reference::indicesSuffix, "vec3"});
+    const BlockFunction optional[] = {{reference::indicesSuffix, "vec3"},
+                                      {reference::acrossSuffix, "vec3", "Incidence", "i"}};
+    for (const BlockFunction& each : optional) {
+        if (block.kind == kinds::fresnel && isDeclared(block, each, own)) {
+            all.push_back(each);
+        }
     }
     return all;
 }

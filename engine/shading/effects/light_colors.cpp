@@ -10,6 +10,7 @@
 #include "core/text.h"
 #include "shading/effects/surface_text.h"
 #include "shading/program/block_source.h"
+#include "shading/program/compiled_block.h"
 #include "shading/program/given_value.h"
 
 namespace patina {
@@ -58,6 +59,27 @@ std::string polarisedChannel(const Block& block, std::string_view channel) {
     return f0.empty() ? std::string() : fmt::format("polarisedF0(i, {}.{})", f0, channel);
 }
 
+/// Tells whether the block itself says what it reflects of light that swings across the plane of
+/// incidence.
+bool tellsAcross(const Block& block) {
+    const auto code = compiledBlock(block);
+    return code && (*code)->optionalCall(reference::acrossSuffix) != nullptr;
+}
+
+bool knowsPolarisation(const Block& fresnel) {
+    return !polarisedChannel(fresnel, "x").empty() || tellsAcross(fresnel);
+}
+
+/// Returns an expression for the share of light of any polarisation, from that of ordinary light.
+std::string polarisedShare(const Block& fresnel) {
+    if (tellsAcross(fresnel)) {
+        return fmt::format("polarisedOf(ordinary, {}{}(i, p))", functionName(fresnel),
+                           reference::acrossSuffix);
+    }
+    return fmt::format("ordinary * vec3({}, {}, {})", polarisedChannel(fresnel, "x"),
+                       polarisedChannel(fresnel, "y"), polarisedChannel(fresnel, "z"));
+}
+
 bool isDiffuse(const Parameter& parameter) {
     return parameter.role == roles::diffuse;
 }
@@ -104,9 +126,15 @@ LightPolarisation lightPolarisation(const Block& light, const Values& values) {
 bool answersPolarisedLight(const EffectSet& set) {
     return std::ranges::any_of(set.lights, &LightGroup::isPolarised) &&
            std::ranges::any_of(set.slots, [](const BlockUse& slot) {
-               return slot.block().kind == kinds::fresnel &&
-                      !polarisedChannel(slot.block(), "x").empty();
+               return slot.block().kind == kinds::fresnel && knowsPolarisation(slot.block());
            });
+}
+
+std::string polarisationNote(const EffectSet& set, const Block& fresnel) {
+    const bool isNeeded = std::ranges::any_of(set.lights, &LightGroup::isPolarised) &&
+                          fresnel.kind == kinds::fresnel && !knowsPolarisation(fresnel);
+    return isNeeded ? " It knows no polarisation: polarised light is mirrored like ordinary light."
+                    : "";
 }
 
 void writePolarisedFresnel(SurfaceText& text, const Block& fresnel) {
@@ -126,11 +154,8 @@ void writePolarisedFresnel(SurfaceText& text, const Block& fresnel) {
                             "    }}\n",
                             filter, constant);
     }
-    code += fmt::format("    return ordinary * vec3({}, {}, {});\n}}\n"
-                        "#undef {}\n#define {} polarisedFresnel\n",
-                        polarisedChannel(fresnel, "x"), polarisedChannel(fresnel, "y"),
-                        polarisedChannel(fresnel, "z"), slotFunctionName(fresnel.kind),
-                        slotFunctionName(fresnel.kind));
+    code += fmt::format("    return {0};\n}}\n#undef {1}\n#define {1} polarisedFresnel\n",
+                        polarisedShare(fresnel), slotFunctionName(fresnel.kind));
     text.out.add(code);
 }
 

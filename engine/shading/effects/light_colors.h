@@ -54,8 +54,13 @@ std::string writeSeparateColors(SurfaceText& text, const std::string& from, int 
 /// such light.
 bool answersPolarisedLight(const EffectSet& set);
 
-/// Writes the Fresnel term of the model's slot once more, for polarised light: its reflectance
-/// times that of the light over that of ordinary light, by the indices that its roles name.
+/// Returns a sentence where a Fresnel term of the model does not answer to such light, with a space
+/// before it; else an empty text.
+std::string polarisationNote(const EffectSet& set, const Block& fresnel);
+
+/// Writes the Fresnel term of the model's slot once more, for polarised light: by its own function
+/// for light that swings across the plane of incidence, else its reflectance times that of the
+/// light over that of ordinary light, by the indices that its roles name.
 void writePolarisedFresnel(SurfaceText& text, const Block& fresnel);
 
 /// Writes the function that returns the ambient light of one of a group's lights, and returns its

@@ -86,14 +86,16 @@ void SlotsEffect::addTo(ChoiceHash& hash) const {
     }
 }
 
-void SlotsEffect::list(EffectListing& listing, const EffectSet&) const {
+void SlotsEffect::list(EffectListing& listing, const EffectSet& set) const {
     for (const BlockUse& slot : slots) {
-        listing.add(slot, [&slot](const EffectSubject& subject) -> std::string {
+        listing.add(slot, [&slot, &set](const EffectSubject& subject) -> std::string {
             const BlockValues* part = subject.material->part(slot.block().kind);
-            return part != nullptr && part->id == slot.block().id
-                       ? "The material chooses it for the model." +
-                             spectralRangeNote(slot.block(), part->parameters, subject.scene)
-                       : "The model needs one and the material chooses none.";
+            const std::string why =
+                part != nullptr && part->id == slot.block().id
+                    ? "The material chooses it for the model." +
+                          spectralRangeNote(slot.block(), part->parameters, subject.scene)
+                    : "The model needs one and the material chooses none.";
+            return why + polarisationNote(set, slot.block());
         });
     }
 }
