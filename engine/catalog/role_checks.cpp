@@ -18,9 +18,7 @@ std::string transparencyMistake(const Parameter& parameter) {
     if (parameter.type != ParameterType::Float || parameter.min < 0.0 || parameter.max > 1.0) {
         return "only a float from 0 to 1 can be a share that passes";
     }
-    return parameter.textureChannels.empty()
-               ? std::string()
-               : "what passes by a value that takes an image is not known";
+    return {};
 }
 
 bool canTellWidth(const Parameter& parameter) {
