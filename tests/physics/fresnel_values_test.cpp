@@ -55,6 +55,49 @@ TEST(DispersiveFresnel, OfBk7_HasTheIndicesOfItsDataSheet) {
     }
 }
 
+/// Returns the index of water of a temperature in degrees and a density in kg/m^3 by the release on
+/// the refractive index of ordinary water substance of the International Association for the
+/// Properties of Water and Steam (IAPWS R9-97; A. H. Harvey, J. S. Gallagher and J. M. H. Levelt
+/// Sengers, J. Phys. Chem. Ref. Data 27, 1998): Lorentz's and Lorenz's function by density,
+/// temperature and wavelength.
+double publishedIndexOfWater(double nm, double degrees, double density) {
+    const double t = (degrees + 273.15) / 273.15;
+    const double r = density / 1000.0;
+    const double l2 = std::pow(nm / 589.0, 2.0);
+    const double uv2 = 0.2292020 * 0.2292020;
+    const double ir2 = 5.432937 * 5.432937;
+    const double a = r * (0.244257733 + 9.74634476e-3 * r - 3.73234996e-3 * t +
+                          2.68678472e-4 * l2 * t + 1.58920570e-3 / l2 + 2.45934259e-3 / (l2 - uv2) +
+                          0.900704920 / (l2 - ir2) - 1.66626219e-2 * r * r);
+    return std::sqrt((2.0 * a + 1.0) / (1.0 - a));
+}
+
+TEST(DispersiveFresnel, OfWater_HasItsPublishedIndicesAcrossVisibleLight) {
+    // What the release itself lists for 0.1 MPa and 0 degrees, of the density 999.843 kg/m^3.
+    EXPECT_NEAR(publishedIndexOfWater(226.5, 0.0, 999.843), 1.394527, 1e-6);
+    EXPECT_NEAR(publishedIndexOfWater(589.0, 0.0, 999.843), 1.334344, 1e-6);
+    for (const double nm :
+         {404.656, 435.8343, 486.1327, 546.074, 587.5618, 632.8, 656.2725, 706.52}) {
+        EXPECT_NEAR(indexByConstants(water(), nm), publishedIndexOfWater(nm, 20.0, 998.207), 1e-5)
+            << nm;
+    }
+    // The sodium line against air, 1.33299 (Tilton and Taylor, J. Res. NBS 20, 1938).
+    EXPECT_NEAR(indexByConstants(water(), 589.3) / 1.000272, 1.33299, 1e-5);
+}
+
+/// Warm water is thinner, which is what changes its index.
+TEST(DispersiveFresnel, OfWater_FallsWithItsDensity) {
+    for (const auto& [degrees, density] :
+         {std::pair(15.0, 999.103), std::pair(25.0, 997.047), std::pair(30.0, 995.650)}) {
+        Values warm = water();
+        warm["temperature"] = degrees;
+        const double change = publishedIndexOfWater(587.5618, degrees, density) -
+                              publishedIndexOfWater(587.5618, 20.0, 998.207);
+        EXPECT_NEAR(indexByConstants(warm, 587.5618) - indexByConstants(water(), 587.5618), change,
+                    1.5e-4);
+    }
+}
+
 TEST(DispersiveFresnel, OfWater_HasItsIndexAndDispersionAndFallsWithWarmth) {
     // By refractiveindex.info 1.3334 at the line d, and Abbe's number 55.76.
     const double d = indexByConstants(water(), 587.5618);
