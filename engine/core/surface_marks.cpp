@@ -38,6 +38,14 @@ glm::vec3 unitOr(const glm::vec3& v, const glm::vec3& other) {
     return length > 1e-6f && std::isfinite(length) ? v / length : other;
 }
 
+/// Returns how fast the normal turns outwards from one corner to another, in radians for each
+/// metre, or inwards below 0; 0 where that is not a number.
+float turnOf(const Vertex& from, const Vertex& to) {
+    const glm::vec3 way = to.position - from.position;
+    const float turn = glm::dot(to.normal - from.normal, way) / glm::dot(way, way);
+    return std::isfinite(turn) ? turn : 0.0f;
+}
+
 } // namespace
 
 std::size_t SurfaceMarks::CellHash::operator()(const Cell& cell) const {
@@ -96,6 +104,9 @@ SurfaceMark SurfaceMarks::randomPlace(const MeshView& mesh) {
         mark.at.tangent += glm::vec4(weights[i] * glm::vec3(corner.tangent), 0.0f);
         mark.at.uv += weights[i] * corner.uv;
         mark.at.tangent.w = corner.tangent.w;
+        const Vertex& next = mesh.vertices[mesh.indices[3 * triangle + (i + 1) % 3]];
+        const float turn = turnOf(corner, next);
+        mark.bend = std::abs(turn) > std::abs(mark.bend) ? turn : mark.bend;
     }
     const glm::vec3 face(glm::normalize(acrossTriangle(mesh, triangle)));
     mark.at.normal = unitOr(mark.at.normal, face);

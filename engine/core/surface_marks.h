@@ -12,11 +12,14 @@
 
 namespace patina {
 
-/// Is a point of a mesh's surface on which a mark is drawn, as the GPU reads it: 52 bytes.
+/// Is a point of a mesh's surface on which a mark is drawn, as the GPU reads it: 56 bytes.
 struct SurfaceMark {
     Vertex at; ///< is interpolated; the normal is unit
     /// Is how many marks stand on a square metre of the mesh when this one is the last of them.
     float needed = 0.0f;
+    /// Is how fast the normal turns along the edge of its triangle where it does so fastest, in
+    /// radians for each metre of the mesh: above 0 outwards, below it inwards, 0 where it is flat.
+    float bend = 0.0f;
 };
 
 /// Sets marks on a mesh, spread evenly by area, each prefix of them too: the mark number n keeps

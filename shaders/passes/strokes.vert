@@ -5,8 +5,9 @@
 #include "lib/directions.glsl"
 #include "lib/mark_point.glsl"
 
-// How many marks stand on a square metre of the mesh when this one is the last of them.
-layout(location = 12) in float markNeeded;
+// x: how many marks stand on a square metre of the mesh when this one is the last of them; y: how
+// fast the surface bends around it, in radians for each metre of the mesh, below 0 inwards.
+layout(location = 12) in vec2 markSurface;
 
 // xy: a pixel of the picture in clip space; z: how wide it is one metre away, in metres; w: how
 // many marks there are on a square metre of the mesh.
@@ -24,6 +25,9 @@ const float FADE = 2.0;
 const float MAX_GROWTH = 4.0;
 
 const float MAX_PIXELS = 4096.0;
+
+// The plane that touches the surface is followed up to this cosine between it and the viewer.
+const float MIN_FACING = 0.03;
 
 // By the bits of the place (M. Jarzynski and M. Olano, Hash Functions for GPU Rendering, JCGT 9(3),
 // 2020, pcg3d).
@@ -53,6 +57,54 @@ vec2 wayOnPicture(mat4 worldToClip, vec3 direction) {
     return way * markView.z;
 }
 
+// A direction's ways to the right and up over the picture, in metres.
+vec2 wayAcrossView(mat4 worldToClip, vec3 direction) {
+    mat4 rows = transpose(worldToClip);
+    vec3 ahead = safeNormalize(rows[3].xyz, vec3(0.0));
+    vec3 right = rows[0].xyz - dot(rows[0].xyz, ahead) * ahead;
+    vec3 up = rows[1].xyz - dot(rows[1].xyz, ahead) * ahead;
+    return vec2(dot(direction, safeNormalize(right, vec3(0.0))),
+        dot(direction, safeNormalize(up, vec3(0.0))));
+}
+
+// How far before the mark's point the surface may be at the place `beside` it on the picture, all in
+// metres: the depths of the plane that touches the surface. Nothing of a flat surface lies before
+// that, whichever way it faces. Near silhouettes the plane is all but a line to the viewer, and
+// what bends away from it lies far behind: there it is the plane that touches a ball of the same
+// bend halfway to where the mark comes nearest, which is before all of the ball and less steep.
+float surfaceBefore(MarkPoint m, vec2 slope, vec2 beside, float reach) {
+    float facing = clamp(dot(m.n, m.v), MIN_FACING, 1.0);
+    float aside = sqrt(1.0 - facing * facing);
+    float bend = max(markSurface.y, 0.0) * inversesqrt(max(areaHere(), 1e-30));
+    float inward = min(0.5 * reach, aside / max(bend, 1e-20));
+    float asideThere = max(aside - bend * inward, 0.0);
+    float facingThere = sqrt(1.0 - asideThere * asideThere);
+    float risen = inward * (aside + asideThere) / (facing + facingThere);
+    float steepness = asideThere / facingThere;
+    float shared = asideThere / max(aside, 1e-6);
+    shared = aside > 1e-6 ? shared : 1.0;
+    return risen - steepness * inward - shared / facingThere * dot(slope, beside);
+}
+
+// The depth at the place `beside` a mark's point on the picture, in metres, in clip space. What lies
+// on the surface has that of the surface, what stands on it faces the viewer.
+float markDepth(MarkPoint m, mat4 worldToClip, vec3 direction, vec2 along, vec2 size, vec2 beside) {
+    vec2 slope = wayAcrossView(worldToClip, m.n);
+    vec2 steepest = slope * inversesqrt(max(dot(slope, slope), 1e-12));
+    vec2 sides = vec2(dot(steepest, along), dot(steepest, vec2(-along.y, along.x)));
+    float reach = 0.5 * dot(size, abs(sides));
+    float lying = 1.0 - min(abs(dot(direction, m.n)), 1.0);
+    float before = lying * surfaceBefore(m, slope, beside, reach);
+    // The triangles of a round surface lie beside it, and a hollow one before its plane.
+    before += 0.05 * max(size.x, size.y);
+    before += lying * (markSurface.y != 0.0 ? 0.5 : 0.0) * min(size.x, size.y);
+    // On the way from there to the eye depths grow as one over the distance does.
+    float range = sqrt(max(dot(toEye, toEye), 1e-30));
+    float nearer = before / max(range + before, 0.1 * range);
+    vec4 clip = worldToClip * vec4(worldPosition + nearer * toEye, 1.0);
+    return clip.z / clip.w * gl_Position.w;
+}
+
 void leaveMarkOut() {
     markForm = vec3(1.0, 1.0, 0.0);
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
@@ -69,13 +121,13 @@ void placeMark(Strokes p) {
     float pixel = max(gl_Position.w * markView.z, 1e-12);
     float density = MARK_SHARE * MARK_DENSITY(p) * areaHere() / (pixel * pixel);
     float wanted = density * clamp(strokesShare(m, p), 0.0, 1.0);
-    if (!(gl_Position.w > 0.0) || !(wanted > markNeeded)) {
+    if (!(gl_Position.w > 0.0) || !(wanted > markSurface.x)) {
         leaveMarkOut();
         return;
     }
-    m.order = clamp(markNeeded / min(density, markView.w), 0.0, 1.0);
+    m.order = clamp(markSurface.x / min(density, markView.w), 0.0, 1.0);
     markRandom.w = m.order;
-    float fade = clamp(FADE * (wanted / max(markNeeded, 1e-20) - 1.0), 0.0, 1.0);
+    float fade = clamp(FADE * (wanted / max(markSurface.x, 1e-20) - 1.0), 0.0, 1.0);
     float growth = min(sqrt(max(density / markView.w, 1.0)), MAX_GROWTH) * inversesqrt(MARK_SHARE);
     vec2 size = clamp(strokesSize(m, p) * growth, vec2(0.0), vec2(MAX_PIXELS));
     if (!(min(size.x, size.y) > 0.0)) {
@@ -83,9 +135,11 @@ void placeMark(Strokes p) {
         return;
     }
     mat4 worldToClip = mat4(viewData[0], viewData[1], viewData[2], viewData[3]);
-    vec2 way = wayOnPicture(worldToClip, strokesAlong(m, p));
+    vec3 direction = strokesAlong(m, p);
+    vec2 way = wayOnPicture(worldToClip, direction);
     float seen = length(way);
     vec2 along = seen > 1e-6 ? way / seen : vec2(1.0, 0.0);
+    vec2 across = vec2(-along.y, along.x);
     // What stands on the surface is seen shorter where it points to the viewer.
     size *= 0.5 + 0.5 * fade;
     size.x *= IS_STANDING ? clamp(seen, 0.2, 1.0) : 1.0;
@@ -93,12 +147,7 @@ void placeMark(Strokes p) {
     // A pixel at each side for the edges of the ink.
     vec2 grown = 1.0 + 2.0 / size;
     markPlace = 0.5 + (markPlace - 0.5) * grown;
-    vec2 offset = (markPlace.x - 0.5) * size.x * along +
-        (markPlace.y - 0.5) * size.y * vec2(-along.y, along.x);
-    // A mark lies flat before the surface, so far in front of it that this does not cut it off.
-    float lift = min((IS_STANDING ? 0.1 : 0.5) * max(size.x, size.y) * pixel, 0.5 * range);
-    gl_Position = worldToClip * vec4(worldPosition + lift * m.v, 1.0);
+    vec2 offset = (markPlace.x - 0.5) * size.x * along + (markPlace.y - 0.5) * size.y * across;
+    gl_Position.z = markDepth(m, worldToClip, direction, along, size * pixel, offset * pixel);
     gl_Position.xy += offset * markView.xy * gl_Position.w;
-    // The near plane may lie on the surface itself.
-    gl_Position.z = max(gl_Position.z, -gl_Position.w);
 }

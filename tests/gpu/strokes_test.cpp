@@ -149,6 +149,86 @@ TEST_F(Strokes, NearSilhouettes_LeaveTheMiddleBare) {
     EXPECT_EQ(inkIn(36, 60), 0.0);
 }
 
+/// The height over the width of each blot of ink that does not touch the picture's edge.
+std::vector<double> uprightness(const Image& image) {
+    const auto size = static_cast<std::size_t>(image.width);
+    const auto isInk = [&](std::size_t at) {
+        return image.pixels[at * std::size_t(image.channels) + 1] < 0.5f;
+    };
+    std::vector<bool> isSeen(size * std::size_t(image.height));
+    std::vector<double> all;
+    for (std::size_t start = 0; start < isSeen.size(); ++start) {
+        glm::dvec2 lower(1e9);
+        glm::dvec2 upper(-1e9);
+        std::vector<std::size_t> open{start};
+        while (!open.empty()) {
+            const std::size_t at = open.back();
+            open.pop_back();
+            if (at >= isSeen.size() || isSeen[at] || !isInk(at)) {
+                continue;
+            }
+            isSeen[at] = true;
+            const glm::dvec2 place(double(at % size), double(at / size));
+            lower = glm::min(lower, place);
+            upper = glm::max(upper, place);
+            open.insert(open.end(), {at + 1, at - 1, at + size, at - size});
+        }
+        const bool isInside = lower.x > 0.0 && lower.y > 0.0 && upper.x < double(size) - 1.0 &&
+                              upper.y < double(image.height) - 1.0;
+        if (isInside && upper.x - lower.x > 5.0) {
+            all.push_back((upper.y - lower.y + 1.0) / (upper.x - lower.x + 1.0));
+        }
+    }
+    return all;
+}
+
+TEST_F(Strokes, OnAFloorSeenFromTheSide_AreWhole) {
+    Scene scene = dotted();
+    scene.objects[0].rotation = {};
+    value(scene, "dot.length") = 12.0;
+    value(scene, "dot.width") = 12.0;
+    value(scene, "density") = 6.0;
+    for (const double pitch : {80.0, 15.0, 6.0}) {
+        scene.camera.pitch = pitch;
+        const std::vector<double> dots = uprightness(picture(scene, 256));
+        ASSERT_GT(dots.size(), 2u) << pitch;
+        for (const double dot : dots) {
+            EXPECT_NEAR(dot, 1.0, 0.16) << pitch;
+        }
+    }
+}
+
+TEST_F(Strokes, BehindANearerObject_AreHidden) {
+    Scene scene = dotted();
+    scene.objects[0].rotation = {};
+    scene.camera.pitch = 15.0;
+    value(scene, "dot.length") = 12.0;
+    value(scene, "dot.width") = 12.0;
+    scene.objects.push_back(object("lambert"));
+    scene.objects[1].translation = {0.0, 1.3, 2.0};
+    scene.objects[1].material.model.parameters["diffuse.color"] = glm::dvec3(0.0);
+    scene.objects[1].material.model.parameters["emissive.color"] = glm::dvec3(0.0, 1.0, 0.0);
+    scene.objects.push_back(scene.objects[0]);
+    scene.objects[2].mesh = "builtin:sphere";
+    scene.objects[2].scale = glm::dvec3(1.0);
+    scene.objects[2].translation = {0.3, 1.3, -0.5};
+    const Image marked = picture(scene);
+    scene.objects[0].material.parts.clear();
+    scene.objects[2].material.parts.clear();
+    const Image bare = picture(scene);
+    EXPECT_NE(marked.pixels, bare.pixels);
+    int hiding = 0;
+    for (int y = 0; y < bare.height; ++y) {
+        for (int x = 0; x < bare.width; ++x) {
+            if (pixel(bare, x, y) == glm::vec3(0.0f, 1.0f, 0.0f)) {
+                EXPECT_EQ(pixel(marked, x, y), pixel(bare, x, y)) << x << ' ' << y;
+                ++hiding;
+            }
+        }
+    }
+    EXPECT_GT(hiding, 300);
+}
+
 TEST_F(Strokes, OfExtremeValues_EndInAPicture) {
     for (const char* style : {"brush", "graftal", "pen"}) {
         Scene scene = simpleScene();

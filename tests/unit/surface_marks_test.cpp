@@ -98,5 +98,17 @@ TEST(SurfaceMarks, Needed_CountsMarksOnASquareMetre) {
     EXPECT_FLOAT_EQ(marks[49].needed, 25.0f);
 }
 
+TEST(SurfaceMarks, Bend_IsThatOfABallAndNoneOnAPlane) {
+    Mesh ball = *primitive("sphere");
+    for (const SurfaceMark& mark : marksOn(ball, 50)) {
+        EXPECT_NEAR(mark.bend, 1.0f, 0.01f);
+    }
+    for (Vertex& vertex : ball.vertices) {
+        vertex.normal = -vertex.normal;
+    }
+    EXPECT_NEAR(marksOn(ball, 50)[7].bend, -1.0f, 0.01f);
+    EXPECT_EQ(marksOn(triangles({{{0.0f, 0.0f}, 2.0f}}), 50)[7].bend, 0.0f);
+}
+
 } // namespace
 } // namespace patina::surface_marks_test

@@ -16,7 +16,8 @@ constexpr std::size_t dartsAtOnce = 2048;
 
 constexpr std::size_t minCount = 256;
 
-/// Reads a mark's vertex as passes/surface.vert does, once per instance; 12 is `needed`.
+/// Reads a mark's vertex as passes/surface.vert does, once per instance; 12 is `needed`,
+/// and `bend` behind it.
 void markAttributes(gl::VertexArray& array, const gl::Buffer& marks, std::size_t first) {
     constexpr std::size_t size = sizeof(SurfaceMark);
     const auto read = [&](unsigned location, int components, std::size_t offset) {
@@ -28,7 +29,7 @@ void markAttributes(gl::VertexArray& array, const gl::Buffer& marks, std::size_t
     read(2, 3, offsetof(SurfaceMark, at) + offsetof(Vertex, tangent));
     read(3, 2, offsetof(SurfaceMark, at) + offsetof(Vertex, uv));
     read(4, 1, offsetof(SurfaceMark, at) + offsetof(Vertex, tangent) + offsetof(glm::vec4, w));
-    read(12, 1, offsetof(SurfaceMark, needed));
+    read(12, 2, offsetof(SurfaceMark, needed));
 }
 
 } // namespace

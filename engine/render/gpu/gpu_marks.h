@@ -18,7 +18,7 @@ struct MarkRange {
     std::size_t count = 0;
 };
 
-/// Holds marks on a mesh in the GPU's memory, 52 bytes each: those that are set first, as many as
+/// Holds marks on a mesh in the GPU's memory, 56 bytes each: those that are set first, as many as
 /// somebody needs, at most SurfaceMarks::maxCount.
 class GpuMarks {
   public:

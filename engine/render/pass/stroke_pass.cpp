@@ -27,6 +27,13 @@ void useMarks(const Pipeline& pipeline, const FramePlan& plan, const GpuMarks& m
     const bool isStanding = areStanding(*pipeline.effects.strokes);
     setBlendState(isStanding ? BlendState::Opaque : BlendState::Blended);
     glDepthMask(isStanding ? GL_TRUE : GL_FALSE);
+    // The planes before and behind the scene may touch a surface: its marks reach beyond.
+    glEnable(GL_DEPTH_CLAMP);
+}
+
+void leaveMarks() {
+    glDepthMask(GL_TRUE);
+    glDisable(GL_DEPTH_CLAMP);
 }
 
 } // namespace
@@ -46,7 +53,7 @@ bool StrokePass::draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& bud
             continue;
         }
         const bool isDone = drawBatch(frame, gpu, budget);
-        glDepthMask(GL_TRUE);
+        leaveMarks();
         if (!isDone) {
             return false;
         }
