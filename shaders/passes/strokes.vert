@@ -9,9 +9,11 @@
 // fast the surface bends around it, in radians for each metre of the mesh, below 0 inwards.
 layout(location = 12) in vec2 markSurface;
 
-// xy: a pixel of the picture in clip space; z: how wide it is one metre away, in metres; w: how
+// Lengths are in units, of which the picture is so many high that a mark covers the same part of it
+// in each of its sizes. xy: a unit in clip space; z: how wide it is one metre away, in metres; w: how
 // many marks there are on a square metre of the mesh.
 uniform vec4 markView;
+uniform float markPixel; // how wide a pixel of the picture is, in units
 
 out vec2 markPlace;       // along and across
 flat out vec4 markRandom; // size, shade, phase, order
@@ -24,7 +26,10 @@ const float FADE = 2.0;
 // Where marks are too few for the density they are larger, up to so many times.
 const float MAX_GROWTH = 4.0;
 
-const float MAX_PIXELS = 4096.0;
+const float MAX_SIZE = 4096.0;
+
+// Marks that would be smaller are so many pixels wide, and fainter instead.
+const float MIN_PIXELS = 1.5;
 
 // The plane that touches the surface is followed up to this cosine between it and the viewer.
 const float MIN_FACING = 0.03;
@@ -118,8 +123,8 @@ void placeMark(Strokes p) {
     m.t = safeNormalize(m.t - dot(m.t, m.n) * m.n, anyTangent(m.n));
     markPlace = vec2(gl_VertexID & 1, gl_VertexID >> 1);
     markRandom = vec4(numbers, 1.0);
-    float pixel = max(gl_Position.w * markView.z, 1e-12);
-    float density = MARK_SHARE * MARK_DENSITY(p) * areaHere() / (pixel * pixel);
+    float unit = max(gl_Position.w * markView.z, 1e-12);
+    float density = MARK_SHARE * MARK_DENSITY(p) * areaHere() / (unit * unit);
     float wanted = density * clamp(strokesShare(m, p), 0.0, 1.0);
     if (!(gl_Position.w > 0.0) || !(wanted > markSurface.x)) {
         leaveMarkOut();
@@ -129,7 +134,7 @@ void placeMark(Strokes p) {
     markRandom.w = m.order;
     float fade = clamp(FADE * (wanted / max(markSurface.x, 1e-20) - 1.0), 0.0, 1.0);
     float growth = min(sqrt(max(density / markView.w, 1.0)), MAX_GROWTH) * inversesqrt(MARK_SHARE);
-    vec2 size = clamp(strokesSize(m, p) * growth, vec2(0.0), vec2(MAX_PIXELS));
+    vec2 size = clamp(strokesSize(m, p) * growth, vec2(0.0), vec2(MAX_SIZE));
     if (!(min(size.x, size.y) > 0.0)) {
         leaveMarkOut();
         return;
@@ -143,11 +148,13 @@ void placeMark(Strokes p) {
     // What stands on the surface is seen shorter where it points to the viewer.
     size *= 0.5 + 0.5 * fade;
     size.x *= IS_STANDING ? clamp(seen, 0.2, 1.0) : 1.0;
-    markForm = vec3(1.0 / size.y, size.x / size.y, fade);
+    vec2 left = min(size / (MIN_PIXELS * markPixel), 1.0);
+    size = max(size, vec2(MIN_PIXELS * markPixel));
+    markForm = vec3(markPixel / size.y, size.x / size.y, fade * left.x * left.y);
     // A pixel at each side for the edges of the ink.
-    vec2 grown = 1.0 + 2.0 / size;
+    vec2 grown = 1.0 + 2.0 * markPixel / size;
     markPlace = 0.5 + (markPlace - 0.5) * grown;
     vec2 offset = (markPlace.x - 0.5) * size.x * along + (markPlace.y - 0.5) * size.y * across;
-    gl_Position.z = markDepth(m, worldToClip, direction, along, size * pixel, offset * pixel);
+    gl_Position.z = markDepth(m, worldToClip, direction, along, size * unit, offset * unit);
     gl_Position.xy += offset * markView.xy * gl_Position.w;
 }

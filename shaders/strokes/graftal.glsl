@@ -68,7 +68,7 @@ vec3 graftalStrokes(MarkPoint m, GraftalStrokes p) {
     float tone = (1.0 + p.toneVariation * (2.0 * m.shade - 1.0)) *
         between(p.rootTone, 1.0, h);
     vec3 fill = lerp(m.radiance, p.fillColor, p.fill) * tone;
-    float line = p.lineWidth * 2.0 * m.pixel;
+    float line = 2.0 * p.lineWidth / max(graftalStrokesSize(m, p).y, 1e-3);
     float lined = p.lineWidth > 0.0 ? 1.0 - inkWithin(m, withinGraftal(m, p) - line) : 0.0;
     return lerp(fill, p.inkColor, lined);
 }

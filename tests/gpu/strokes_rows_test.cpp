@@ -77,7 +77,7 @@ TEST_F(StrokesRows, OfMoreMarksThanAreDrawn_SaySo) {
     value("dot.length") = 1000.0;
     EXPECT_NE(row().line.reason.find("no more of them than 32 over a pixel"), std::string::npos);
     value("dot.width") = 1000.0;
-    EXPECT_DOUBLE_EQ(marksPerPixel(look(), catalog()), 32.0 / 1e6);
+    EXPECT_DOUBLE_EQ(marksPerUnit(look(), catalog()), 32.0 / 1e6);
 }
 
 TEST_F(StrokesRows, OfMarksThatAreOut_LeaveNothingInTheProgram) {
@@ -95,10 +95,10 @@ TEST_F(StrokesRows, Marks_AreLitByTheModel) {
 
 TEST_F(StrokesRows, Level_IsTheShareOfMarks) {
     EXPECT_NE(marks().vertex.text.find("MARK_SHARE 1.00"), std::string::npos);
-    const double all = marksPerPixel(look(), catalog());
+    const double all = marksPerUnit(look(), catalog());
     look().accuracy["marks"] = "25";
     EXPECT_NE(marks().vertex.text.find("MARK_SHARE 0.25"), std::string::npos);
-    EXPECT_DOUBLE_EQ(marksPerPixel(look(), catalog()), 0.25 * all);
+    EXPECT_DOUBLE_EQ(marksPerUnit(look(), catalog()), 0.25 * all);
 }
 
 TEST_F(StrokesRows, SwitchedOff_LeaveTheMaterial) {

@@ -11,6 +11,9 @@ namespace {
 
 constexpr int inkSize = 96;
 
+/// Is how many units of marks' lengths a pixel of that size's pictures has.
+constexpr double unit = 512.0 / inkSize;
+
 class Strokes : public GpuTest {
   protected:
     void SetUp() override {
@@ -25,9 +28,9 @@ class Strokes : public GpuTest {
         scene.camera.distance = 12.0;
         scene.camera.fieldOfView = 30.0;
         BlockValues dots = block("strokes", "stipple");
-        dots.parameters["density"] = 60.0;
-        dots.parameters["dot.length"] = 5.0;
-        dots.parameters["dot.width"] = 5.0;
+        dots.parameters["density"] = 60.0 / (unit * unit);
+        dots.parameters["dot.length"] = 5.0 * unit;
+        dots.parameters["dot.width"] = 5.0 * unit;
         dots.parameters["variation"] = 0.0;
         dots.parameters["tone.dark"] = 10.0;
         dots.parameters["tone.light"] = 10.0;
@@ -77,6 +80,40 @@ TEST_F(Strokes, AtAnyDistance_CoverAsMuchOfThePicture) {
     EXPECT_NEAR(inked(scene), near, 0.15 * near);
 }
 
+/// The mean of each square of pixels.
+std::vector<double> meansOf(const Image& image, int squares) {
+    std::vector<double> means(std::size_t(squares) * std::size_t(squares), 0.0);
+    const int side = image.width / squares;
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            means.at(std::size_t(y / side * squares + x / side)) +=
+                image.pixels.at(std::size_t(y * image.width + x) * std::size_t(image.channels) + 1) /
+                double(side * side);
+        }
+    }
+    return means;
+}
+
+TEST_F(Strokes, OfALargerPicture_AreTheSameDrawing) {
+    const Scene scene = dotted();
+    const std::vector<double> small = meansOf(picture(scene), 32);
+    const std::vector<double> large = meansOf(picture(scene, 4 * inkSize), 32);
+    double apart = 0.0;
+    for (std::size_t i = 0; i < small.size(); ++i) {
+        apart += std::abs(small[i] - large[i]) / double(small.size());
+    }
+    EXPECT_LT(apart, 0.01);
+}
+
+TEST_F(Strokes, ThinnerThanPixels_CoverAsMuchOfThePicture) {
+    Scene scene = dotted();
+    value(scene, "dot.length") = 2.0 * unit;
+    value(scene, "dot.width") = 2.0 * unit;
+    const double large = inked(scene, 4 * inkSize);
+    EXPECT_GT(large, 0.01);
+    EXPECT_NEAR(inked(scene, inkSize / 4), large, 0.25 * large);
+}
+
 TEST_F(Strokes, OfAnEnlargedMesh_CoverAsMuch) {
     Scene scene = dotted();
     const double square = inked(scene);
@@ -104,7 +141,7 @@ TEST_F(Strokes, OfTheSameScene_AreTheSamePicture) {
 TEST_F(Strokes, ThatComeNearer_FadeInWithoutPopping) {
     Scene scene = dotted();
     const Image before = picture(scene);
-    value(scene, "density") = 60.5;
+    value(scene, "density") = 60.5 / (unit * unit);
     EXPECT_LT(differenceOf(before, picture(scene)), 0.01);
     EXPECT_GT(differenceOf(before, picture(scene)), 0.0);
 }
@@ -185,9 +222,9 @@ std::vector<double> uprightness(const Image& image) {
 TEST_F(Strokes, OnAFloorSeenFromTheSide_AreWhole) {
     Scene scene = dotted();
     scene.objects[0].rotation = {};
-    value(scene, "dot.length") = 12.0;
-    value(scene, "dot.width") = 12.0;
-    value(scene, "density") = 6.0;
+    value(scene, "dot.length") = 24.0;
+    value(scene, "dot.width") = 24.0;
+    value(scene, "density") = 1.5;
     for (const double pitch : {80.0, 15.0, 6.0}) {
         scene.camera.pitch = pitch;
         const std::vector<double> dots = uprightness(picture(scene, 256));
@@ -202,8 +239,8 @@ TEST_F(Strokes, BehindANearerObject_AreHidden) {
     Scene scene = dotted();
     scene.objects[0].rotation = {};
     scene.camera.pitch = 15.0;
-    value(scene, "dot.length") = 12.0;
-    value(scene, "dot.width") = 12.0;
+    value(scene, "dot.length") = 12.0 * unit;
+    value(scene, "dot.width") = 12.0 * unit;
     scene.objects.push_back(object("lambert"));
     scene.objects[1].translation = {0.0, 1.3, 2.0};
     scene.objects[1].material.model.parameters["diffuse.color"] = glm::dvec3(0.0);

@@ -21,9 +21,11 @@ constexpr float endless = 1e30f;
 void useMarks(const Pipeline& pipeline, const FramePlan& plan, const GpuMarks& marks) {
     const bool isFull = marks.isFull();
     pipeline.marksProgram->use();
-    glUniform4f(pipeline.marksProgram->uniform("markView"), 2.0f / float(plan.view->size.x),
-                2.0f / float(plan.view->size.y), float(plan.pixelWidth()),
+    const auto unit = static_cast<float>(plan.pixelsPerUnit());
+    glUniform4f(pipeline.marksProgram->uniform("markView"), 2.0f * unit / float(plan.view->size.x),
+                2.0f * unit / float(plan.view->size.y), unit * float(plan.pixelWidth()),
                 isFull ? float(marks.available()) : endless);
+    glUniform1f(pipeline.marksProgram->uniform("markPixel"), 1.0f / unit);
     const bool isStanding = areStanding(*pipeline.effects.strokes);
     setBlendState(isStanding ? BlendState::Opaque : BlendState::Blended);
     glDepthMask(isStanding ? GL_TRUE : GL_FALSE);

@@ -7,6 +7,9 @@ namespace {
 /// A frame of more triangles is drawn in steps when there is a deadline.
 constexpr std::int64_t maxTrianglesAtOnce = 200000;
 
+/// Is the same number as in shaders/passes/picture.glsl.
+constexpr double unitsHigh = 512.0;
+
 } // namespace
 
 glm::dmat4 FramePlan::worldToClip() const {
@@ -16,6 +19,10 @@ glm::dmat4 FramePlan::worldToClip() const {
 
 double FramePlan::pixelWidth() const {
     return 2.0 / (view->size.y * projection(view->camera, 1.0, depths)[1][1]);
+}
+
+double FramePlan::pixelsPerUnit() const {
+    return view->size.y / unitsHigh;
 }
 
 const Material& FramePlan::material(std::size_t number) const {

@@ -83,6 +83,10 @@ struct FramePlan {
     /// Returns how wide a pixel of the picture is one metre before the eye, in metres.
     double pixelWidth() const;
 
+    /// Returns how many pixels are a unit of the lengths of marks: as in passes over the picture,
+    /// this is 512 units high.
+    double pixelsPerUnit() const;
+
     /// Returns the values of one of the materials.
     const Material& material(std::size_t number) const;
 

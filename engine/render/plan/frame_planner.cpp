@@ -72,15 +72,15 @@ double areaScale(const glm::dmat4& world) {
 /// Returns how many marks are drawn at most on a square metre of an item's mesh, by its nearest
 /// point; a huge number where the eye is inside.
 double marksOn(const FramePlan& plan, const PlannedItem& item) {
-    const double perPixel = plan.materials[item.material].marks;
-    if (!(perPixel > 0.0) || !item.isInPicture) {
+    const double perUnit = plan.materials[item.material].marks;
+    if (!(perUnit > 0.0) || !item.isInPicture) {
         return 0.0;
     }
     const Ball& ball = item.placement->ball;
     const double middle = -(plan.worldToCamera * glm::dvec4(ball.center, 1.0)).z;
     const double nearest = std::max(middle - ball.radius, 1e-3 * ball.radius);
-    const double pixel = nearest * plan.pixelWidth();
-    return perPixel * areaScale(item.placement->world) / std::max(pixel * pixel, 1e-30);
+    const double unit = nearest * plan.pixelWidth() * plan.pixelsPerUnit();
+    return perUnit * areaScale(item.placement->world) / std::max(unit * unit, 1e-30);
 }
 
 void count(FramePlan& plan) {
@@ -188,7 +188,7 @@ std::size_t FramePlanner::materialOf(FramePlan& plan, std::size_t object, std::s
         material.shells = shellsLength(values, catalog);
         material.layers = layersOver(effects, catalog);
         material.hasFins = hasFins(effects, catalog);
-        material.marks = marksPerPixel(values, catalog);
+        material.marks = marksPerUnit(values, catalog);
     }
     return number;
 }

@@ -15,10 +15,10 @@
 namespace patina {
 namespace {
 
-/// Is how many marks of full size may lie over a pixel on average.
+/// Is how many marks of full size may lie over a place on average.
 constexpr double maxMarksOver = 32.0;
 
-/// Densities are those of a square of so many pixels.
+/// Densities are those of a square of so many square units.
 constexpr double densityArea = 100.0 * 100.0;
 
 /// Returns the whole number of percent that a level is called; 0 where it is none.
@@ -100,7 +100,7 @@ StrokesChoice strokesChoice(const Material& material, const Catalog& catalog) {
     return {block, &part->parameters, ""};
 }
 
-double marksPerPixel(const Material& material, const Catalog& catalog) {
+double marksPerUnit(const Material& material, const Catalog& catalog) {
     const StrokesChoice choice = strokesChoice(material, catalog);
     if (choice.block == nullptr) {
         return 0.0;

@@ -20,9 +20,9 @@ struct StrokesChoice {
 /// under fur. Allocates nothing.
 StrokesChoice strokesChoice(const Material& material, const Catalog& catalog);
 
-/// Returns how many marks of a material stand on a pixel of the picture; 0 without any. So few
-/// remain that a pixel lies under no more than 32 of them.
-double marksPerPixel(const Material& material, const Catalog& catalog);
+/// Returns how many marks of a material stand on a square of a unit's width, of which the picture
+/// is 512 high; 0 without any. So few remain that a place lies under no more than 32 of them.
+double marksPerUnit(const Material& material, const Catalog& catalog);
 
 /// Returns the share of the marks that are drawn, by the block's accuracy choice with whole numbers
 /// of percent for levels; 1 where it has none.
