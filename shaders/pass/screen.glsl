@@ -50,6 +50,10 @@ float screenThreshold(vec2 place, ScreenPass p) {
 // narrower, so that the share of the plane stays the tone. `pixels` are those of the picture in one
 // of a picture that is 512 pixels high.
 float screenInk(vec2 place, float dark, float spacing, float pixels, ScreenPass p) {
+    // Each threshold is somebody's: where the paper is bare the smallest would leave dust on it.
+    if (!(dark > 0.0 && dark < 1.0)) {
+        return dark > 0.5 ? 1.0 : 0.0;
+    }
     if (p.mark == SCREEN_PASS_MARK_IMAGE) {
         vec2 threshold = screenImage(place * spacing, max(p.thresholdWidth * pixels, 1.0));
         float edge = max(min(threshold.y, min(dark, 1.0 - dark)), 1e-4);
@@ -65,8 +69,10 @@ vec2 screenPlace(vec2 pixel, float angle, float spacing) {
     return vec2(c * pixel.x + s * pixel.y, c * pixel.y - s * pixel.x) * (1.0 / spacing);
 }
 
+// What differs from white or black by half a step of 8 bits at white is white or black.
 float screenDark(float light, ScreenPass p) {
-    return 1.0 - pow(clamp(light, 0.0, 1.0), p.strength);
+    float rounding = 0.0045;
+    return 1.0 - pow(clamp((light - rounding) / (1.0 - 2.0 * rounding), 0.0, 1.0), p.strength);
 }
 
 vec3 screenPass(PicturePoint at, ScreenPass p) {

@@ -231,6 +231,34 @@ TEST_F(PicturePassesTest, ToneScreenedByAnImage_CoversThatShareOfThePaper) {
     }
 }
 
+TEST_F(PicturePassesTest, ScreenOfWhiteAndBlack_LeavesNoDust) {
+    FileImage image{{64, 64, 1, {}}, 8};
+    for (int i = 0; i < 64 * 64; ++i) {
+        image.image.pixels.push_back(float(i % 61) / 60.0f);
+    }
+    const auto picture =
+        std::make_shared<const TexturePicture>(madeTexture(image, TextureDecoding::Linear));
+    renderer->setTextures([&](const TextureUse&, TextureDecoding) {
+        return TextureLookup{picture, false};
+    });
+    for (const char* mark : {"dots", "lines", "crosses", "spiral", "image"}) {
+        for (const double light : {0.0, 0.997, 1.0}) {
+            Scene scene = with("screen");
+            scene.objects[0].visible = false;
+            scene.background = glm::dvec3(light);
+            set(scene, "mark", std::string(mark));
+            set(scene, "threshold", std::string("/some/image.png"));
+            set(scene, "ink", glm::dvec3(0.0));
+            set(scene, "paper", glm::dvec3(1.0));
+            const Image shown = capture(scene, true, 128);
+            for (int i = 0; i < 128 * 128; ++i) {
+                ASSERT_EQ(pixel(shown, i % 128, i / 128), glm::vec3(float(std::round(light))))
+                    << mark << ' ' << light;
+            }
+        }
+    }
+}
+
 /// The pass returns 0.5 of linear light everywhere.
 TEST_F(PicturePassesTest, BlendOfAPass_IsThatOfItsFormula) {
     const auto linear = [&](const std::string& blend, double amount, double light) {
