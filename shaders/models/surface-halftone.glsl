@@ -86,8 +86,8 @@ vec2 darker(vec2 a, vec2 b) {
     return a.x > b.x ? a : b;
 }
 
-// One dot, of an area in cells where it stands alone. Where dots of two lattices lie over each other
-// each leaves a share of the bare paper, so that both together leave what one would.
+// One dot, of an area in cells where it stands alone. Where dots of two lattices lie over each
+// other each leaves a share of the bare paper, so that both together leave what one would.
 vec2 stableDot(DotLattice lattice, DrawnPlace at, DrawnBend bend, vec2 shift, float area,
     vec2 tone) {
     vec2 off = fromNearestDot(lattice, shift.x, shift.y);

@@ -10,8 +10,8 @@
 layout(location = 12) in vec2 markSurface;
 
 // Lengths are in units, of which the picture is so many high that a mark covers the same part of it
-// in each of its sizes. xy: a unit in clip space; z: how wide it is one metre away, in metres; w: how
-// many marks there are on a square metre of the mesh.
+// in each of its sizes. xy: a unit in clip space; z: how wide it is one metre away, in metres; w:
+// how many marks there are on a square metre of the mesh.
 uniform vec4 markView;
 uniform float markPixel; // how wide a pixel of the picture is, in units
 
@@ -72,11 +72,12 @@ vec2 wayAcrossView(mat4 worldToClip, vec3 direction) {
         dot(direction, safeNormalize(up, vec3(0.0))));
 }
 
-// How far before the mark's point the surface may be at the place `beside` it on the picture, all in
-// metres: the depths of the plane that touches the surface. Nothing of a flat surface lies before
-// that, whichever way it faces. Near silhouettes the plane is all but a line to the viewer, and
-// what bends away from it lies far behind: there it is the plane that touches a ball of the same
-// bend halfway to where the mark comes nearest, which is before all of the ball and less steep.
+// How far before the mark's point the surface may be at the place `beside` it on the picture, all
+// in metres: the depths of the plane that touches the surface. Nothing of a flat surface lies
+// before that, whichever way it faces. Near silhouettes the plane is all but a line to the viewer,
+// and what bends away from it lies far behind: there it is the plane that touches a ball of the
+// same bend halfway to where the mark comes nearest, which is before all of the ball and less
+// steep.
 float surfaceBefore(MarkPoint m, vec2 slope, vec2 beside, float reach) {
     float facing = clamp(dot(m.n, m.v), MIN_FACING, 1.0);
     float aside = sqrt(1.0 - facing * facing);
@@ -91,8 +92,8 @@ float surfaceBefore(MarkPoint m, vec2 slope, vec2 beside, float reach) {
     return risen - steepness * inward - shared / facingThere * dot(slope, beside);
 }
 
-// The depth at the place `beside` a mark's point on the picture, in metres, in clip space. What lies
-// on the surface has that of the surface, what stands on it faces the viewer.
+// The depth at the place `beside` a mark's point on the picture, in metres, in clip space. What
+// lies on the surface has that of the surface, what stands on it faces the viewer.
 float markDepth(MarkPoint m, mat4 worldToClip, vec3 direction, vec2 along, vec2 size, vec2 beside) {
     vec2 slope = wayAcrossView(worldToClip, m.n);
     vec2 steepest = slope * inversesqrt(max(dot(slope, slope), 1e-12));

@@ -84,12 +84,10 @@ TEST_F(Strokes, AtAnyDistance_CoverAsMuchOfThePicture) {
 std::vector<double> meansOf(const Image& image, int squares) {
     std::vector<double> means(std::size_t(squares) * std::size_t(squares), 0.0);
     const int side = image.width / squares;
-    for (int y = 0; y < image.height; ++y) {
-        for (int x = 0; x < image.width; ++x) {
-            means.at(std::size_t(y / side * squares + x / side)) +=
-                image.pixels.at(std::size_t(y * image.width + x) * std::size_t(image.channels) + 1) /
-                double(side * side);
-        }
+    for (int i = 0; i < image.width * image.height; ++i) {
+        const int square = i / image.width / side * squares + i % image.width / side;
+        means.at(std::size_t(square)) +=
+            double(image.pixels.at(std::size_t(i * image.channels + 1))) / double(side * side);
     }
     return means;
 }
