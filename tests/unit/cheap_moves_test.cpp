@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cheaper ways to compute a term, of small texts that are evaluated on the CPU.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "catalog/block_kind.h"
+#include "measure/approximation/approximated_block.h"
 #include "measure/approximation/cheap_moves.h"
 #include "measure/approximation/direction_tables.h"
 #include "measure/approximation/geometry_moves.h"
@@ -17,6 +20,7 @@
 #include "measure/approximation/tidied_text.h"
 #include "measure/interpreter/shader_parser.h"
 #include "measure/stability/sweep_cases.h"
+#include "support/program.h"
 
 namespace patina::tests::cheap_moves_test {
 namespace {
@@ -345,6 +349,42 @@ TEST(DroppedTerms, BranchOfADeclaredLevel_StaysAsItIs) {
         EXPECT_EQ(saying(knownSwaps(shader), condition), nullptr);
         EXPECT_FALSE(dropped.empty());
     }
+}
+
+/// Numbers in the place of values are put into functions whose values a table holds, too: its
+/// entries stay those of the exact function, which stands before them.
+TEST(FoundLevel, TableOfAFunctionThatIsChanged_HoldsTheExactOne) {
+    const std::filesystem::path shaders = PATINA_SOURCE_DIR "/shaders";
+    const Catalog catalog = loadCatalog(std::vector<BlockRoot>{{shaders, true}});
+    const Block& strauss = *catalog.find(kinds::models, "strauss");
+    const EvalCase exact = *sweepVariant(catalog, defaultMaterial(strauss));
+    auto text = MeasuredText::of(exact, shaders);
+    ASSERT_TRUE(text) << patina::text(text.error());
+    CheaperWays ways;
+    ways.text = std::make_shared<const MeasuredText>(std::move(*text));
+    const auto values =
+        ways.text->observed(texelsOfCases(commonCases(exact, {.count = 50, .hasOwnValues = true})));
+    const ObservedShader shader{ways.text->syntax(), values, ways.text->ownFunctions()};
+    const auto tables = directionTables(shader, strauss, 1);
+    const auto folded = foldedValues(shader);
+    ASSERT_FALSE(tables.empty());
+    ASSERT_FALSE(folded.empty());
+    const std::array moves{&tables.front(), &folded.front()};
+    ways.ways.push_back({.edits = editsOf(moves), .words = {"Both"}, .table = moves[0]->table});
+
+    const auto made = approximatedBlock(exact, ways, usualNaming(strauss));
+    ASSERT_TRUE(made) << made.error().text();
+    const TemporaryFolder folder;
+    ASSERT_TRUE(writeApproximatedBlock(*made, folder / "models"));
+    const Catalog with =
+        loadCatalog(std::vector<BlockRoot>{{shaders, true}, {folder.path(), false}});
+    EXPECT_EQ(with.errors, Errors()) << patina::text(with.errors);
+    const Block* const cheaper = with.find(kinds::models, made->id);
+    ASSERT_NE(cheaper, nullptr);
+    EvalCase level = *sweepVariant(with, defaultMaterial(*cheaper));
+    level.block.accuracy[made->choice] = foundLevelId(0);
+    const auto found = MeasuredText::of(level, shaders);
+    EXPECT_TRUE(found) << patina::text(found.error()) << made->glsl;
 }
 
 TEST(TabledTerm, TwoTables_AreNotReadTogether) {

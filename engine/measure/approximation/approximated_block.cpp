@@ -24,7 +24,7 @@ namespace patina {
 namespace {
 
 constexpr const char* evaluatedFunction = "evaluated";
-constexpr std::size_t casesOfChoices = 32; ///< tell what compiled choices are
+constexpr std::size_t casesOfChoices = 32;           ///< tell what compiled choices are
 constexpr std::string_view foundPrefix = "cheaper."; ///< begins the id of a choice of found ways
 
 constexpr double statedMargin = 1.25; ///< is how much more is stated than was measured
@@ -193,7 +193,10 @@ class LevelWriter {
                                      each.kind != ShaderExpression::Kind::Literal &&
                                      each.first < each.last && changed.contains(each.owner);
             if (isCondition && seen_[i].count > 0 && choices_.isChoice(static_cast<int>(i))) {
-                add({each.first, each.last, seen_[i].max[0] != 0.0 ? "true" : "false", {},
+                add({each.first,
+                     each.last,
+                     seen_[i].max[0] != 0.0 ? "true" : "false",
+                     {},
                      each.owner});
             }
         }
@@ -225,22 +228,72 @@ class LevelWriter {
             }
         }
         const ShaderSource raw = editedSource(source_, syntax_, decidedEdits(way, changed));
+        Level exact; // the entries of tables that call what the way changes: of the exact functions
         std::set<std::string> written;
-        for (const auto& [name, own] : names) {
-            written.insert(name);
-        }
         if (const auto syntax = parsedShader(raw, evaluatedFunction)) {
-            for (const ParsedFunction& function : syntax->functions) {
-                if (!known.contains(std::string(function.name))) {
-                    written.insert(std::string(function.name));
+            const std::set<std::string> called = calledFrom(*syntax, evaluatedFunction);
+            for (const std::string& name : called) {
+                if (names.contains(name) || !known.contains(name)) {
+                    written.insert(name);
+                }
+            }
+            for (const ShaderEdit& edit : way.edits) {
+                const std::string entry = entryOf(edit);
+                const std::set<std::string> needed = calledFrom(*syntax, entry);
+                if (std::ranges::any_of(
+                        needed, [&](const std::string& name) { return names.contains(name); })) {
+                    exact.helpers[entry] = edit.helper + "\n";
+                } else if (!entry.empty()) {
+                    written.insert(entry);
                 }
             }
         }
         for (const BlockTable& table : newTables(ways_, block_)) {
             written.erase(tableFunction(block_, table)); // the engine writes it
         }
-        return levelOf(tidiedSource(raw, evaluatedFunction, written), written, names,
-                       foundLevelDoc(ways_, index));
+        Level made = levelOf(tidiedSource(raw, evaluatedFunction, written), written, names,
+                             foundLevelDoc(ways_, index));
+        made.helpers.merge(exact.helpers);
+        return made;
+    }
+
+    /// Returns the name of the function whose values a table holds that an edit reads; empty where
+    /// it reads none.
+    std::string entryOf(const ShaderEdit& edit) const {
+        for (const BlockTable& table : newTables(ways_, block_)) {
+            const std::string name = entryFunction(block_, table);
+            if (!edit.tableRead.empty() &&
+                edit.helper.find(' ' + name + '(') != std::string::npos) {
+                return name;
+            }
+        }
+        return {};
+    }
+
+    /// Returns the names of a function and of those that it calls, but for what only the entries of
+    /// tables call: these are computed beforehand.
+    std::set<std::string> calledFrom(const ShaderSyntax& syntax, std::string_view from) const {
+        std::set<std::string> entries;
+        for (const auto& tables : {block_.tables, newTables(ways_, block_)}) {
+            for (const BlockTable& table : tables) {
+                entries.insert(entryFunction(block_, table));
+            }
+        }
+        std::set<std::string> called;
+        std::vector<int> open{syntax.functionNamed(from)};
+        while (!open.empty()) {
+            const int function = open.back();
+            open.pop_back();
+            if (function < 0) {
+                continue;
+            }
+            const ParsedFunction& each = syntax.functions[static_cast<std::size_t>(function)];
+            const std::string name(each.name);
+            if ((name == from || !entries.contains(name)) && called.insert(name).second) {
+                open.insert(open.end(), each.calls.begin(), each.calls.end());
+            }
+        }
+        return called;
     }
 
     /// Cuts the written functions out of a way's program, as far as it still calls them.
@@ -465,9 +518,9 @@ std::string foundLevelDoc(const CheaperWays& ways, std::size_t index) {
         "{}. At most {:.2g} off where white is 1{}, {:.2g} on the mean, for light and viewer 3 "
         "degrees or more above the surface{}. {:.0f} in place of {:.0f} {} (predicted).",
         capitalised(wordsOf(way)), statedError(way),
-        isOfFloats ? fmt::format(" (floats alone are up to {:.2g} off in the exact way)",
-                                 ways.exact.error)
-                   : std::string(),
+        isOfFloats
+            ? fmt::format(" (floats alone are up to {:.2g} off in the exact way)", ways.exact.error)
+            : std::string(),
         way.meanError, way.isForValues ? ", and for the values of its preset only" : "", way.cost,
         ways.exact.cost, ways.unit);
 }
