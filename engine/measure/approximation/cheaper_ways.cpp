@@ -26,14 +26,16 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t quickCases = 96; ///< tell most of what is too far off
+constexpr std::size_t quickCases = 96;    ///< tell most of what is too far off
+constexpr std::size_t minQuickCases = 16; ///< are those of a block that takes long
+/// Is how long the search may judge one way. Where the exact one takes longer, cases are fewer.
+constexpr double secondsOfWay = 0.25;
 constexpr std::size_t edgeCaseCount = 3000;
 constexpr std::size_t lastEdgeCases = 20000;
 constexpr std::size_t rowsOfSearch = 48;
 constexpr std::uint32_t searchSeed = 1;
 constexpr std::uint32_t heldOutSeed = 2;
 constexpr std::uint32_t firstLastSeed = 4; ///< 3 is that of the cases on the device
-constexpr std::size_t batchSize = 16; ///< counts the texts that are compiled between two reports
 constexpr std::size_t beamWidth = 10;
 constexpr std::size_t triedPerRound = 48;
 constexpr std::size_t roundsOfKnown = 2; ///< put known moves together before the many others
@@ -119,21 +121,29 @@ class CheaperSearch {
 
     void prepareCases() {
         const CaseWish wish{options_.cases, searchSeed, 0, rowsOfSearch, options_.ofValues};
+        CaseTexels texels = texelsOfCases(commonCases(subject_, wish));
         const double before = secondsGone();
-        cases_ = text_->judged(texelsOfCases(commonCases(subject_, wish)));
-        const auto judged = static_cast<double>(options_.heldOut) *
-                            (1.0 + slowerThanExact * static_cast<double>(options_.ways)) /
-                            static_cast<double>(std::max<std::size_t>(options_.cases, 1));
-        secondsOfJudging_ = judged * (secondsGone() - before);
-        edgeCases_ =
-            text_->judged(texelsOfCases(edgeCases(subject_, edgeCaseCount, options_.ofValues)));
-        quick_.texels.assign(cases_.texels.begin(),
-                             cases_.texels.begin() + static_cast<std::ptrdiff_t>(std::min(
-                                                         quickCases, cases_.texels.size())));
-        quick_.exact.assign(cases_.exact.begin(),
-                            cases_.exact.begin() + static_cast<std::ptrdiff_t>(
-                                                       quick_.texels.size() * text_->results()));
+        judgeBy(texels, quickCases, quick_);
+        const double each = (secondsGone() - before) / static_cast<double>(quick_.texels.size());
+        const double share =
+            std::min(1.0, secondsOfWay / (each * static_cast<double>(options_.cases)));
+        const auto some = [share](std::size_t count, std::size_t few) {
+            return std::max(static_cast<std::size_t>(share * static_cast<double>(count)), few);
+        };
+        judgeBy(texels, some(quickCases, minQuickCases), quick_);
+        judgeBy(texels, some(options_.cases, quickCases), cases_);
+        edgeCases_ = text_->judged(
+            texelsOfCases(edgeCases(subject_, some(edgeCaseCount, quickCases), options_.ofValues)));
+        secondsOfJudging_ = each * static_cast<double>(options_.heldOut) *
+                            (1.0 + slowerThanExact * static_cast<double>(options_.ways));
         observed_ = text_->observed(cases_.texels);
+    }
+
+    /// Judges by the first of the cases.
+    void judgeBy(const CaseTexels& texels, std::size_t count, JudgedCases& cases) const {
+        cases = text_->judged(
+            {texels.begin(),
+             texels.begin() + static_cast<std::ptrdiff_t>(std::min(count, texels.size()))});
     }
 
     bool priceExact() {
@@ -224,45 +234,58 @@ class CheaperSearch {
         return editsOf(chosen);
     }
 
-    /// Judges ways on all cores, and leaves out those that are too far off or break.
-    void judge(std::vector<TriedWay>& ways) {
-        inParallel(ways.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end && !options_.isAbandoned(); ++i) {
-                const std::vector<ShaderEdit> edits = editsFor(ways[i].moves);
-                ways[i].error = text_->error(edits, quick_, limit_);
-                if (ways[i].error.isWithin(limit_)) {
-                    ways[i].error = text_->error(edits, cases_, limit_);
-                }
-                if (ways[i].error.isWithin(limit_)) {
-                    ways[i].error.isSafe = text_->isSafe(edits, edgeCases_);
-                }
-            }
-        });
-        std::erase_if(ways, [this](const TriedWay& way) { return !way.error.isWithin(limit_); });
+    /// Returns those of the ways that are ahead of the front, or useful by themselves, with their
+    /// errors and costs, and puts them into the front. What takes long comes last, for few ways.
+    std::vector<TriedWay> tried(std::vector<TriedWay> ways) {
+        judge(ways, quick_);
+        price(ways);
+        judge(ways, cases_);
+        leaveOutBroken(ways);
+        std::ranges::for_each(ways, [this](const TriedWay& way) { enter(way); });
+        tried_.insert(tried_.end(), ways.begin(), ways.end());
+        report();
+        return ways;
     }
 
-    /// Compiles ways, puts them into the front, and returns those that have a cost.
-    std::vector<TriedWay> priced(std::vector<TriedWay> ways) {
-        std::vector<TriedWay> done;
-        for (std::size_t first = 0; first < ways.size() && !isOver(); first += batchSize) {
-            const std::size_t last = std::min(first + batchSize, ways.size());
-            std::vector<std::vector<ShaderEdit>> edits;
-            for (std::size_t i = first; i < last; ++i) {
-                edits.push_back(editsFor(ways[i].moves));
+    /// Judges ways on all cores, and leaves out those that are too far off, or behind the front.
+    void judge(std::vector<TriedWay>& ways, const JudgedCases& cases) const {
+        inParallel(ways.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                ways[i].error = isOver() ? TextError{.isSafe = false}
+                                         : text_->error(editsFor(ways[i].moves), cases, limit_);
             }
-            const auto costs = price_.of(edits, [this] { return stopsNow(); });
-            for (std::size_t i = first; i < last; ++i) {
-                ways[i].cost = costs[i - first];
-                if (ways[i].cost) {
-                    ++found_.tried;
-                    tried_.push_back(ways[i]);
-                    enter(ways[i]);
-                    done.push_back(ways[i]);
-                }
-            }
-            report();
+        });
+        std::erase_if(ways, [this](const TriedWay& way) {
+            return !way.error.isWithin(limit_) || (way.cost ? isBehind(way) : isHopeless(way));
+        });
+    }
+
+    /// Compiles ways, and leaves out those that gain nothing.
+    void price(std::vector<TriedWay>& ways) {
+        if (ways.empty()) {
+            return;
         }
-        return done;
+        std::vector<std::vector<ShaderEdit>> edits;
+        for (const TriedWay& way : ways) {
+            edits.push_back(editsFor(way.moves));
+        }
+        const auto costs = price_.of(edits, [this] { return stopsNow(); });
+        for (std::size_t i = 0; i < ways.size(); ++i) {
+            ways[i].cost = costs[i];
+            found_.tried += costs[i] ? 1 : 0;
+        }
+        std::erase_if(ways, [this](const TriedWay& way) { return !way.cost || isBehind(way); });
+    }
+
+    /// Leaves out those of a few ways that break in an edge case.
+    void leaveOutBroken(std::vector<TriedWay>& ways) const {
+        inParallel(ways.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                ways[i].error.isSafe =
+                    !isOver() && text_->isSafe(editsFor(ways[i].moves), edgeCases_);
+            }
+        });
+        std::erase_if(ways, [](const TriedWay& way) { return !way.error.isSafe; });
     }
 
     bool stopsNow() {
@@ -270,13 +293,26 @@ class CheaperSearch {
         return isOver();
     }
 
+    /// Tells whether a way is a gain that nothing in the front is as good as.
+    bool isAhead(const TriedWay& way) const {
+        return *way.cost < worthwhile * found_.exact.cost &&
+               std::ranges::none_of(front_, [&way](const TriedWay& other) {
+                   return other.error.worst <= way.error.worst && *other.cost <= *way.cost;
+               });
+    }
+
+    /// Tells whether a way is of no use: not ahead, and no single move that gains something or may
+    /// beside others.
+    bool isBehind(const TriedWay& way) const {
+        const bool isUseful =
+            way.moves.size() == 1 &&
+            (*way.cost < worthwhile * found_.exact.cost || moves_[way.moves.front()].gainsBeside);
+        return !isUseful && !isAhead(way);
+    }
+
     /// Puts a way into the front where none is better.
     void enter(const TriedWay& way) {
-        const bool isGain = *way.cost < worthwhile * found_.exact.cost;
-        if (!isGain || std::ranges::any_of(front_, [&way](const TriedWay& other) {
-                return isBetter(other, way) ||
-                       (other.error.worst == way.error.worst && *other.cost == *way.cost);
-            })) {
+        if (!isAhead(way)) {
             return;
         }
         std::erase_if(front_, [&way](const TriedWay& other) { return isBetter(way, other); });
@@ -309,14 +345,8 @@ class CheaperSearch {
             for (std::size_t i = first; i < std::min(first + judgedAtOnce, moves_.size()); ++i) {
                 ways.push_back({{i}, {}, {}});
             }
-            judge(ways);
-            report();
-            for (const TriedWay& way : priced(std::move(ways))) {
-                if (*way.cost < worthwhile * found_.exact.cost ||
-                    moves_[way.moves.front()].gainsBeside) {
-                    useful_.push_back(way);
-                }
-            }
+            const std::vector<TriedWay> useful = tried(std::move(ways));
+            useful_.insert(useful_.end(), useful.begin(), useful.end());
         }
     }
 
@@ -365,9 +395,7 @@ class CheaperSearch {
                 std::vector<TriedWay> some(next.begin() + static_cast<std::ptrdiff_t>(first),
                                            next.begin() + static_cast<std::ptrdiff_t>(std::min(
                                                               first + triedPerRound, next.size())));
-                judge(some);
-                std::erase_if(some, [this](const TriedWay& way) { return isHopeless(way); });
-                priced(std::move(some));
+                tried(std::move(some));
             }
         }
     }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "catalog/table_source.h"
+#include "measure/error/parallel.h"
 #include "measure/eval/eval_source.h"
 #include "measure/time/instruction_count.h"
 #include "predict/family_compiler.h"
@@ -125,6 +126,7 @@ std::vector<std::optional<double>> ShaderPrice::of(const std::vector<std::vector
         const GpuFamily* const families[] = {&family_};
         FamilyCompilerOptions options;
         options.isStopped = isStopped;
+        options.processes = parallelParts();
         const auto compiled = compileForFamilies(families, programs, options);
         for (std::size_t i = 0; compiled && i < prices.size(); ++i) {
             if (compiled->programs[i] && compiled->programs[i]->contains(family_.id)) {

@@ -16,24 +16,42 @@ using BaseType = ShaderType::Base;
 /// Limits what one case may take; nothing that is drawn for each pixel comes near it.
 constexpr std::size_t maxStepsOfCase = 200000;
 constexpr int maxCallDepth = 64;
-constexpr std::size_t stackNumbers = 1u << 18;
+constexpr std::size_t stackNumbers = 1u << 16;
 
-/// Is room for the value of an expression of this size, on the stack where it is small.
-class Room {
-  public:
-    explicit Room(std::size_t size) {
-        if (size > few_.size()) {
-            many_.resize(size);
-        }
+/// Copies the few numbers of a value.
+void copied(const double* from, std::size_t count, double* to) {
+    for (std::size_t i = 0; i < count; ++i) {
+        to[i] = from[i];
     }
-    double* data() { return many_.empty() ? few_.data() : many_.data(); }
-
-  private:
-    std::array<double, 16> few_{};
-    std::vector<double> many_;
-};
+}
 
 } // namespace
+
+/// Is room for the value of an expression, above the numbers of the function that runs.
+class ShaderEvaluator::Room {
+  public:
+    Room(ShaderEvaluator& evaluator, std::size_t size)
+        : top_(evaluator.top_), before_(evaluator.top_) {
+        if (top_ + size <= evaluator.stack_.size()) {
+            numbers_ = evaluator.stack_.data() + top_;
+            top_ += size;
+        } else {
+            many_.resize(size);
+            numbers_ = many_.data();
+        }
+    }
+    ~Room() { top_ = before_; }
+    Room(const Room&) = delete;
+    Room& operator=(const Room&) = delete;
+
+    double* data() { return numbers_; }
+
+  private:
+    std::size_t& top_;
+    std::size_t before_;
+    double* numbers_ = nullptr;
+    std::vector<double> many_;
+};
 
 double roundedToHalf(double x) {
     constexpr int digits = 11;
@@ -95,8 +113,6 @@ void ShaderEvaluator::call(int function, std::span<const double> arguments,
 
 ShaderEvaluator::Flow ShaderEvaluator::run(int index) {
     const ShaderStatement& statement = syntax_.statements[static_cast<std::size_t>(index)];
-    Room ignored(statement.kind == ShaderStatement::Kind::Expression ? at(statement.expression).size
-                                                                     : 1);
     switch (statement.kind) {
     case ShaderStatement::Kind::Group:
         for (const int next : statement.statements) {
@@ -105,9 +121,11 @@ ShaderEvaluator::Flow ShaderEvaluator::run(int index) {
             }
         }
         return Flow::Next;
-    case ShaderStatement::Kind::Expression:
+    case ShaderStatement::Kind::Expression: {
+        Room ignored(*this, at(statement.expression).size);
         evaluate(statement.expression, ignored.data());
         return Flow::Next;
+    }
     case ShaderStatement::Kind::If:
         if (truth(statement.expression)) {
             return run(statement.statements[0]);
@@ -128,7 +146,7 @@ ShaderEvaluator::Flow ShaderEvaluator::run(int index) {
 }
 
 ShaderEvaluator::Flow ShaderEvaluator::loop(const ShaderStatement& statement) {
-    Room ignored(16);
+    Room ignored(*this, 16);
     while (!isEndless_ && (statement.expression < 0 || truth(statement.expression))) {
         isEndless_ = ++steps_ > maxStepsOfCase;
         const Flow flow = run(statement.statements.front());
@@ -180,10 +198,10 @@ void ShaderEvaluator::compute(const ShaderExpression& expression, double* out) {
                                                        : expression.number;
         return;
     case NodeKind::Local:
-        std::copy_n(frame() + expression.place, expression.size, out);
+        copied(frame() + expression.place, expression.size, out);
         return;
     case NodeKind::Global:
-        std::copy_n(constants_.data() + expression.place, expression.size, out);
+        copied(constants_.data() + expression.place, expression.size, out);
         return;
     case NodeKind::Field:
         return field(expression, out);
@@ -249,13 +267,13 @@ void ShaderEvaluator::field(const ShaderExpression& expression, double* out) {
     const ShaderExpression& of = at(expression.operands[0]);
     if (of.kind == NodeKind::Local || of.kind == NodeKind::Field) {
         if (const double* whole = placeOf(expression.operands[0])) {
-            std::copy_n(whole + expression.place, expression.size, out);
+            copied(whole + expression.place, expression.size, out);
             return;
         }
     }
-    Room whole(of.size);
+    Room whole(*this, of.size);
     evaluate(expression.operands[0], whole.data());
-    std::copy_n(whole.data() + expression.place, expression.size, out);
+    copied(whole.data() + expression.place, expression.size, out);
 }
 
 void ShaderEvaluator::swizzle(const ShaderExpression& expression, double* out) {
@@ -268,7 +286,7 @@ void ShaderEvaluator::swizzle(const ShaderExpression& expression, double* out) {
 
 void ShaderEvaluator::element(const ShaderExpression& expression, double* out) {
     const std::size_t all = at(expression.operands[0]).size;
-    Room whole(all);
+    Room whole(*this, all);
     evaluate(expression.operands[0], whole.data());
     double place = 0.0;
     evaluate(expression.operands[1], &place);
@@ -280,17 +298,18 @@ void ShaderEvaluator::element(const ShaderExpression& expression, double* out) {
 
 void ShaderEvaluator::unary(const ShaderExpression& expression, double* out) {
     evaluate(expression.operands[0], out);
+    const char sign = expression.sign.front();
     for (std::size_t i = 0; i < expression.size; ++i) {
-        if (expression.sign == "-") {
+        if (sign == '-') {
             out[i] = -out[i];
-        } else if (expression.sign == "!") {
+        } else if (sign == '!') {
             out[i] = out[i] == 0.0 ? 1.0 : 0.0;
         }
     }
 }
 
-double ShaderEvaluator::combined(std::string_view sign, BaseType base, double a, double b) const {
-    switch (sign.front()) {
+double ShaderEvaluator::combined(char sign, BaseType base, double a, double b) const {
+    switch (sign) {
     case '+':
         return rounded(a + b);
     case '-':
@@ -321,43 +340,75 @@ void ShaderEvaluator::product(const ShaderExpression& left, const ShaderExpressi
     }
 }
 
+/// Returns the value of an operand where it already stands: that of a variable or a constant, while
+/// nothing watches what is evaluated. Null: it has to be computed.
+const double* ShaderEvaluator::standing(const ShaderExpression& operand) {
+    if (observed_ != nullptr || halved_ != nullptr) {
+        return nullptr;
+    }
+    switch (operand.kind) {
+    case NodeKind::Local:
+        return frame() + operand.place;
+    case NodeKind::Global:
+        return constants_.data() + operand.place;
+    case NodeKind::Field: {
+        const double* const whole = standing(at(operand.operands.front()));
+        return whole == nullptr ? nullptr : whole + operand.place;
+    }
+    default:
+        return nullptr;
+    }
+}
+
 void ShaderEvaluator::binary(const ShaderExpression& expression, double* out) {
-    const std::string_view sign = expression.sign;
-    if (sign == "&&" || sign == "||") {
+    const char sign = expression.sign.front();
+    if (sign == '&' || sign == '|') {
         const bool left = truth(expression.operands[0]);
-        const bool isDecided = left == (sign == "||");
+        const bool isDecided = left == (sign == '|');
         *out = (isDecided ? left : truth(expression.operands[1])) ? 1.0 : 0.0;
         return;
     }
     const ShaderExpression& left = at(expression.operands[0]);
     const ShaderExpression& right = at(expression.operands[1]);
-    Room leftRoom(left.size);
-    Room rightRoom(right.size);
-    double* const a = leftRoom.data();
-    double* const b = rightRoom.data();
-    evaluate(expression.operands[0], a);
-    evaluate(expression.operands[1], b);
-    if (sign == "==" || sign == "!=") {
+    Room room(*this, left.size + right.size);
+    const double* b = standing(right);
+    const double* a = b == nullptr ? nullptr : standing(left); // what is computed may change it
+    if (a == nullptr) {
+        evaluate(expression.operands[0], room.data());
+        a = room.data();
+    }
+    if (b == nullptr) {
+        evaluate(expression.operands[1], room.data() + left.size);
+        b = room.data() + left.size;
+    }
+    const bool isEqual = expression.sign.size() > 1; // as the second of <= is
+    switch (sign) {
+    case '=':
+    case '!': {
         const bool isSame = std::equal(a, a + left.size, b, b + right.size);
-        *out = isSame == (sign == "==") ? 1.0 : 0.0;
-    } else if (sign == "<") {
-        *out = *a < *b ? 1.0 : 0.0;
-    } else if (sign == ">") {
-        *out = *a > *b ? 1.0 : 0.0;
-    } else if (sign == "<=") {
-        *out = *a <= *b ? 1.0 : 0.0;
-    } else if (sign == ">=") {
-        *out = *a >= *b ? 1.0 : 0.0;
-    } else if (sign == "^^") {
+        *out = isSame == (sign == '=') ? 1.0 : 0.0;
+        return;
+    }
+    case '<':
+        *out = (isEqual ? *a <= *b : *a < *b) ? 1.0 : 0.0;
+        return;
+    case '>':
+        *out = (isEqual ? *a >= *b : *a > *b) ? 1.0 : 0.0;
+        return;
+    case '^':
         *out = (*a != 0.0) != (*b != 0.0) ? 1.0 : 0.0;
-    } else if (sign == "*" && left.size > 1 && right.size > 1 &&
-               (left.type.columns > 1 || right.type.columns > 1)) {
+        return;
+    default:
+        break;
+    }
+    if (sign == '*' && left.size > 1 && right.size > 1 &&
+        (left.type.columns > 1 || right.type.columns > 1)) {
         product(left, right, a, b, out);
-    } else {
-        for (std::size_t i = 0; i < expression.size; ++i) {
-            out[i] = combined(sign, expression.type.base, a[left.size == 1 ? 0 : i],
-                              b[right.size == 1 ? 0 : i]);
-        }
+        return;
+    }
+    for (std::size_t i = 0; i < expression.size; ++i) {
+        out[i] = combined(sign, expression.type.base, a[left.size == 1 ? 0 : i],
+                          b[right.size == 1 ? 0 : i]);
     }
 }
 
@@ -367,16 +418,19 @@ void ShaderEvaluator::builtin(const ShaderExpression& expression, double* out) {
         builtin.form != ShaderBuiltin::Form::Compared) {
         return vectorBuiltin(expression, out);
     }
-    std::array<std::array<double, 4>, 3> values{};
-    std::array<std::size_t, 3> last{}; // is 0 where one number serves all components
+    constexpr std::size_t perOperand = 4;
+    Room room(*this, 3 * perOperand);
+    std::array<const double*, 3> values{room.data(), room.data(), room.data()};
+    std::array<std::size_t, 3> steps{}; // is 0 where one number serves all components
     for (std::size_t k = 0; k < expression.operands.size(); ++k) {
-        evaluate(expression.operands[k], values[k].data());
-        last[k] = at(expression.operands[k]).size - 1;
+        evaluate(expression.operands[k], room.data() + perOperand * k);
+        values[k] = room.data() + perOperand * k;
+        steps[k] = at(expression.operands[k]).size > 1 ? 1 : 0;
     }
     for (std::size_t i = 0; i < expression.size; ++i) {
-        const double a = values[0][std::min(i, last[0])];
-        const double b = values[1][std::min(i, last[1])];
-        const double c = values[2][std::min(i, last[2])];
+        const double a = values[0][i * steps[0]];
+        const double b = values[1][i * steps[1]];
+        const double c = values[2][i * steps[2]];
         out[i] = rounded(builtin.one != nullptr   ? builtin.one(a)
                          : builtin.two != nullptr ? builtin.two(a, b)
                                                   : builtin.three(a, b, c));
@@ -452,7 +506,7 @@ void ShaderEvaluator::construct(const ShaderExpression& expression, double* out)
     const bool isFloat = expression.type.base == BaseType::Float;
     for (const int operand : expression.operands) {
         const std::size_t size = at(operand).size;
-        Room room(size);
+        Room room(*this, size);
         evaluate(operand, room.data());
         for (std::size_t i = 0; i < size && filled < expression.size; ++i) {
             const double x = room.data()[i];
@@ -475,11 +529,12 @@ void ShaderEvaluator::construct(const ShaderExpression& expression, double* out)
 void ShaderEvaluator::assign(const ShaderExpression& expression, double* out) {
     const ShaderExpression& target = at(expression.operands[0]);
     const ShaderExpression& source = at(expression.operands[1]);
-    Room room(std::max(source.size, target.size));
+    Room room(*this, std::max(source.size, target.size));
     evaluate(expression.operands[1], room.data());
     if (source.size == 1) {
         std::fill_n(room.data(), target.size, room.data()[0]);
     }
+    const char sign = expression.sign.front(); // of the operator before the =, where there is one
     const bool isSpread = target.kind == NodeKind::Swizzle && target.size > 1;
     double* const place = placeOf(isSpread ? target.operands[0] : expression.operands[0]);
     if (place == nullptr) {
@@ -487,9 +542,8 @@ void ShaderEvaluator::assign(const ShaderExpression& expression, double* out) {
     }
     for (std::size_t i = 0; i < target.size; ++i) {
         double& number = place[isSpread ? static_cast<std::size_t>(target.components[i]) : i];
-        number = expression.sign == "="
-                     ? room.data()[i]
-                     : combined(expression.sign, target.type.base, number, room.data()[i]);
+        number =
+            sign == '=' ? room.data()[i] : combined(sign, target.type.base, number, room.data()[i]);
         if (isHalved(expression)) {
             number = roundedToHalf(number);
         }
@@ -526,7 +580,7 @@ void ShaderEvaluator::callFunction(const ShaderExpression& expression, double* o
         const ShaderVariable& argument = called.arguments[i];
         double* const place = argument.isOut ? placeOf(expression.operands[i]) : nullptr;
         if (place != nullptr) {
-            std::copy_n(stack_.data() + callee + argument.place, argument.size, place);
+            copied(stack_.data() + callee + argument.place, argument.size, place);
         }
     }
     top_ = callee;

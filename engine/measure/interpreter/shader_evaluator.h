@@ -56,6 +56,7 @@ class ShaderEvaluator {
 
   private:
     enum class Flow { Next, Break, Continue, Return };
+    class Room;
 
     double rounded(double x) const {
         if (precision_ == ShaderPrecision::Double) {
@@ -81,7 +82,8 @@ class ShaderEvaluator {
     void binary(const ShaderExpression& expression, double* out);
     void product(const ShaderExpression& left, const ShaderExpression& right, const double* a,
                  const double* b, double* out) const;
-    double combined(std::string_view sign, ShaderType::Base base, double a, double b) const;
+    const double* standing(const ShaderExpression& operand);
+    double combined(char sign, ShaderType::Base base, double a, double b) const;
     void builtin(const ShaderExpression& expression, double* out);
     void vectorBuiltin(const ShaderExpression& expression, double* out);
     void construct(const ShaderExpression& expression, double* out);
