@@ -36,6 +36,8 @@ constexpr std::size_t rowsOfSearch = 48;
 constexpr std::uint32_t searchSeed = 1;
 constexpr std::uint32_t heldOutSeed = 2;
 constexpr std::uint32_t firstLastSeed = 4; ///< 3 is that of the cases on the device
+constexpr double secondsOfTexts = 2.0;     ///< are how long texts are compiled at once
+constexpr std::size_t maxTextsAtOnce = 64;
 constexpr std::size_t beamWidth = 10;
 constexpr std::size_t triedPerRound = 48;
 constexpr std::size_t roundsOfKnown = 2; ///< put known moves together before the many others
@@ -147,7 +149,9 @@ class CheaperSearch {
     }
 
     bool priceExact() {
+        const double before = secondsGone();
         const auto prices = price_.of({{}}, [] { return false; });
+        compiledIn(secondsGone() - before, 1);
         if (!price_.note().empty()) {
             found_.notes.push_back({{},
                                     0,
@@ -260,21 +264,28 @@ class CheaperSearch {
         });
     }
 
-    /// Compiles ways, and leaves out those that gain nothing.
+    /// Compiles ways, a few at once where that takes long, and leaves out those that gain nothing.
     void price(std::vector<TriedWay>& ways) {
-        if (ways.empty()) {
-            return;
-        }
-        std::vector<std::vector<ShaderEdit>> edits;
-        for (const TriedWay& way : ways) {
-            edits.push_back(editsFor(way.moves));
-        }
-        const auto costs = price_.of(edits, [this] { return stopsNow(); });
-        for (std::size_t i = 0; i < ways.size(); ++i) {
-            ways[i].cost = costs[i];
-            found_.tried += costs[i] ? 1 : 0;
+        for (std::size_t first = 0; first < ways.size() && !isOver();) {
+            std::vector<std::vector<ShaderEdit>> edits;
+            for (std::size_t i = first; i < std::min(first + textsAtOnce_, ways.size()); ++i) {
+                edits.push_back(editsFor(ways[i].moves));
+            }
+            const double before = secondsGone();
+            for (const auto& cost : price_.of(edits, [this] { return stopsNow(); })) {
+                found_.tried += cost ? 1 : 0;
+                ways[first++].cost = cost;
+            }
+            compiledIn(secondsGone() - before, edits.size());
         }
         std::erase_if(ways, [this](const TriedWay& way) { return !way.cost || isBehind(way); });
+    }
+
+    /// Keeps how many texts are compiled at once, between two looks at the clock.
+    void compiledIn(double seconds, std::size_t texts) {
+        const double fitting = secondsOfTexts * static_cast<double>(texts) / seconds;
+        textsAtOnce_ =
+            static_cast<std::size_t>(std::clamp(fitting, 2.0, static_cast<double>(maxTextsAtOnce)));
     }
 
     /// Leaves out those of a few ways that break in an edge case.
@@ -596,6 +607,7 @@ class CheaperSearch {
     double limit_; ///< is the largest error that may be stated
     Clock::time_point began_ = Clock::now();
     double secondsOfJudging_ = 0.0; ///< is how long what is found will take, about
+    std::size_t textsAtOnce_ = 2;   ///< are compiled together
     JudgedCases cases_;
     JudgedCases quick_;
     JudgedCases edgeCases_;
