@@ -177,6 +177,25 @@ TEST_F(Selection, Delete_RemovesAllSelectedInOneStep) {
     EXPECT_EQ(document().scene().objects, before);
 }
 
+TEST_F(Selection, UndoSteps_SayHowManyObjectsTheyAreOf) {
+    const auto undone = [this] { return document().undoStack().undoText(); };
+    click(1);
+    QTest::keyClick(&view(), Qt::Key_H);
+    EXPECT_EQ(undone(), "Hide object");
+    document().undoStack().undo();
+    click(2, Qt::ControlModifier);
+    QTest::keyClick(&view(), Qt::Key_H);
+    EXPECT_EQ(undone(), "Hide 2 objects");
+    document().undoStack().undo();
+    QTest::keyClick(&view(), Qt::Key_G, Qt::ControlModifier);
+    EXPECT_EQ(undone(), "Group 2 objects");
+    QTest::keyClick(&view(), Qt::Key_D, Qt::ShiftModifier);
+    EXPECT_EQ(undone(), "Duplicate 2 objects");
+    document().undoStack().undo();
+    removeObjects(document(), {0});
+    EXPECT_EQ(undone(), "Remove object");
+}
+
 TEST_F(Selection, Group_IsSelectedByAClickOnOneOfThem) {
     click(1);
     click(2, Qt::ControlModifier);

@@ -7,6 +7,7 @@
 
 #include "document/scene_edits.h"
 #include "files/file_actions.h"
+#include "text/counted.h"
 
 namespace patina {
 namespace {
@@ -40,7 +41,9 @@ ObjectActions::ObjectActions(Document& document, FileActions& files, QObject* pa
     add(
         tr("&Hide"), "H",
         [&document, edited] {
-            changeObjects(document, edited(), tr("Hide objects"),
+            const std::vector<int> hidden = edited();
+            changeObjects(document, hidden,
+                          counted(hidden.size(), tr("Hide object"), tr("Hide %1 objects")),
                           [](Object& object) { object.visible = false; });
         },
         any);

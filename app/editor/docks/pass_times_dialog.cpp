@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "docks/panel.h"
+#include "text/counted.h"
 #include "text/display_number.h"
 
 namespace patina {
@@ -45,11 +46,12 @@ PassTimesDialog::PassTimesDialog(const EffectCosts& costs, QWidget* parent) : QD
     list->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     auto* hint = hintLabel(this);
+    const int frames = costs.passes.empty() ? 0 : costs.passes.front().frames;
     hint->setText(
-        tr("Medians of %n frame(s) of %1 × %2 pixels in which something has moved, so that "
+        tr("Medians of %1 of %2 × %3 pixels in which something has moved, so that "
            "shadow maps are drawn too. Each pass is waited for, which takes longer than "
-           "the frame does otherwise: %3 ms.",
-           nullptr, costs.passes.empty() ? 0 : costs.passes.front().frames)
+           "the frame does otherwise: %4 ms.")
+            .arg(counted(static_cast<std::size_t>(frames), tr("1 frame"), tr("%1 frames")))
             .arg(costs.size.x)
             .arg(costs.size.y)
             .arg(numberLocale().toString(costs.frame.median, 'f', 2)));

@@ -18,6 +18,7 @@
 #include "document/compare_edits.h"
 #include "document/swapped_block.h"
 #include "scene/environment.h"
+#include "text/counted.h"
 
 namespace patina {
 namespace {
@@ -272,7 +273,7 @@ void changeObjects(Document& document, const std::vector<int>& indices, const QS
 void removeObjects(Document& document, std::vector<int> indices) {
     std::ranges::sort(indices, std::greater());
     const QString label =
-        Document::tr("Remove %n object(s)", nullptr, static_cast<int>(indices.size()));
+        counted(indices.size(), Document::tr("Remove object"), Document::tr("Remove %1 objects"));
     GroupCommand::Edits edits;
     for (const int index : indices) {
         if (const Object* held = at(document.scene().objects, index)) {
@@ -316,13 +317,17 @@ std::vector<int> withGroups(const Scene& scene, const std::vector<int>& indices)
 void groupObjects(Document& document, const std::vector<int>& indices) {
     const std::string name = unusedName(namesOf(document.scene(), &Object::group),
                                         Document::tr("Group 1").toStdString());
-    changeObjects(document, indices, Document::tr("Group objects"),
-                  [&](Object& object) { object.group = name; });
+    changeObjects(
+        document, indices,
+        counted(indices.size(), Document::tr("Group object"), Document::tr("Group %1 objects")),
+        [&](Object& object) { object.group = name; });
 }
 
 void ungroupObjects(Document& document, const std::vector<int>& indices) {
-    changeObjects(document, indices, Document::tr("Ungroup"),
-                  [](Object& object) { object.group.clear(); });
+    changeObjects(
+        document, indices,
+        counted(indices.size(), Document::tr("Ungroup object"), Document::tr("Ungroup %1 objects")),
+        [](Object& object) { object.group.clear(); });
 }
 
 void setBookmark(Document& document, int digit, const Camera& camera) {

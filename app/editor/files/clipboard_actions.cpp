@@ -8,6 +8,7 @@
 #include "material/preset_file.h"
 #include "scene/scene_file.h"
 #include "scene/scene_format.h"
+#include "text/counted.h"
 
 namespace patina {
 namespace {
@@ -102,11 +103,11 @@ void ClipboardActions::pasteScene(const CopiedJson& copied) {
     const auto addThem = [&] {
         if (!objects.empty()) {
             addObjects(document_, placedBeside(document_.scene(), objects, meshes_),
-                       tr("Paste %n object(s)", nullptr, static_cast<int>(objects.size())));
+                       counted(objects.size(), tr("Paste object"), tr("Paste %1 objects")));
         }
         if (!lights.empty()) {
             addLights(document_, lights,
-                      tr("Paste %n light(s)", nullptr, static_cast<int>(lights.size())));
+                      counted(lights.size(), tr("Paste light"), tr("Paste %1 lights")));
         }
     };
     if (objects.empty() || lights.empty()) {

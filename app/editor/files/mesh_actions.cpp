@@ -15,6 +15,7 @@
 #include "resources/mesh_library.h"
 #include "scene/scene_file.h"
 #include "session/session.h"
+#include "text/counted.h"
 
 namespace patina {
 
@@ -78,7 +79,7 @@ void MeshActions::duplicateObjects() {
         copies.push_back(scene.objects[static_cast<std::size_t>(index)]);
     }
     addObjects(document_, placedBeside(scene, copies, meshes_),
-               tr("Duplicate %n object(s)", nullptr, static_cast<int>(copies.size())));
+               counted(copies.size(), tr("Duplicate object"), tr("Duplicate %1 objects")));
 }
 
 void MeshActions::forget() {
@@ -140,7 +141,8 @@ void MeshActions::place(const std::vector<Object>& objects, bool isInPlace) {
     if (placed.size() == 1) {
         patina::addObject(document_, placed.front());
     } else {
-        patina::addObjects(document_, placed, tr("Add objects"));
+        patina::addObjects(document_, placed,
+                           counted(placed.size(), tr("Add object"), tr("Add %1 objects")));
     }
 }
 
@@ -190,7 +192,8 @@ void MeshActions::replaceObject(const std::vector<Object>& objects) {
         document_.selection().setObject(0);
         return;
     }
-    patina::addObjects(document_, objects, tr("Add objects"));
+    patina::addObjects(document_, objects,
+                       counted(objects.size(), tr("Add object"), tr("Add %1 objects")));
     patina::removeObjects(document_, {0});
     std::vector<int> all(objects.size());
     std::iota(all.begin(), all.end(), 0);

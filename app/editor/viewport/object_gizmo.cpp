@@ -13,6 +13,7 @@
 #include "document/scene_edits.h"
 #include "scene/scene_limits.h"
 #include "scene/turntable.h"
+#include "text/counted.h"
 
 namespace patina {
 namespace {
@@ -233,6 +234,19 @@ void ObjectGizmo::scale(const ViewGeometry& view, QPointF place, bool isStepped)
     });
 }
 
+/// Returns what the undo step of a drag is called.
+QString ObjectGizmo::label() const {
+    const std::size_t count = held_.size();
+    switch (modes_.gizmo()) {
+    case Gizmo::Turn:
+        return counted(count, Document::tr("Turn object"), Document::tr("Turn %1 objects"));
+    case Gizmo::Scale:
+        return counted(count, Document::tr("Scale object"), Document::tr("Scale %1 objects"));
+    default:
+        return counted(count, Document::tr("Move object"), Document::tr("Move %1 objects"));
+    }
+}
+
 /// Applies `change` to the objects as they were when the drag began, so that steps do not add up.
 void ObjectGizmo::apply(const std::function<void(Object&)>& change) {
     std::map<int, Object> changed = held_;
@@ -242,7 +256,7 @@ void ObjectGizmo::apply(const std::function<void(Object&)>& change) {
         object.rotation = glm::dvec3(glm::vec3(object.rotation));
         object.scale = glm::dvec3(glm::vec3(object.scale));
     }
-    setObjects(document_, changed, Document::tr("Place objects"));
+    setObjects(document_, changed, label());
 }
 
 void ObjectGizmo::end() {
@@ -250,7 +264,7 @@ void ObjectGizmo::end() {
 }
 
 void ObjectGizmo::cancel() {
-    setObjects(document_, held_, Document::tr("Place objects"));
+    setObjects(document_, held_, label());
     end();
 }
 

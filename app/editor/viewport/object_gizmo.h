@@ -36,6 +36,7 @@ class ObjectGizmo : public HandleSet {
     void move(const ViewGeometry& view, QPointF place, bool isStepped);
     void turn(const ViewGeometry& view, QPointF place, bool isStepped);
     void scale(const ViewGeometry& view, QPointF place, bool isStepped);
+    QString label() const;
     void apply(const std::function<void(Object&)>& change);
 
     Document& document_;

@@ -17,6 +17,7 @@
 #include "resources/texture_library.h"
 #include "scene/environment.h"
 #include "shading/effects/effect_rows.h"
+#include "text/counted.h"
 #include "viewport/camera_moves.h"
 #include "viewport/inspection_panel.h"
 #include "viewport/light_handles.h"
@@ -306,7 +307,7 @@ void SideView::turnObject(double yaw, double pitch) {
         return;
     }
     const std::vector<int> edited = document_.selection().editedObjects();
-    const QString label = tr("Turn object");
+    const QString label = counted(edited.size(), tr("Turn object"), tr("Turn %1 objects"));
     beginTurn([this, before = objectsAt(document_.scene(), edited), label] {
         setObjects(document_, before, label);
     });
