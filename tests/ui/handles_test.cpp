@@ -3,9 +3,14 @@
 #include <QApplication>
 #include <QTest>
 
-#include <glm/geometric.hpp>
+#include <QPainter>
 
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "docks/light_actions.h"
 #include "document/scene_edits.h"
+#include "render/lights/light_lists.h"
 #include "ui/window_fixture.h"
 #include "viewport/light_handles.h"
 #include "viewport/light_pose.h"
@@ -97,6 +102,7 @@ TEST_F(Handles, DragOfAnAxis_MovesAlongItInOneStep) {
     EXPECT_NEAR(object().translation.z, 0.0, 1e-9);
     EXPECT_EQ(camera(), before);
     EXPECT_EQ(steps(), 1);
+    EXPECT_EQ(document().undoStack().undoText(), "Move object");
 }
 
 TEST_F(Handles, DragOfTheMiddle_FollowsThePointer) {
@@ -213,6 +219,71 @@ TEST_F(Handles, LampBesideTheView_IsPulledInFromItsEdge) {
     const QPoint there = placeOf(pose(spot).point);
     EXPECT_NEAR(there.x(), lamp->x() - 30, 10); // within the lamp's reach
     EXPECT_NEAR(there.y(), lamp->y() + 60, 10);
+}
+
+/// The spot stands where the directional light shone from, so far away that its cone holds the
+/// object.
+TEST_F(Handles, DirectionalLightMadeASpot_LightsTheObjectInOneStep) {
+    document().selection().setLight(0);
+    const LightPose before = pose(0);
+    ASSERT_FALSE(before.hasPoint());
+    setKindOfLight(document(), window().meshes(), "spot");
+    const LightPose spot = pose(0);
+    ASSERT_TRUE(spot.hasPoint() && spot.direction && spot.angleOf);
+    const Bounds bounds = window().meshes().view(object()).bounds;
+    const Ball ball = ballAround(bounds, worldMatrix(object()));
+    const glm::dvec3 way = ball.center - spot.point;
+    EXPECT_GT(glm::dot(glm::normalize(way), *before.direction), 0.999);
+    EXPECT_GT(glm::dot(glm::normalize(way), *spot.direction), 0.999);
+    EXPECT_GT(glm::length(way) * std::sin(glm::radians(spot.angle)), 0.98 * ball.radius);
+    EXPECT_EQ(steps(), 1);
+    document().undoStack().undo();
+    EXPECT_EQ(pose(0).point, before.point);
+    EXPECT_FALSE(pose(0).hasPoint());
+}
+
+TEST_F(Handles, SpotMadeDirectionalAndBack_StandsWhereItStood) {
+    document().selection().setLight(0);
+    setKindOfLight(document(), window().meshes(), "spot");
+    const glm::dvec3 placed = pose(0).point + glm::dvec3(0.0, 0.05, 0.0);
+    document().setValues(pathOf(kinds::lights, 0), {{pose(0).pointOf->id, placed}}, "place");
+    setKindOfLight(document(), window().meshes(), "directional");
+    setKindOfLight(document(), window().meshes(), "spot");
+    EXPECT_LT(glm::distance(pose(0).point, placed), 1e-5);
+}
+
+/// Its direction is new: without one it shone everywhere.
+TEST_F(Handles, PointLightMadeASpot_IsAimedAtTheObject) {
+    document().selection().setLight(0);
+    setKindOfLight(document(), window().meshes(), "point");
+    const glm::dvec3 placed(-1.0, 2.0, 3.0);
+    document().setValues(pathOf(kinds::lights, 0), {{pose(0).pointOf->id, placed}}, "place");
+    setKindOfLight(document(), window().meshes(), "spot");
+    EXPECT_EQ(pose(0).point, placed);
+    EXPECT_GT(glm::dot(*pose(0).direction, glm::normalize(object().translation - placed)), 0.98);
+}
+
+TEST_F(Handles, LinesOfAWhiteLight_AreSeenOnWhite) {
+    const std::size_t index = addSpot();
+    const LightHandles handles(document(), window().views().handleModes(),
+                               [](const Ray&) { return std::nullopt; });
+    QImage white(view().size(), QImage::Format_RGB32);
+    white.fill(Qt::white);
+    const ViewGeometry geometry{camera(), size()};
+    QPainter painter(&white);
+    handles.draw(geometry, painter, std::nullopt);
+    painter.end();
+    // A quarter of the way to the target there is nothing but the line.
+    const glm::dvec3 from = pose(index).point;
+    const glm::dvec3 at = glm::mix(from, glm::dvec3(0.0), 0.25);
+    const QPoint place = placeOf(at);
+    int dark = 0;
+    for (int y = -3; y <= 3; ++y) {
+        for (int x = -3; x <= 3; ++x) {
+            dark += white.pixelColor(place + QPoint(x, y)).lightness() < 190 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(dark, 3);
 }
 
 TEST_F(Handles, LightsThatAreNotShown_AreNotDragged) {

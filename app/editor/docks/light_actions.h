@@ -11,6 +11,7 @@
 namespace patina {
 
 class FileActions;
+class MeshLibrary;
 
 /// Owns the actions on the current light: copy, cut, paste, duplicate, solo, mute, remove. Their
 /// keys work where the focus is in a widget that the actions were added to.
@@ -30,5 +31,9 @@ class LightActions : public QObject {
     std::vector<QAction*> actions_;
     QAction* paste_ = nullptr;
 };
+
+/// Gives the current light another kind, as one step. It shines from where it shone before: one
+/// that gets a place stands so far away that it lights all objects, and is aimed at them.
+void setKindOfLight(Document& document, MeshLibrary& meshes, const std::string& kind);
 
 } // namespace patina

@@ -47,9 +47,10 @@ LightsDock::LightsDock(const DockContext& context)
     fillPanel(this, {list_, rowOf({kind_, solo_, add_, remove_})}, forms);
     connectList(context.files);
     connect(kinds_, &QMenu::aboutToShow, this, &LightsDock::fillMenu);
-    connect(kind_, &BlockChooser::chosen, this, [this](const QString& id) {
-        document_.setBlock(document_.selection().currentPath(kinds::lights), id.toStdString());
-    });
+    connect(kind_, &BlockChooser::chosen, this,
+            [this, &meshes = context.meshes](const QString& id) {
+                setKindOfLight(document_, meshes, id.toStdString());
+            });
     connect(shadow_, &BlockChooser::chosen, this, [this](const QString& id) {
         document_.setBlock(document_.selection().currentPath(kinds::shadows), id.toStdString());
     });

@@ -36,6 +36,7 @@ constexpr double distanceShares[] = {0.45, 0.6, 0.75, 0.88};
 constexpr double coneAhead = 0.1; ///< is how much farther along that line the ring of the cone is
 constexpr double nearestTarget = 0.05; ///< metres
 const QColor hotLampColor(255, 220, 90);
+const QColor casingColor(0, 0, 0, 120);
 
 int lightOfHandle(int handle) {
     return handle / PartCount;
@@ -251,11 +252,12 @@ void LightHandles::drawLight(const ViewGeometry& view, QPainter& painter, int in
     const bool isCurrent = index == document_.selection().light();
     const auto end = view.place(light->target);
     if (isCurrent && end) {
-        QPen pen(QColor(light->color.red(), light->color.green(), light->color.blue(), 170), 1.2);
-        pen.setStyle(Qt::DashLine);
-        painter.setPen(pen);
-        painter.drawLine(*at, *end);
-        drawCone(view, painter, *light);
+        const QPen casing(casingColor, 3.2); // a white line is seen on white too
+        for (const QPen& pen : {casing, QPen(light->color, 1.4, Qt::DashLine)}) {
+            painter.setPen(pen);
+            painter.drawLine(*at, *end);
+            drawCone(view, painter, *light);
+        }
     }
     for (int part = TargetPart; isCurrent && part < PartCount; ++part) {
         const auto point = pointOf(*light, part);

@@ -21,6 +21,15 @@ constexpr double shownShare = 0.75;
 /// light.
 constexpr double casterShare = 0.5;
 
+/// Degrees between the axis and the side of a cone that a light's distance goes by; `usualCone` is
+/// that of a light that shines everywhere.
+constexpr double narrowestCone = 5.0;
+constexpr double usualCone = 30.0;
+constexpr double widestCone = 60.0;
+
+/// Is the cosine of ten degrees, within which two directions are the same to the eye.
+constexpr double sameWay = 0.985;
+
 const Parameter* firstWith(const Block& light, bool wantsPoint) {
     const auto found = std::ranges::find_if(light.parameters, [wantsPoint](const Parameter& each) {
         return each.space != Space::None && isPoint(each.space) == wantsPoint;
@@ -98,6 +107,25 @@ Values valuesAt(const LightPose& place, const Camera& camera) {
                        fromWorld(*place.direction, place.directionOf->space, camera));
     }
     return values;
+}
+
+LightPose aimedAt(const LightPose& before, const LightPose& after, const Ball& ball) {
+    const bool isNewPlace = after.hasPoint() && !before.hasPoint() && before.direction;
+    const bool isNewDirection = after.directionOf != nullptr && !before.direction;
+    LightPose aimed = after;
+    if (isNewPlace) {
+        const auto way = asUnit(ball.center - after.point);
+        const bool isThere = way && glm::dot(*way, *before.direction) > sameWay;
+        const double angle =
+            after.angleOf != nullptr ? std::min(after.angle, widestCone) : usualCone;
+        const double away = ball.radius / std::sin(glm::radians(std::max(angle, narrowestCone)));
+        aimed.point = isThere ? after.point : ball.center - *before.direction * away;
+    }
+    if (isNewPlace || isNewDirection) {
+        const auto way = asUnit(ball.center - aimed.point);
+        aimed.direction = way && after.directionOf != nullptr ? way : after.direction;
+    }
+    return aimed;
 }
 
 LightPose withHighlightAt(const LightPose& place, const glm::dvec3& point, const glm::dvec3& normal,

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "catalog/block.h"
+#include "render/lights/light_lists.h"
 #include "scene/scene.h"
 
 namespace patina {
@@ -28,6 +29,12 @@ std::optional<LightPose> lightPose(const Values& values, const Block& light, con
 
 /// Returns the values that put a light there; only those of its position and its direction.
 Values valuesAt(const LightPose& place, const Camera& camera);
+
+/// Returns the pose `after`, of a light that had the pose `before` until it got another kind, so
+/// that it lights the ball. Where its place is new it stands where it shone from, as far away as
+/// its cone needs to hold the ball; where its direction is new it is aimed at the middle. A place
+/// that it has had before stays where that is where it shone from.
+LightPose aimedAt(const LightPose& before, const LightPose& after, const Ball& ball);
 
 /// Returns the light moved and turned so that a mirror at `point` with the unit normal `normal`
 /// shows it to the eye; its distance stays as it is. Nothing changes where the eye is at `point`.
