@@ -69,7 +69,7 @@ TEST_F(OpacityImage, ImageWithoutAlpha_GivesEachUseItsOwn) {
     expectNear(at(drawn(), 0.5, 0.5) * brightness, glm::vec3(expected));
 }
 
-/// Images of the share that a model itself lets through.
+/// Images of the share that a model itself transmits.
 class TransparencyImage : public TextureTest {
   protected:
     void SetUp() override {

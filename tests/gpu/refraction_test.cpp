@@ -449,7 +449,7 @@ class MirroredByATerm : public RefractionTest {
 };
 
 /// Four per cent of each face of bare glass become one of coated glass.
-TEST_F(MirroredByATerm, ABall_LetsThroughWhatItsFilmDoesTwice) {
+TEST_F(MirroredByATerm, ABall_TransmitsWhatItsFilmDoesTwice) {
     for (const double thickness : {0.0, 549.1 / (4.0 * 1.38), 250.0}) {
         coat("ball", "solid-body", thickness);
         const glm::dvec3 left = 1.0 - facing();
@@ -460,7 +460,7 @@ TEST_F(MirroredByATerm, ABall_LetsThroughWhatItsFilmDoesTwice) {
     EXPECT_GT(middle(drawn(33)).g, 0.97f);
 }
 
-TEST_F(MirroredByATerm, APane_LetsThroughWhatBothItsFacesDo) {
+TEST_F(MirroredByATerm, APane_TransmitsWhatBothItsFacesDo) {
     for (const double thickness : {0.0, 549.1 / (4.0 * 1.38), 250.0}) {
         coat("plane", "thin-pane", thickness);
         const glm::dvec3 share = facing();

@@ -21,7 +21,7 @@ std::span<const Parameter> parametersOf(const Block* model) {
     return model ? std::span(model->parameters) : std::span<const Parameter>();
 }
 
-/// Tells whether an image says at each place how much the model lets through.
+/// Tells whether an image says at each place how much the model transmits.
 bool passesByImage(const EffectSet& set) {
     return std::ranges::any_of(set.textures, [](const BoundTexture& image) {
         return image.role == TextureRole::Input && image.kind == kinds::models &&
