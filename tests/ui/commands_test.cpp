@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Commands by their keys and their names, and what an artist sets once.
+#include <ctime>
+
 #include <QAbstractItemView>
 #include <QAction>
 #include <QApplication>
@@ -18,6 +20,8 @@
 #include <QTreeWidget>
 #include <QWheelEvent>
 
+#include "support/program.h"
+#include "ui/preset_window.h"
 #include "ui/window_fixture.h"
 
 namespace patina::tests::commands_test {
@@ -243,6 +247,48 @@ TEST_F(Commands, WheelThatDoesNotZoom_StillZoomsWithCtrl) {
     EXPECT_EQ(camera().distance, before);
     wheel(Qt::ControlModifier);
     EXPECT_LT(camera().distance, before);
+}
+
+/// Milliseconds that this thread has worked.
+double workedMs() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return 1e3 * double(time.tv_sec) + 1e-6 * double(time.tv_nsec);
+}
+
+class ManyPresets : public PresetWindow {
+  protected:
+    static constexpr int many = 5000;
+
+    ManyPresets() {
+        const std::filesystem::path folder = presets() / "many";
+        std::filesystem::create_directories(folder);
+        for (int i = 0; i < many; ++i) {
+            const std::string number = std::to_string(i);
+            writeFile(folder / (number + ".patina.json"),
+                      R"({"format": "patina.preset", "version": 1, "name": "Paint )" + number +
+                          R"(", "model": {"id": "lambert", "version": 1}})");
+        }
+    }
+};
+
+/// By the window's own clock, which does not depend on what else the machine does.
+TEST_F(ManyPresets, CtrlK_OpensAndSearchesQuickly) {
+    ASSERT_TRUE(QTest::qWaitFor([this] { return count() > many; }, 60000));
+    QTest::qWait(1000);
+    double before = workedMs();
+    QTest::keyClick(&WindowFixture::view(), Qt::Key_K, Qt::ControlModifier);
+    auto* palette = window().findChild<QDialog*>("commandPalette");
+    const double opening = workedMs() - before;
+    ASSERT_NE(palette, nullptr);
+    double longest = 0.0;
+    for (const char* words : {"p", "paint", "paint 49", "preset: paint 4999"}) {
+        before = workedMs();
+        palette->findChild<QLineEdit*>()->setText(words);
+        longest = std::max(longest, workedMs() - before);
+    }
+    EXPECT_LT(opening, 50.0);
+    EXPECT_LT(longest, 50.0);
 }
 
 } // namespace
