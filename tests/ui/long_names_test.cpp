@@ -15,13 +15,15 @@ namespace {
 const std::string longName(200, 'W');
 constexpr int narrowestScreen = 1280;
 constexpr int widestMenu = 600;
+constexpr int statusMs = 400; ///< the status line is written four times a second
 
 class LongNames : public WindowFixture {
   protected:
     void SetUp() override { before_ = widths(); }
 
     std::vector<int> widths() {
-        QTest::qWait(150); // the status line is written with some delay
+        newFrames();
+        QTest::qWait(statusMs);
         return {window().dock("models")->width(), window().dock("parameters")->width(),
                 window().views().width()};
     }
