@@ -64,7 +64,8 @@ std::string presetHash(const std::string& preset, const Catalog& catalog, bool a
             hash.addFile(parent);
         }
         for (const auto& texture : reading->material.textures) {
-            hash.addFile(texture.second.outside ? std::string() : texture.second.file);
+            const TextureUse& use = texture.second;
+            hash.addFile(use.outside || isVertexColors(use.file) ? std::string() : use.file);
         }
     }
     return hash.text();

@@ -33,7 +33,7 @@ Checked<SceneMeshes> SceneMeshes::load(const Scene& scene, const Catalog& catalo
     if (!errors.empty()) {
         return tl::unexpected(errors);
     }
-    meshes.nameMissingPlaces(scene);
+    meshes.nameMissing(scene);
     if (needsOpenness(scene, catalog)) {
         meshes.findOpenness();
     }
@@ -49,22 +49,29 @@ void SceneMeshes::findOpenness() {
     }
 }
 
-void SceneMeshes::nameMissingPlaces(const Scene& scene) {
+void SceneMeshes::nameMissing(const Scene& scene) {
     for (const Object& object : scene.objects) {
-        const bool hasImages = std::ranges::any_of(object.material.textures, [](const auto& use) {
-            return !use.second.file.empty() && use.second.strength != 0.0;
-        });
-        if (!object.visible || !hasImages || hasImagePlaces(view(object).vertices)) {
-            continue;
+        bool hasImages = false;
+        bool hasColors = false;
+        for (const auto& [key, use] : object.material.textures) {
+            const bool counts = object.visible && !use.file.empty() && use.strength != 0.0;
+            hasColors = hasColors || (counts && isVertexColors(use.file));
+            hasImages = hasImages || (counts && !isVertexColors(use.file));
         }
-        const Error remark{object.mesh,
-                           0,
-                           0,
-                           "the mesh has no texture coordinates: an image is the same all over it",
-                           {}};
-        if (std::ranges::find(placeless_, remark) == placeless_.end()) {
-            placeless_.push_back(remark);
+        if (hasImages && !hasImagePlaces(view(object).vertices)) {
+            note(object, "the mesh has no texture coordinates: an image is the same all over it");
         }
+        if (hasColors && view(object).colors.empty()) {
+            note(object, "the mesh has no vertex colours: they count as white");
+        }
+    }
+}
+
+/// Notes what the mesh of an object lacks, once.
+void SceneMeshes::note(const Object& object, const char* lack) {
+    const Error remark{object.mesh, 0, 0, lack, {}};
+    if (std::ranges::find(missing_, remark) == missing_.end()) {
+        missing_.push_back(remark);
     }
 }
 
@@ -103,7 +110,7 @@ Result<void> SceneMeshes::add(const Object& object, AssetClient& client) {
 }
 
 Errors SceneMeshes::remarks() const {
-    Errors remarks = placeless_;
+    Errors remarks = missing_;
     remarks.insert(remarks.end(), remarks_.begin(), remarks_.end());
     return remarks;
 }

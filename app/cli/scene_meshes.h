@@ -23,16 +23,17 @@ class SceneMeshes {
 
     MeshView view(const Object& object) const;
 
-    /// Returns warnings: what was left out of the meshes that were read, and which meshes with
-    /// images have no texture coordinates.
+    /// Returns warnings: what was left out of the meshes that were read, which meshes with images
+    /// have no texture coordinates, and which have no vertex colours that a material asks for.
     Errors remarks() const;
 
   private:
     void findOpenness();
     Result<void> add(const Object& object, AssetClient& client);
-    void nameMissingPlaces(const Scene& scene);
+    void nameMissing(const Scene& scene);
+    void note(const Object& object, const char* lack);
 
-    Errors placeless_;
+    Errors missing_; ///< are warnings of what images or vertex colours need and meshes lack
     Errors remarks_; ///< warnings of the meshes that were read
     std::map<MeshKey, Mesh> made_;
     std::vector<std::shared_ptr<const SharedMesh>> read_;

@@ -18,14 +18,17 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string fullPath(const std::string& file) {
-    return fs::absolute(file).lexically_normal().generic_string();
+    return isVertexColors(file) ? file : fs::absolute(file).lexically_normal().generic_string();
 }
 
 Result<void> layOn(Material& material, const std::string& key, const std::string& file,
                    const Catalog& catalog) {
-    if (const auto opened = OrdinaryFile::open(file, maxAssetBytes); !opened) {
+    const auto opened = OrdinaryFile::open(file, maxAssetBytes);
+    if (!opened && !isVertexColors(file)) {
         const Error& why = opened.error();
-        return tl::unexpected(Error{why.file, 0, 0, why.problem, "an image"});
+        return tl::unexpected(
+            Error{why.file, 0, 0, why.problem,
+                  fmt::format("an image, or {} for the mesh's own", vertexColorsName)});
     }
     const TextureUse use = textureUse(key, fullPath(file));
     if (const char* why = textureTarget(key, use, material, catalog).whyNot) {
@@ -44,8 +47,9 @@ Result<void> change(Material& material, const std::string& key, const std::strin
                        fmt::format("--texture {}=FILE before it", key));
     }
     const TextureTarget target = textureTarget(key, use->second, material, catalog);
-    const Block settings = target.parameter == nullptr
-                               ? textureSettings(target.role)
+    const Block settings = target.parameter == nullptr ? textureSettings(target.role)
+                           : isVertexColors(use->second.file)
+                               ? vertexColorSettings(target.parameter->textureChannels)
                                : textureSettings(target.role, target.parameter->textureChannels);
     const Parameter* parameter = settings.parameter(setting);
     if (parameter == nullptr) {
@@ -86,7 +90,7 @@ bool isImageOnValue(const Material& material, const Assignment& assignment,
     std::error_code ignored;
     return target.whyNot == nullptr && target.parameter != nullptr &&
            !valueFromText(*target.parameter, assignment.text) &&
-           fs::is_regular_file(use.file, ignored);
+           (isVertexColors(use.file) || fs::is_regular_file(use.file, ignored));
 }
 
 } // namespace
@@ -128,7 +132,8 @@ std::vector<std::string> filesIn(const std::vector<std::string>& textures,
     std::vector<std::string> files;
     const auto add = [&files](const std::string& assignment) {
         const std::size_t equals = assignment.find('=');
-        if (equals != std::string::npos && assignment.find(':') >= equals) {
+        const bool laysOn = equals != std::string::npos && assignment.find(':') >= equals;
+        if (laysOn && !isVertexColors(assignment.substr(equals + 1))) {
             files.push_back(fullPath(assignment.substr(equals + 1)));
         }
     };

@@ -82,7 +82,7 @@ void addImageMistakes(Errors& errors, const LocatedJson& document, const std::st
                       const Material& material) {
     for (const auto& [key, use] : material.textures) {
         std::error_code absent;
-        if (!use.outside && !fs::is_regular_file(use.file, absent)) {
+        if (!use.outside && !isVertexColors(use.file) && !fs::is_regular_file(use.file, absent)) {
             errors.push_back(
                 document.error(fmt::format("{}/textures/{}/file", place, escapedToken(key)),
                                fmt::format("there is no image \"{}\"", use.file),

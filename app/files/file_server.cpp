@@ -127,7 +127,7 @@ Result<FileServer::Answer> FileServer::readMesh(const Message& request) {
         }
         block.emplace(std::move(*fresh));
         const MeshBlock mesh = MeshBlock::format(block->bytes(), parts);
-        return MeshSpans{mesh.vertices, mesh.indices};
+        return MeshSpans{mesh.vertices, mesh.indices, mesh.colors};
     };
     const auto folder = std::make_shared<MeshFolder>(request.texts[0], std::move(rights));
     auto reading = patina::readMesh(folder, options, storage, Reporter(channel_));

@@ -11,7 +11,7 @@ namespace patina {
 namespace {
 
 constexpr std::uint32_t meshMagic = 0x48534d50; // "PMSH"
-constexpr std::uint32_t meshVersion = 2;
+constexpr std::uint32_t meshVersion = 3;
 constexpr std::size_t maxParts = 4096;
 
 struct MeshHeader {
@@ -21,15 +21,18 @@ struct MeshHeader {
     std::uint64_t indexCount = 0;
     std::uint64_t partCount = 0;
     std::uint64_t textBytes = 0; ///< has no padding: it is the end of the block
-    std::uint64_t reserved[3] = {};
+    std::uint64_t colorCount = 0;
+    std::uint64_t reserved[2] = {};
 };
 static_assert(sizeof(MeshHeader) == 64);
 
 struct PartSize {
     std::uint32_t vertices = 0;
     std::uint32_t indices = 0;
+    std::uint32_t colors = 0; ///< is 0, or as many as vertices
 };
 static_assert(sizeof(Vertex) == 48);
+static_assert(sizeof(VertexColor) == 8);
 
 /// Returns true when no float has all exponent bits set (infinity or not a number).
 bool allFinite(std::span<const Vertex> vertices) {
@@ -53,11 +56,16 @@ bool allBelow(std::span<const std::uint32_t> indices, std::uint64_t limit) {
     return highest < limit;
 }
 
+std::size_t colorsOf(const MeshPart& part) {
+    return part.hasColors ? part.vertices : 0;
+}
+
 MeshHeader headerFor(std::span<const MeshPart> parts) {
     MeshHeader header;
     for (const MeshPart& part : parts) {
         header.vertexCount += part.vertices;
         header.indexCount += part.indices;
+        header.colorCount += colorsOf(part);
     }
     header.partCount = parts.size();
     header.textBytes = materialText(parts).size();
@@ -69,29 +77,41 @@ std::size_t sizeOf(const MeshHeader& header) {
     constexpr std::size_t limit = std::numeric_limits<std::uint32_t>::max();
     if (header.vertexCount == 0 || header.vertexCount > limit || header.indexCount == 0 ||
         header.indexCount > limit || header.indexCount % 3 != 0 || header.partCount == 0 ||
-        header.partCount > maxParts || header.textBytes > limit) {
+        header.partCount > maxParts || header.textBytes > limit ||
+        header.colorCount > header.vertexCount) {
         return 0;
     }
     return sizeof(MeshHeader) + header.vertexCount * sizeof(Vertex) +
-           header.indexCount * sizeof(std::uint32_t) + header.partCount * sizeof(PartSize) +
-           header.textBytes;
+           header.colorCount * sizeof(VertexColor) + header.indexCount * sizeof(std::uint32_t) +
+           header.partCount * sizeof(PartSize) + header.textBytes;
 }
 
-/// Takes a part's triangles from the front of what is left of a mesh.
-Result<MeshView> takePart(std::span<const Vertex>& vertices,
-                          std::span<const std::uint32_t>& indices, const PartSize& size) {
-    if (size.vertices > vertices.size() || size.indices > indices.size() || size.indices == 0 ||
-        size.indices % 3 != 0) {
+/// Holds what is left of a mesh whose parts are taken one after the other.
+struct Rest {
+    std::span<const Vertex> vertices;
+    std::span<const std::uint32_t> indices;
+    std::span<const VertexColor> colors;
+
+    bool isEmpty() const { return vertices.empty() && indices.empty() && colors.empty(); }
+};
+
+/// Takes a part's triangles from the front.
+Result<MeshView> takePart(Rest& rest, const PartSize& size) {
+    if (size.vertices > rest.vertices.size() || size.indices > rest.indices.size() ||
+        size.indices == 0 || size.indices % 3 != 0 || size.colors > rest.colors.size() ||
+        (size.colors != 0 && size.colors != size.vertices)) {
         return failure("the mesh block has a part of an impossible size");
     }
-    const std::span own = vertices.first(size.vertices);
-    const std::span corners = indices.first(size.indices);
-    vertices = vertices.subspan(size.vertices);
-    indices = indices.subspan(size.indices);
+    const std::span own = rest.vertices.first(size.vertices);
+    const std::span corners = rest.indices.first(size.indices);
+    const std::span colors = rest.colors.first(size.colors);
+    rest.vertices = rest.vertices.subspan(size.vertices);
+    rest.indices = rest.indices.subspan(size.indices);
+    rest.colors = rest.colors.subspan(size.colors);
     if (!allBelow(corners, own.size())) {
         return failure("the mesh block has an index beyond its vertices");
     }
-    return MeshView{own, corners, boundsOf(own)};
+    return MeshView{own, corners, boundsOf(own), {}, colors};
 }
 
 } // namespace
@@ -105,17 +125,20 @@ MeshBlock MeshBlock::format(std::span<std::byte> block, std::span<const MeshPart
     const std::string text = materialText(parts);
     std::memcpy(block.data(), &header, sizeof header);
     std::byte* const vertices = block.data() + sizeof header;
-    std::byte* const indices = vertices + header.vertexCount * sizeof(Vertex);
+    std::byte* const colors = vertices + header.vertexCount * sizeof(Vertex);
+    std::byte* const indices = colors + header.colorCount * sizeof(VertexColor);
     std::byte* rest = indices + header.indexCount * sizeof(std::uint32_t);
     for (const MeshPart& part : parts) {
         const PartSize size{static_cast<std::uint32_t>(part.vertices),
-                            static_cast<std::uint32_t>(part.indices)};
+                            static_cast<std::uint32_t>(part.indices),
+                            static_cast<std::uint32_t>(colorsOf(part))};
         std::memcpy(rest, &size, sizeof size);
         rest += sizeof size;
     }
     std::memcpy(rest, text.data(), text.size());
     return {{reinterpret_cast<Vertex*>(vertices), header.vertexCount},
-            {reinterpret_cast<std::uint32_t*>(indices), header.indexCount}};
+            {reinterpret_cast<std::uint32_t*>(indices), header.indexCount},
+            {reinterpret_cast<VertexColor*>(colors), header.colorCount}};
 }
 
 Result<std::vector<MeshPartView>> MeshBlock::checked(std::span<const std::byte> block) {
@@ -131,9 +154,11 @@ Result<std::vector<MeshPartView>> MeshBlock::checked(std::span<const std::byte> 
         return failure("the mesh block does not have the size it claims");
     }
     const std::byte* const first = block.data() + sizeof header;
-    std::span vertices(reinterpret_cast<const Vertex*>(first), header.vertexCount);
-    std::span indices(reinterpret_cast<const std::uint32_t*>(vertices.data() + vertices.size()),
-                      header.indexCount);
+    const std::span vertices(reinterpret_cast<const Vertex*>(first), header.vertexCount);
+    const std::span colors(reinterpret_cast<const VertexColor*>(vertices.data() + vertices.size()),
+                           header.colorCount);
+    const std::span indices(reinterpret_cast<const std::uint32_t*>(colors.data() + colors.size()),
+                            header.indexCount);
     const std::span sizes(reinterpret_cast<const PartSize*>(indices.data() + indices.size()),
                           header.partCount);
     const std::string_view text(reinterpret_cast<const char*>(sizes.data() + sizes.size()),
@@ -145,15 +170,16 @@ Result<std::vector<MeshPartView>> MeshBlock::checked(std::span<const std::byte> 
     if (!materials) {
         return failure("the mesh block does not say what its materials are");
     }
+    Rest rest{vertices, indices, colors};
     std::vector<MeshPartView> parts;
     for (std::size_t i = 0; i < sizes.size(); ++i) {
-        const auto view = takePart(vertices, indices, sizes[i]);
+        const auto view = takePart(rest, sizes[i]);
         if (!view) {
             return tl::unexpected(view.error());
         }
         parts.push_back({std::move((*materials)[i]), *view});
     }
-    if (!vertices.empty() || !indices.empty()) {
+    if (!rest.isEmpty()) {
         return failure("the mesh block has more than its parts");
     }
     return parts;

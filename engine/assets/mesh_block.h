@@ -18,9 +18,9 @@ struct MeshPartView {
     MeshView view;
 };
 
-/// Defines how a mesh lies in a shared block: a 64-byte header, the vertices of all parts, their
-/// indices, which count from the first vertex of their part, the sizes of the parts, and a text
-/// about their materials.
+/// Defines how a mesh lies in a shared block: a 64-byte header, the vertices of all parts, the
+/// colours of those that have some, their indices, which count from the first vertex of their part,
+/// the sizes of the parts, and a text about their materials.
 class MeshBlock {
   public:
     /// Returns the block's size in bytes; 0 for an impossible mesh (empty, not of triangles, or too
@@ -39,6 +39,7 @@ class MeshBlock {
 
     std::span<Vertex> vertices;
     std::span<std::uint32_t> indices;
+    std::span<VertexColor> colors;
 };
 
 } // namespace patina

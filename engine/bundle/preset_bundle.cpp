@@ -98,6 +98,9 @@ class BundleWriter {
     /// Writes the files that a material names, and names them by their paths in the bundle.
     Result<void> addFiles(Material& material) {
         for (auto& [key, use] : material.textures) {
+            if (isVertexColors(use.file)) {
+                continue;
+            }
             const Result<std::string> name =
                 use.outside ? failure(fmt::format("\"{}\" lies outside its folder and is not read",
                                                   use.file))

@@ -36,6 +36,18 @@ struct VertexOpenness {
     friend bool operator==(const VertexOpenness&, const VertexOpenness&) = default;
 };
 
+/// Holds a vertex's colour in linear light and its alpha, as the GPU reads it: 8 bytes, 65535 is 1.
+/// The initial value is white.
+struct VertexColor {
+    /// Says, with green and blue, how much is missing from white.
+    std::uint16_t red = 0;
+    std::uint16_t green = 0;
+    std::uint16_t blue = 0;
+    std::uint16_t alpha = 65535;
+
+    friend bool operator==(const VertexColor&, const VertexColor&) = default;
+};
+
 /// Is an axis-aligned box, empty (lower > upper) until the first point is added.
 struct Bounds {
     glm::vec3 lower{1e30f};
@@ -58,6 +70,8 @@ struct MeshView {
     Bounds bounds;
     /// Holds one per vertex; if it is empty, nothing is hidden.
     std::span<const VertexOpenness> openness{};
+    /// Holds one per vertex; if it is empty, all are white.
+    std::span<const VertexColor> colors{};
 };
 
 /// Owns a triangle list.

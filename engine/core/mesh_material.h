@@ -4,10 +4,19 @@
 #include <cstddef>
 #include <map>
 #include <string>
+#include <string_view>
 
 #include <glm/vec3.hpp>
 
 namespace patina {
+
+/// Is the name of vertex colours in place of an image's path: those of the mesh that is shown drive
+/// a value as an image does.
+inline constexpr std::string_view vertexColorsName = "builtin:vertex-colors";
+
+inline bool isVertexColors(std::string_view image) {
+    return image == vertexColorsName;
+}
 
 /// Says what a mesh file says of one of its materials, in the same words for every format.
 struct MeshMaterial {
@@ -18,7 +27,8 @@ struct MeshMaterial {
     /// Holds "diffuse", "specular", "emissive" and "f0" in linear light, "shininess", "alpha" (the
     /// width of the highlight) and "opacity"; a number is in all three.
     std::map<std::string, glm::dvec3> values;
-    /// Holds full paths of images by the same words, by "normal" and by "height".
+    /// Holds full paths of images, or vertexColorsName, by the same words, by "normal" and by
+    /// "height".
     std::map<std::string, std::string> images;
 
     friend bool operator==(const MeshMaterial&, const MeshMaterial&) = default;
@@ -29,6 +39,7 @@ struct MeshPart {
     MeshMaterial material;
     std::size_t vertices = 0;
     std::size_t indices = 0;
+    bool hasColors = false; ///< says that some vertex is not white
 
     friend bool operator==(const MeshPart&, const MeshPart&) = default;
 };

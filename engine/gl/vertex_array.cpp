@@ -37,6 +37,13 @@ void VertexArray::shorts(unsigned location, const Buffer& buffer) {
     glVertexAttribPointer(location, 4, GL_SHORT, GL_FALSE, 4 * sizeof(GLshort), nullptr);
 }
 
+void VertexArray::shares(unsigned location, const Buffer& buffer) {
+    bind();
+    glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location, 4, GL_UNSIGNED_SHORT, GL_TRUE, 4 * sizeof(GLushort), nullptr);
+}
+
 void VertexArray::instanced(unsigned location, const Buffer& buffer, unsigned count,
                             std::size_t offset, unsigned copies) const {
     constexpr std::size_t size = 4 * sizeof(float);

@@ -26,6 +26,9 @@ class VertexArray {
     /// bound.
     void shorts(unsigned location, const Buffer& buffer);
 
+    /// Reads four 16-bit integers per vertex as floats, 65535 as 1. Leaves the vertex array bound.
+    void shares(unsigned location, const Buffer& buffer);
+
     /// Reads `count` attributes of four floats each into the locations from `location` on. They lie
     /// one behind the other in `buffer` from `offset` bytes on and advance once per `copies`
     /// instances. Leaves the vertex array bound.

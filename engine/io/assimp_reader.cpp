@@ -74,6 +74,13 @@ void appendTangents(RawMesh& mesh, std::size_t first, const aiMesh& part) {
     }
 }
 
+void appendColors(RawMesh& mesh, std::size_t first, const aiMesh& part) {
+    mesh.colors.resize(first, glm::vec4(1.0f));
+    std::transform(part.mColors[0], part.mColors[0] + part.mNumVertices,
+                   std::back_inserter(mesh.colors),
+                   [](const aiColor4D& c) { return glm::vec4(c.r, c.g, c.b, c.a); });
+}
+
 void appendFaces(RawMesh& mesh, std::size_t first, const aiMesh& part) {
     mesh.indices.reserve(mesh.indices.size() + 3 * std::size_t(part.mNumFaces));
     PolygonCutter cutter(mesh);
@@ -106,6 +113,9 @@ void appendMesh(RawMesh& mesh, const aiMesh& part, const glm::dmat4& matrix) {
     }
     if (part.HasTextureCoords(0)) {
         appendUvs(mesh, first, part);
+    }
+    if (part.HasVertexColors(0)) {
+        appendColors(mesh, first, part);
     }
     if (part.HasTangentsAndBitangents() && part.HasNormals()) {
         appendTangents(mesh, first, part);
@@ -178,9 +188,6 @@ LeftOut leftOutOf(const aiScene& scene) {
         if (mesh.mNumAnimMeshes > 0) {
             left.add(What::MorphTargets, mesh.mName.C_Str());
         }
-        if (mesh.HasVertexColors(0)) {
-            left.add(What::VertexColors, mesh.mName.C_Str());
-        }
     }
     for (unsigned int i = 0; i < scene.mNumTextures; ++i) {
         left.add(What::Image, scene.mTextures[i]->mFilename.C_Str());
@@ -203,6 +210,11 @@ Error unreadable(const std::filesystem::path& file, std::string why) {
         why = "it is damaged, or not in the format its name says";
     }
     return Error{file.string(), 0, 0, "cannot be read: " + why, {}};
+}
+
+/// Tells whether the format has colours in linear light; those of others are for a screen.
+bool hasLinearColors(const std::filesystem::path& file) {
+    return file.extension() == ".gltf" || file.extension() == ".glb";
 }
 
 /// Returns the scene that `read` makes with an importer as a mesh.
@@ -230,6 +242,9 @@ Result<RawMesh> meshFrom(const std::shared_ptr<MeshFolder>& folder, const Report
         return tl::unexpected(unreadable(file, "it is too large or nested too deeply"));
     }
     mesh.padAttributes();
+    if (!hasLinearColors(file)) {
+        mesh.decodeColors(0);
+    }
     mesh.materials = materialsFrom(*scene, *folder);
     mesh.leftOut = leftOutOf(*scene);
     return mesh;

@@ -76,8 +76,8 @@ Result<std::vector<T>> elements(GltfViews& views, const Source& source) {
     const std::size_t available = view->bytes.size();
     if (source.offset > available || elementBytes > available - source.offset ||
         source.count - 1 > (available - source.offset - elementBytes) / stride) {
-        return failure(fmt::format("buffer view {} is too short for {} elements", source.view,
-                                   source.count));
+        return failure(
+            fmt::format("buffer view {} is too short for {} elements", source.view, source.count));
     }
     std::vector<T> values;
     values.reserve(source.count * source.components);
@@ -162,6 +162,13 @@ Result<std::vector<float>> readFloats(const tinygltf::Model& model, GltfViews& v
     return values<float>(views, **found, components);
 }
 
+std::size_t componentsOf(const tinygltf::Model& model, int accessor) {
+    const auto found = accessorAt(model, accessor);
+    const int components =
+        found ? tinygltf::GetNumComponentsInType(std::uint32_t((*found)->type)) : 0;
+    return static_cast<std::size_t>(std::max(components, 0));
+}
+
 Result<std::vector<std::uint32_t>> readIndices(const tinygltf::Model& model, GltfViews& views,
                                                int accessor) {
     const auto found = accessorAt(model, accessor);
@@ -169,10 +176,9 @@ Result<std::vector<std::uint32_t>> readIndices(const tinygltf::Model& model, Glt
         return tl::unexpected(found.error());
     }
     const int type = (*found)->componentType;
-    if ((*found)->type != TINYGLTF_TYPE_SCALAR ||
-        (type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE &&
-         type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
-         type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)) {
+    if ((*found)->type != TINYGLTF_TYPE_SCALAR || (type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE &&
+                                                   type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
+                                                   type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)) {
         return failure(fmt::format("accessor {} does not hold indices", accessor));
     }
     return values<std::uint32_t>(views, **found, 1);

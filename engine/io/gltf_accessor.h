@@ -18,6 +18,9 @@ namespace patina {
 Result<std::vector<float>> readFloats(const tinygltf::Model& model, GltfViews& views, int accessor,
                                       std::size_t components);
 
+/// Returns how many numbers an element of the accessor has; 0 where there is no such accessor.
+std::size_t componentsOf(const tinygltf::Model& model, int accessor);
+
 /// Returns the values of a scalar accessor of unsigned integers.
 Result<std::vector<std::uint32_t>> readIndices(const tinygltf::Model& model, GltfViews& views,
                                                int accessor);

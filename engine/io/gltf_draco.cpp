@@ -110,6 +110,12 @@ Result<RawMesh> readDraco(const tinygltf::Model& model, GltfViews& views,
     read("NORMAL", raw.normals);
     read("TANGENT", raw.tangents);
     read("TEXCOORD_0", raw.uvs);
+    read("COLOR_0", raw.colors);
+    if (raw.colors.empty()) {
+        std::vector<glm::vec3> opaque;
+        read("COLOR_0", opaque);
+        raw.colors = withAlpha(opaque);
+    }
     raw.indices = indicesOf(mesh);
     const auto outside = [&](std::uint32_t index) { return index >= raw.positions.size(); };
     if (std::ranges::any_of(raw.indices, outside)) {

@@ -31,11 +31,6 @@ void addMeshes(LeftOut& left, const tinygltf::Model& model) {
             left.add(What::MorphTargets, mesh.name);
         }
         if (has([](const tinygltf::Primitive& each) {
-                return each.attributes.contains("COLOR_0");
-            })) {
-            left.add(What::VertexColors, mesh.name);
-        }
-        if (has([](const tinygltf::Primitive& each) {
                 return each.mode >= TINYGLTF_MODE_POINTS && each.mode <= TINYGLTF_MODE_LINE_STRIP;
             })) {
             left.add(What::PointsAndLines, mesh.name);

@@ -31,6 +31,20 @@ Result<void> readAttribute(const tinygltf::Model& model, GltfViews& views,
     return {};
 }
 
+/// Reads colours of three or four numbers, which are in linear light (glTF 2.0, section 3.7.2.1).
+Result<void> readColors(const tinygltf::Model& model, GltfViews& views,
+                        const tinygltf::Primitive& primitive, std::vector<glm::vec4>& colors) {
+    constexpr const char* name = "COLOR_0";
+    const auto found = primitive.attributes.find(name);
+    if (found == primitive.attributes.end() || componentsOf(model, found->second) != 3) {
+        return readAttribute(model, views, primitive, name, colors);
+    }
+    std::vector<glm::vec3> opaque;
+    return readAttribute(model, views, primitive, name, opaque).map([&] {
+        colors = withAlpha(opaque);
+    });
+}
+
 template <class Vector>
 bool hasLength(const std::vector<Vector>& attribute, std::size_t length) {
     return attribute.empty() || attribute.size() == length;
@@ -48,13 +62,14 @@ Result<RawMesh> readAttributes(const tinygltf::Model& model, GltfViews& views,
                     })
                     .and_then([&] {
                         return readAttribute(model, views, primitive, "TEXCOORD_0", mesh.uvs);
-                    });
+                    })
+                    .and_then([&] { return readColors(model, views, primitive, mesh.colors); });
     if (!read) {
         return tl::unexpected(read.error());
     }
     const std::size_t count = mesh.positions.size();
     if (!hasLength(mesh.normals, count) || !hasLength(mesh.tangents, count) ||
-        !hasLength(mesh.uvs, count)) {
+        !hasLength(mesh.uvs, count) || !hasLength(mesh.colors, count)) {
         return failure("the attributes of a mesh differ in length");
     }
     return mesh;

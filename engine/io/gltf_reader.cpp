@@ -157,6 +157,7 @@ class Gatherer {
         append(whole_.normals, first, part.normals, glm::vec3(0.0f));
         append(whole_.tangents, first, part.tangents, glm::vec4(0.0f, 0.0f, 0.0f, 1.0f));
         append(whole_.uvs, first, part.uvs, glm::vec2(0.0f));
+        append(whole_.colors, first, part.colors, glm::vec4(1.0f));
         for (std::size_t i = first; !part.uvs.empty() && i < whole_.uvs.size(); ++i) {
             whole_.uvs[i].y = 1.0f - whole_.uvs[i].y; // glTF counts it from the image's top
         }
@@ -193,6 +194,12 @@ Result<std::optional<RawMesh>> readGltf(MeshFolder& folder, const ReportProgress
         return tl::unexpected(mesh.error());
     }
     mesh->materials = materialsFrom(**model, folder);
+    for (MeshMaterial& material : mesh->materials) {
+        if (!mesh->colors.empty()) { // they are multiplied with the base colour, unless an image is
+            material.images.try_emplace(material.look == "metal" ? "f0" : "diffuse",
+                                        vertexColorsName);
+        }
+    }
     mesh->leftOut = leftOutOf(**model);
     return std::optional(std::move(*mesh));
 }

@@ -22,7 +22,6 @@ constexpr std::array<Words, LeftOut::whats> words{{
     {"mesh with morph targets", "meshes with morph targets"},
     {"camera", "cameras"},
     {"light", "lights"},
-    {"mesh with vertex colours", "meshes with vertex colours"},
     {"mesh of points or lines", "meshes of points or lines"},
     {"extension", "extensions"},
     {"image", "images"},

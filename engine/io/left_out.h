@@ -18,13 +18,12 @@ class LeftOut {
         MorphTargets,
         Camera,
         Light,
-        VertexColors,
         PointsAndLines,
         Extension,
         Image, ///< is of a material, as is the next one
         MaterialExtension
     };
-    static constexpr std::size_t whats = 10;
+    static constexpr std::size_t whats = 9;
 
     /// Adds one. A name may be empty, and is cut where it is long.
     void add(What what, std::string_view name);

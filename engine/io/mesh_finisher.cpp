@@ -84,6 +84,24 @@ glm::vec2 finiteUv(const RawMesh& mesh, std::size_t i) {
     return mesh.uvs[i];
 }
 
+/// Returns a share in steps of 1 / 65535; white where it is no number.
+std::uint16_t inSteps(float share) {
+    constexpr float steps = 65535.0f;
+    return static_cast<std::uint16_t>(std::isfinite(share)
+                                          ? std::lround(steps * std::clamp(share, 0.0f, 1.0f))
+                                          : std::lround(steps));
+}
+
+VertexColor packed(const glm::vec4& color) {
+    const auto missing = [](float share) { return std::uint16_t(65535 - inSteps(share)); };
+    return {missing(color.x), missing(color.y), missing(color.z), inSteps(color.w)};
+}
+
+bool hasColors(const RawMesh& mesh) {
+    return std::ranges::any_of(
+        mesh.colors, [](const glm::vec4& color) { return packed(color) != VertexColor(); });
+}
+
 /// Orders triangles for the vertex cache and vertices for fetching, and writes both into the
 /// target.
 void write(const RawMesh& mesh, const MeshSpans& target) {
@@ -99,6 +117,9 @@ void write(const RawMesh& mesh, const MeshSpans& target) {
         target.vertices[order[i]] = {mesh.positions[i], mesh.normals[i], mesh.tangents[i],
                                      finiteUv(mesh, i)};
     }
+    for (std::size_t i = 0; i < target.colors.size(); ++i) {
+        target.colors[order[i]] = packed(mesh.colors[i]);
+    }
 }
 
 Result<void> writeParts(const std::vector<RawMesh>& meshes, const MeshStorage& storage) {
@@ -110,17 +131,20 @@ Result<void> writeParts(const std::vector<RawMesh>& meshes, const MeshStorage& s
     for (const RawMesh& mesh : meshes) {
         const bool isNamed = !mesh.materials.empty();
         parts.push_back({isNamed ? mesh.materials.front() : nameless(materials),
-                         mesh.positions.size(), mesh.indices.size()});
+                         mesh.positions.size(), mesh.indices.size(), hasColors(mesh)});
     }
     auto target = storage(parts);
     if (!target) {
         return tl::unexpected(target.error());
     }
-    for (const RawMesh& mesh : meshes) {
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+        const RawMesh& mesh = meshes[i];
+        const std::size_t colors = parts[i].hasColors ? mesh.positions.size() : 0;
         write(mesh, {target->vertices.first(mesh.positions.size()),
-                     target->indices.first(mesh.indices.size())});
+                     target->indices.first(mesh.indices.size()), target->colors.first(colors)});
         target->vertices = target->vertices.subspan(mesh.positions.size());
         target->indices = target->indices.subspan(mesh.indices.size());
+        target->colors = target->colors.subspan(colors);
     }
     return {};
 }

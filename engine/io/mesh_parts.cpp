@@ -53,6 +53,7 @@ class PartMaker {
             copy(part.normals, whole_.normals, vertex);
             copy(part.tangents, whole_.tangents, vertex);
             copy(part.uvs, whole_.uvs, vertex);
+            copy(part.colors, whole_.colors, vertex);
         }
         part.indices.push_back(target_[vertex]);
     }

@@ -16,6 +16,7 @@ namespace patina {
 struct MeshSpans {
     std::span<Vertex> vertices;
     std::span<std::uint32_t> indices;
+    std::span<VertexColor> colors; ///< are those of the parts that have some
 };
 
 /// Allocates memory for exactly these parts, one after the other, and keeps what is said of them.

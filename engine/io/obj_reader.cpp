@@ -75,12 +75,22 @@ Vector valueAt(const std::vector<tinyobj::real_t>& values, std::size_t index) {
     return value;
 }
 
+/// Adds the colour behind a position, if the file has colours there.
+void addColor(RawMesh& mesh, const tinyobj::attrib_t& from, std::size_t vertex) {
+    if (!from.colors.empty()) {
+        const bool isThere = hasItem(static_cast<int>(vertex), from.colors, 3);
+        mesh.colors.emplace_back(
+            isThere ? valueAt<glm::vec3>(from.colors, vertex) : glm::vec3(1.0f), 1.0f);
+    }
+}
+
 /// Takes the positions as vertices, for a file without normals and texture coordinates.
 void takePositions(RawMesh& mesh, const tinyobj::attrib_t& attributes) {
     const std::size_t count = attributes.vertices.size() / 3;
     mesh.positions.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
         mesh.positions.push_back(valueAt<glm::vec3>(attributes.vertices, i));
+        addColor(mesh, attributes, i);
     }
 }
 
@@ -88,6 +98,7 @@ void takePositions(RawMesh& mesh, const tinyobj::attrib_t& attributes) {
 void addCorner(RawMesh& mesh, const tinyobj::attrib_t& from, const tinyobj::index_t& corner) {
     mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
     mesh.positions.push_back(valueAt<glm::vec3>(from.vertices, std::size_t(corner.vertex_index)));
+    addColor(mesh, from, std::size_t(corner.vertex_index));
     if (!from.normals.empty()) {
         mesh.normals.push_back(
             hasItem(corner.normal_index, from.normals, 3)
@@ -140,6 +151,7 @@ std::optional<RawMesh> readPlainObj(const std::filesystem::path& file, bool byMa
     const bool whole = std::ranges::all_of(obj->shapes, [&](const tinyobj::shape_t& shape) {
         return addShape(mesh, obj->attributes, shape);
     });
+    mesh.decodeColors(0);
     return whole ? std::optional(std::move(mesh)) : std::nullopt;
 }
 

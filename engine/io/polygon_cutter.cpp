@@ -89,6 +89,7 @@ std::uint32_t PolygonCutter::addVertex(const CrossingPoint& crossing,
     const std::size_t count = mesh_.positions.size();
     appendBlend(mesh_.normals, count, crossing, vertices);
     appendBlend(mesh_.uvs, count, crossing, vertices);
+    appendBlend(mesh_.colors, count, crossing, vertices);
     appendBlend(mesh_.tangents, count, crossing, vertices);
     mesh_.positions.emplace_back(place);
     return static_cast<std::uint32_t>(count);

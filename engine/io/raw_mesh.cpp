@@ -8,6 +8,8 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "core/color.h"
+
 namespace patina {
 namespace {
 
@@ -53,6 +55,12 @@ void RawMesh::setMaterial(std::size_t firstIndex, std::uint32_t material) {
     materialOf.resize(indices.size() / 3, material);
 }
 
+void RawMesh::decodeColors(std::size_t first) {
+    for (std::size_t i = first; i < colors.size(); ++i) {
+        colors[i] = glm::vec4(glm::vec3(srgbDecoded(glm::dvec3(colors[i]))), colors[i].w);
+    }
+}
+
 void RawMesh::padAttributes() {
     if (!normals.empty()) {
         normals.resize(positions.size(), glm::vec3(0.0f));
@@ -63,6 +71,18 @@ void RawMesh::padAttributes() {
     if (!uvs.empty()) {
         uvs.resize(positions.size(), glm::vec2(0.0f));
     }
+    if (!colors.empty()) {
+        colors.resize(positions.size(), glm::vec4(1.0f));
+    }
+}
+
+std::vector<glm::vec4> withAlpha(const std::vector<glm::vec3>& colors) {
+    std::vector<glm::vec4> opaque;
+    opaque.reserve(colors.size());
+    for (const glm::vec3& color : colors) {
+        opaque.emplace_back(color, 1.0f);
+    }
+    return opaque;
 }
 
 } // namespace patina

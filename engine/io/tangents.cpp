@@ -55,6 +55,9 @@ std::uint32_t twinOf(RawMesh& mesh, std::uint32_t vertex, float side) {
     mesh.positions.emplace_back(mesh.positions[vertex]);
     mesh.normals.emplace_back(mesh.normals[vertex]);
     mesh.uvs.emplace_back(mesh.uvs[vertex]);
+    if (!mesh.colors.empty()) {
+        mesh.colors.emplace_back(mesh.colors[vertex]);
+    }
     mesh.tangents.emplace_back(0.0f, 0.0f, 0.0f, side);
     return twin;
 }

@@ -34,6 +34,7 @@ Streams streamsOf(const RawMesh& mesh) {
     addStream(streams, mesh.normals);
     addStream(streams, mesh.tangents);
     addStream(streams, mesh.uvs);
+    addStream(streams, mesh.colors);
     return streams;
 }
 
@@ -112,6 +113,7 @@ void joinRecent(RawMesh& mesh) {
     gather(mesh.normals, kept);
     gather(mesh.tangents, kept);
     gather(mesh.uvs, kept);
+    gather(mesh.colors, kept);
 }
 
 template <class T>
@@ -132,23 +134,25 @@ void joinVertices(RawMesh& mesh) {
     dropNegativeZeros(mesh.normals);
     dropNegativeZeros(mesh.tangents);
     dropNegativeZeros(mesh.uvs);
+    dropNegativeZeros(mesh.colors);
     joinRecent(mesh);
     const Streams streams = streamsOf(mesh);
     std::vector<std::uint32_t> target(mesh.positions.size());
-    const std::size_t count = meshopt_generateVertexRemapMulti(
-        target.data(), mesh.indices.data(), mesh.indices.size(), mesh.positions.size(),
-        streams.data(), streams.size());
+    const std::size_t count =
+        meshopt_generateVertexRemapMulti(target.data(), mesh.indices.data(), mesh.indices.size(),
+                                         mesh.positions.size(), streams.data(), streams.size());
     meshopt_remapIndexBuffer(mesh.indices.data(), mesh.indices.data(), mesh.indices.size(),
                              target.data());
     remap(mesh.positions, target, count);
     remap(mesh.normals, target, count);
     remap(mesh.tangents, target, count);
     remap(mesh.uvs, target, count);
+    remap(mesh.colors, target, count);
 }
 
 Places placesOf(const RawMesh& mesh) {
     const std::size_t vertices = mesh.positions.size();
-    if (mesh.normals.empty() && mesh.tangents.empty() && mesh.uvs.empty()) {
+    if (mesh.normals.empty() && mesh.tangents.empty() && mesh.uvs.empty() && mesh.colors.empty()) {
         return {{}, vertices}; // joined by position already
     }
     Places places;

@@ -40,7 +40,8 @@ class TextureReader {
 
     void readFile(References& references) {
         reader_.read("file", use_.file);
-        use_.outside = !references.mayRead(use_.file, OutsideFile::Kind::Image);
+        use_.outside =
+            !isVertexColors(use_.file) && !references.mayRead(use_.file, OutsideFile::Kind::Image);
         if (use_.outside) {
             note("file",
                  fmt::format("the texture \"{}\" is not in the preset's folder and is not used",

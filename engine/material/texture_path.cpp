@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "material/texture_path.h"
 
+#include "core/mesh_material.h"
+
 namespace patina {
 
 bool staysInFolder(std::string_view path) {
@@ -14,7 +16,7 @@ bool staysInFolder(std::string_view path) {
 }
 
 std::string imageFromFile(const std::string& image, const std::filesystem::path& folder) {
-    if (image.empty() || folder.empty()) {
+    if (image.empty() || folder.empty() || isVertexColors(image)) {
         return image;
     }
     return (folder / std::filesystem::path(image)).lexically_normal().generic_string();

@@ -225,6 +225,15 @@ Block textureSettings(TextureRole role, const std::vector<std::string>& channels
     return block;
 }
 
+Block vertexColorSettings(const std::vector<std::string>& channels) {
+    Block block;
+    block.id = "texture";
+    block.label = "Vertex colours";
+    block.parameters = {channelSetting(channels), modeSetting(),
+                        strengthSetting(TextureRole::Input)};
+    return block;
+}
+
 Value textureSetting(const TextureUse& use, std::string_view id) {
     return accessTable().find(id)->second.read(use);
 }

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "catalog/block.h"
+#include "core/mesh_material.h"
 
 namespace patina {
 
@@ -33,7 +34,7 @@ enum class TextureFilter { Smooth, Nearest };
 
 /// Describes an image on a surface: which file it is, how it is read, and how it is placed.
 struct TextureUse {
-    std::string file;     ///< is a full path with forward slashes
+    std::string file;     ///< is a full path with forward slashes, or vertexColorsName
     bool outside = false; ///< says that it is not read until the user agrees (OutsideFile)
     bool enabled = true;  ///< keeps the settings of an unused image where it is false
     TextureColorSpace colorSpace = TextureColorSpace::Auto;
@@ -63,6 +64,9 @@ TextureUse textureUse(std::string_view key, std::string file);
 /// Returns the settings of an image in this role, described as the parameters of a block.
 /// `channels` are those that the parameter takes; where it is empty, each single channel is one.
 Block textureSettings(TextureRole role, const std::vector<std::string>& channels = {});
+
+/// Returns those that vertex colours have: nothing places them.
+Block vertexColorSettings(const std::vector<std::string>& channels);
 
 /// Returns a setting's value; the id must be one of textureSettings().
 Value textureSetting(const TextureUse& use, std::string_view id);

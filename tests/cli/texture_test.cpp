@@ -169,6 +169,63 @@ TEST_F(TextureOption, MeshWithTextureCoordinates_IsNot) {
     EXPECT_EQ(drawn({"--mesh", mesh, "--texture", "diffuse.color=" + image()}).err, "");
 }
 
+/// Red, green and blue corners on a mesh that fills the view.
+class VertexColorOption : public TextureOption {
+  protected:
+    VertexColorOption() {
+        writeFile(folder_ / "painted.obj", "v -1 -1 0 1 0 0\nv 1 -1 0 0 1 0\nv 0 1 0 0 0 1\n"
+                                           "f 1 2 3\n");
+    }
+
+    std::string mesh() const { return folder_ / "painted.obj"; }
+};
+
+TEST_F(VertexColorOption, ByEitherOption_ColourThePictureAlike) {
+    ASSERT_EQ(drawn({"--mesh", mesh()}, "plain.png").exitCode, 0);
+    const Outcome byTexture =
+        drawn({"--mesh", mesh(), "--texture", "diffuse.color=builtin:vertex-colors"});
+    EXPECT_EQ(byTexture.exitCode, 0);
+    EXPECT_EQ(byTexture.err, "");
+    EXPECT_NE(readFile(folder_ / "out.png"), readFile(folder_ / "plain.png"));
+    for (const char* set : {"diffuse.color=builtin:vertex-colors",
+                            "textures.diffuse.color.file=builtin:vertex-colors"}) {
+        ASSERT_EQ(drawn({"--mesh", mesh(), "--set", set}, "set.png").exitCode, 0) << set;
+        EXPECT_EQ(readFile(folder_ / "set.png"), readFile(folder_ / "out.png")) << set;
+    }
+}
+
+TEST_F(VertexColorOption, InAPreset_AreReadAndChecked) {
+    writeFile(
+        folder_ / "painted.patina.json",
+        R"({"format": "patina.preset", "version": 1, "model": {"id": "lambert", "version": 1},)"
+        R"( "textures": {"diffuse.color": {"file": "builtin:vertex-colors"}}})");
+    const std::string preset = folder_ / "painted.patina.json";
+    const Outcome checked = patina({"validate", preset});
+    EXPECT_EQ(checked.exitCode, 0) << checked.err;
+    const Outcome outcome = patina(
+        {"render", preset, "--mesh", mesh(), "--size", "16x16", "-o", folder_ / "preset.png"});
+    EXPECT_EQ(outcome.exitCode, 0);
+    EXPECT_EQ(outcome.err, "");
+}
+
+TEST_F(VertexColorOption, MeshWithout_IsSaid) {
+    const Outcome outcome = drawn({"--texture", "diffuse.color=builtin:vertex-colors"});
+    EXPECT_EQ(outcome.exitCode, 0);
+    EXPECT_NE(outcome.err.find("the mesh has no vertex colours: they count as white"),
+              std::string::npos)
+        << outcome.err;
+}
+
+TEST_F(VertexColorOption, Effects_NameThem) {
+    const Outcome outcome = patina({"effects", "--no-cost", "--model", "phong", "--mesh", mesh(),
+                                    "--texture", "diffuse.color=builtin:vertex-colors"});
+    EXPECT_NE(outcome.out.find("(vertex colours: colour, in place of the value)"),
+              std::string::npos)
+        << outcome.out;
+    EXPECT_NE(outcome.out.find("The mesh's vertex colours drive it."), std::string::npos)
+        << outcome.out;
+}
+
 TEST_F(TextureOption, Effects_NameTheImage) {
     const Outcome outcome = patina(
         {"effects", "--no-cost", "--model", "phong", "--texture", "diffuse.color=" + image()});

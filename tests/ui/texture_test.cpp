@@ -3,6 +3,7 @@
 #include <QCheckBox>
 #include <QImage>
 #include <QLabel>
+#include <QMenu>
 #include <QMimeData>
 #include <QToolButton>
 #include <QUrl>
@@ -191,6 +192,30 @@ TEST_F(TextureForm, CopiesOfAMaterial_ReadAFileOnce) {
     images.find(other, TextureDecoding::Color);
     ASSERT_TRUE(QTest::qWaitFor([this] { return !images.isLoading(); }, waitMs));
     EXPECT_EQ(started.count(), 1);
+}
+
+/// The arrow beside the image's button has them.
+TEST_F(TextureForm, VertexColours_AreChosenLikeAnImageInOneStep) {
+    QMenu* choices = line().findChild<QToolButton*>()->menu();
+    ASSERT_NE(choices, nullptr);
+    const auto actions = choices->actions();
+    const auto action = std::ranges::find(actions, QString("Vertex Colours"), &QAction::text);
+    ASSERT_NE(action, actions.end());
+    (*action)->trigger();
+    ASSERT_NE(use(), nullptr);
+    EXPECT_EQ(use()->file, vertexColorsName);
+    EXPECT_EQ(fixture.steps(), 1);
+    EXPECT_EQ(name().text(), "Vertex colours");
+    EXPECT_FALSE(images.isLoading()) << "nothing is read";
+    line().settingsButton()->click();
+    ParameterForm* settings = form->textures().popup()->form();
+    EXPECT_NE(settings->row("channel"), nullptr);
+    EXPECT_NE(settings->row("strength"), nullptr);
+    EXPECT_EQ(settings->row("wrap"), nullptr) << "nothing places them";
+    form->textures().popup()->close();
+    document.undoStack().undo();
+    EXPECT_EQ(use(), nullptr);
+    EXPECT_FALSE(line().isBound());
 }
 
 TEST_F(TextureForm, SurfaceForm_TakesNormalAndHeightMaps) {

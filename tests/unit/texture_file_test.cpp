@@ -62,6 +62,18 @@ TEST(TextureFile, SwitchedOff_IsReadAndWritten) {
     EXPECT_TRUE(use(fullTexture()).enabled);
 }
 
+/// They are no file: nothing is looked for, and nothing is asked for outside the folder.
+TEST(TextureFile, VertexColours_AreReadAndWrittenByTheirName) {
+    const json colors{{"file", vertexColorsName}, {"mode", "multiply"}, {"channel", "g"}};
+    EXPECT_EQ(use(colors).file, vertexColorsName);
+    EXPECT_FALSE(use(colors).outside);
+    const auto read = reading({{"diffuse.color", colors}});
+    EXPECT_TRUE(read->outside.empty());
+    const json written = toJson(read->material, "/looks")["textures"]["diffuse.color"];
+    EXPECT_EQ(written["file"], vertexColorsName);
+    EXPECT_EQ(written["channel"], "g");
+}
+
 /// The image of a preset in a folder, where it is a link to `target`.
 TextureUse linked(const std::filesystem::path& target) {
     const tests::TemporaryFolder folder;

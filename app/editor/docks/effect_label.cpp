@@ -31,11 +31,13 @@ const Material* materialWith(const std::string& id, const Material* first, const
 
 /// Names the image by the parameter that it drives; by its id if that parameter is unknown.
 QString labelOfInput(const std::string& id, const Material* material, const Catalog& catalog) {
-    const Parameter* parameter =
-        material == nullptr
-            ? nullptr
-            : textureTarget(id, material->textures.find(id)->second, *material, catalog).parameter;
-    return translated("Image of %1").arg(asText(parameter != nullptr ? parameter->label : id));
+    if (material == nullptr) {
+        return translated("Image of %1").arg(asText(id));
+    }
+    const TextureUse& use = material->textures.find(id)->second;
+    const Parameter* parameter = textureTarget(id, use, *material, catalog).parameter;
+    return translated(isVertexColors(use.file) ? "Vertex colours on %1" : "Image of %1")
+        .arg(asText(parameter != nullptr ? parameter->label : id));
 }
 
 QString labelOfImage(const std::string& id, const Material* first, const Scene& scene,

@@ -146,7 +146,7 @@ Errors imagesOutside(const Material& material, const std::filesystem::path& file
     const ReadingRights none;
     References references(file, none);
     for (const auto& [key, use] : material.textures) {
-        if (!references.mayRead(use.file, OutsideFile::Kind::Image)) {
+        if (!isVertexColors(use.file) && !references.mayRead(use.file, OutsideFile::Kind::Image)) {
             outside.push_back({file.string(), 0, 0,
                                "is saved, but the texture \"" + use.file +
                                    "\" lies outside its folder: who opens it has to allow that",

@@ -57,7 +57,8 @@ QByteArray ThumbnailKeys::of(const Material& material, const Catalog& catalog) {
         hash.addData(hashOf(block->shaderFile));
     }
     for (const auto& [key, use] : material.textures) {
-        hash.addData(use.outside ? QByteArray() : hashOf(use.file)); // such a file is not read
+        hash.addData(use.outside || isVertexColors(use.file) ? QByteArray() // nothing is read
+                                                             : hashOf(use.file));
     }
     hash.addData(renderer(catalog));
     return hash.result().toHex();

@@ -17,8 +17,8 @@ bool takesImage(const Parameter& parameter) {
 }
 
 /// Returns how an image lies at first. On a number whose range exceeds 1 it multiplies the number.
-TextureUse firstUse(const Parameter& parameter, const QString& file) {
-    TextureUse use = textureUse(parameter.id, file.toStdString());
+TextureUse firstUse(const Parameter& parameter, const std::string& file) {
+    TextureUse use = textureUse(parameter.id, file);
     if (parameter.type == ParameterType::Float && parameter.max > 1.0) {
         use.mode = TextureMode::Multiply;
     }
@@ -42,6 +42,8 @@ void FormTextures::attach(ParameterRow& row) {
     }
     TextureLine* line = row.makeTextureLine();
     connect(line, &TextureLine::chooseWished, this, [this, &row] { ask(row); });
+    connect(line, &TextureLine::vertexColorsWished, this,
+            [this, &row] { drive(row.parameter(), std::string(vertexColorsName)); });
     connect(line, &TextureLine::settingsWished, this, [this, &row] { showSettings(row); });
     connect(line, &TextureLine::allowWished, this, [this, &row] { allow(row.parameter()); });
     connect(line, &TextureLine::removeWished, this,
@@ -67,12 +69,16 @@ void FormTextures::present(ParameterRow& row) {
 void FormTextures::lay(const Parameter& parameter, const QString& file) {
     const QString full = QFileInfo(file).absoluteFilePath();
     folder_ = QFileInfo(full).path();
+    drive(parameter, full.toStdString());
+}
+
+void FormTextures::drive(const Parameter& parameter, const std::string& file) {
     std::optional<TextureUse> use = source_->texture(parameter.id);
     if (use) {
-        use->file = full.toStdString();
+        use->file = file;
         use->outside = false;
     } else {
-        use = firstUse(parameter, full);
+        use = firstUse(parameter, file);
     }
     source_->setTexture(parameter.id, use);
 }
@@ -93,7 +99,7 @@ void FormTextures::setEnabled(const Parameter& parameter, bool enabled) {
 
 QString FormTextures::startFolder(const Parameter& parameter) const {
     const std::optional<TextureUse> use = source_->texture(parameter.id);
-    return use ? QString::fromStdString(use->file) : folder_;
+    return use && !isVertexColors(use->file) ? QString::fromStdString(use->file) : folder_;
 }
 
 void FormTextures::ask(const ParameterRow& row) {

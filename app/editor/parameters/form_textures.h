@@ -37,6 +37,7 @@ class FormTextures : public QObject {
     TexturePopup* popup() const;
 
   private:
+    void drive(const Parameter& parameter, const std::string& file);
     void ask(const ParameterRow& row);
     void allow(const Parameter& parameter);
     void setEnabled(const Parameter& parameter, bool enabled);

@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QPainter>
 #include <QToolButton>
 
@@ -22,6 +23,20 @@ QPixmap faded(const QPixmap& picture, double share) {
     painter.setOpacity(share);
     painter.drawPixmap(0, 0, picture);
     return result;
+}
+
+/// Returns a picture of colours that blend from corner to corner.
+QImage cornerColors() {
+    QImage picture(thumbnailSide, thumbnailSide, QImage::Format_RGB32);
+    for (int y = 0; y < thumbnailSide; ++y) {
+        for (int x = 0; x < thumbnailSide; ++x) {
+            const auto right = float(x) / float(thumbnailSide - 1);
+            const auto down = float(y) / float(thumbnailSide - 1);
+            picture.setPixelColor(x, y,
+                                  QColor::fromRgbF((1.0f - right) * (1.0f - down), right, down));
+        }
+    }
+    return picture;
 }
 
 /// Returns an icon of four checker fields, which says "an image" without words; in alarming colours
@@ -66,12 +81,25 @@ TextureLine::TextureLine(const QString& valueName, QWidget* parent)
     allow_->setAccessibleName(tr("Allow the image of %1").arg(valueName));
     settings_->setAccessibleName(tr("Settings of the image of %1").arg(valueName));
     remove_->setAccessibleName(tr("Remove the image of %1").arg(valueName));
+    addChoices();
     connect(choose_, &QToolButton::clicked, this, &TextureLine::chooseWished);
     connect(enabled_, &QCheckBox::clicked, this, &TextureLine::enabledWished);
     connect(allow_, &QToolButton::clicked, this, &TextureLine::allowWished);
     connect(settings_, &QToolButton::clicked, this, &TextureLine::settingsWished);
     connect(remove_, &QToolButton::clicked, this, &TextureLine::removeWished);
     present(std::nullopt, {});
+}
+
+/// The button itself asks for a file; its arrow has what else can drive the value.
+void TextureLine::addChoices() {
+    auto* choices = new QMenu(choose_);
+    choices->setToolTipsVisible(true);
+    choices->addAction(tr("Image File..."), this, &TextureLine::chooseWished);
+    choices->addAction(tr("Vertex Colours"), this, &TextureLine::vertexColorsWished)
+        ->setToolTip(tr("The colours that the object's mesh has at its corners; white where it "
+                        "has none"));
+    choose_->setMenu(choices);
+    choose_->setPopupMode(QToolButton::MenuButtonPopup);
 }
 
 QToolButton* TextureLine::button(const QString& text, const QString& toolTip) {
@@ -105,7 +133,7 @@ void TextureLine::present(const std::optional<TextureUse>& use, const TexturePre
         name_->setEnabled(use->enabled);
         showName(*use, preview.problem);
     }
-    image_ = preview.image;
+    image_ = isBound_ && isVertexColors(use->file) ? cornerColors() : preview.image;
     isMissing_ = isBound_ && !preview.problem.isEmpty();
     counts_ = !use || use->enabled;
     showPreview();
@@ -119,6 +147,12 @@ void TextureLine::changeEvent(QEvent* event) {
 }
 
 void TextureLine::showName(const TextureUse& use, const QString& problem) {
+    if (isVertexColors(use.file)) {
+        name_->setText(tr("Vertex colours"));
+        name_->setToolTip(tr("The colours that the object's mesh has at its corners"));
+        name_->setAccessibleDescription({});
+        return;
+    }
     const QString file = QString::fromStdString(use.file);
     const QString name = QFileInfo(file).fileName();
     name_->setText(problem.isEmpty() ? name : tr("⚠ %1").arg(name));

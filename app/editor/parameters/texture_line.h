@@ -28,6 +28,7 @@ class TextureLine : public QWidget {
 
   Q_SIGNALS:
     void chooseWished();
+    void vertexColorsWished();
     void settingsWished();
     void removeWished();
     void enabledWished(bool enabled);
@@ -38,6 +39,7 @@ class TextureLine : public QWidget {
     void changeEvent(QEvent* event) override;
 
   private:
+    void addChoices();
     QToolButton* button(const QString& text, const QString& toolTip);
     void showName(const TextureUse& use, const QString& problem);
     void showPreview();

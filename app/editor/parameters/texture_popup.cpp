@@ -11,11 +11,17 @@ namespace {
 
 constexpr int formWidth = 340;
 
+Block settingsOf(const ParameterSource& owner, const Parameter& parameter) {
+    const std::optional<TextureUse> use = owner.texture(parameter.id);
+    return use && isVertexColors(use->file)
+               ? vertexColorSettings(parameter.textureChannels)
+               : textureSettings(textureRole(parameter.id), parameter.textureChannels);
+}
+
 } // namespace
 
 TexturePopup::TexturePopup(ParameterSource& owner, const Parameter& parameter, QWidget* parent)
-    : QFrame(parent, Qt::Popup),
-      settings_(textureSettings(textureRole(parameter.id), parameter.textureChannels)),
+    : QFrame(parent, Qt::Popup), settings_(settingsOf(owner, parameter)),
       form_(new ParameterForm(this)) {
     setAttribute(Qt::WA_DeleteOnClose);
     setFrameShape(QFrame::StyledPanel);

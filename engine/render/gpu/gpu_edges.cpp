@@ -46,18 +46,21 @@ void GpuEdges::proceed(const MeshView& mesh) {
     }
 }
 
-gl::VertexArray GpuEdges::makeArray(const gl::Buffer& vertices) const {
+gl::VertexArray GpuEdges::makeArray(const gl::Buffer& vertices, const gl::Buffer* colors) const {
     gl::VertexArray array = gl::VertexArray::create();
     array.bind();
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.name());
     vertexAttributes(array, vertices);
+    if (colors != nullptr) {
+        array.shares(colorAttribute, *colors);
+    }
     return array;
 }
 
-void GpuEdges::draw(const gl::Buffer& vertices, const InstanceBuffer& instances,
-                    const DrawRange& range) const {
+void GpuEdges::draw(const gl::Buffer& vertices, const gl::Buffer* colors,
+                    const InstanceBuffer& instances, const DrawRange& range) const {
     arrays_.draw(GL_LINES_ADJACENCY, 4, instances, range,
-                 [this, &vertices] { return makeArray(vertices); });
+                 [this, &vertices, colors] { return makeArray(vertices, colors); });
 }
 
 } // namespace patina

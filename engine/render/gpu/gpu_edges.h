@@ -29,14 +29,15 @@ class GpuEdges {
     /// Returns how many edges there are, once they are complete.
     int count() const { return static_cast<int>(indices_.size() / bytesPerEdge); }
 
-    /// Draws edges that are complete; `range` counts edges where it says triangles.
-    void draw(const gl::Buffer& vertices, const InstanceBuffer& instances,
+    /// Draws edges that are complete, of vertices that are white without `colors`; `range` counts
+    /// edges where it says triangles.
+    void draw(const gl::Buffer& vertices, const gl::Buffer* colors, const InstanceBuffer& instances,
               const DrawRange& range) const;
 
   private:
     static constexpr std::size_t bytesPerEdge = 16;
 
-    gl::VertexArray makeArray(const gl::Buffer& vertices) const;
+    gl::VertexArray makeArray(const gl::Buffer& vertices, const gl::Buffer* colors) const;
 
     std::unique_ptr<EdgeFinder> finder_; ///< is null once all are in the GPU's memory
     gl::Buffer indices_ = gl::Buffer::create();

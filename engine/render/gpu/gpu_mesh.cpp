@@ -61,6 +61,9 @@ gl::VertexArray GpuMesh::makeArray() const {
     if (openness_) {
         array.shorts(opennessAttribute, *openness_);
     }
+    if (colors_) {
+        array.shares(colorAttribute, *colors_);
+    }
     if (curvature_ && curvature_->isComplete()) {
         curvature_->readBy(array);
     }
@@ -84,6 +87,18 @@ void GpuMesh::takeOpenness(const MeshView& mesh) {
                        gl::Buffer::Content::Lasting);
     openness_->write(GL_COPY_WRITE_BUFFER, std::as_bytes(mesh.openness), 0);
     arrays_ = InstancedArrays();
+}
+
+/// Drops the vertex arrays too, and the edges with theirs.
+void GpuMesh::takeColors(const MeshView& mesh) {
+    if (colors_ || mesh.colors.empty() || mesh.colors.size() != mesh.vertices.size()) {
+        return;
+    }
+    colors_ = gl::Buffer::create();
+    colors_->reserve(GL_COPY_WRITE_BUFFER, mesh.colors.size_bytes(), gl::Buffer::Content::Lasting);
+    colors_->write(GL_COPY_WRITE_BUFFER, std::as_bytes(mesh.colors), 0);
+    arrays_ = InstancedArrays();
+    edges_.reset();
 }
 
 bool GpuMesh::takeCurvature(const MeshView& mesh) {

@@ -16,8 +16,9 @@
 namespace patina {
 
 /// Holds a mesh in the GPU's memory. Its attributes are 0 position, 1 normal, 2 tangent, 3 texture
-/// coordinates, 4 the sign of the bitangent, then those of Instance, 11 openness, and 12 and 13
-/// curvature. While openness is missing, nothing counts as hidden; while curvature is, all is flat.
+/// coordinates, 4 the sign of the bitangent, then those of Instance, 11 openness, 12 and 13
+/// curvature, and 14 colours. While openness is missing, nothing counts as hidden; while curvature
+/// is, all is flat; while colours are, all is white.
 class GpuMesh {
   public:
     /// Allocates buffers for this mesh; upload() fills them. `serial` must differ from that of any
@@ -31,6 +32,9 @@ class GpuMesh {
     /// Uploads the openness of the mesh that it was made for, unless that is still missing or
     /// already uploaded.
     void takeOpenness(const MeshView& mesh);
+
+    /// Uploads the colours of the mesh that it was made for, unless it has none or they are there.
+    void takeColors(const MeshView& mesh);
 
     /// Finds and uploads some more of how it bends at its vertices, which takes some milliseconds;
     /// returns true once that is complete.
@@ -46,7 +50,7 @@ class GpuMesh {
     /// Returns the edges, which may be incomplete, and notes that frame number `frame` uses them.
     GpuEdges& edges(const MeshView& mesh, std::uint64_t frame);
     void drawEdges(const InstanceBuffer& instances, const DrawRange& range) const {
-        edges_->draw(vertices_, instances, range);
+        edges_->draw(vertices_, colors_ ? &*colors_ : nullptr, instances, range);
     }
     bool hasEdges() const { return edges_ && edges_->isComplete(); }
     int edgeCount() const { return edges_->count(); }
@@ -70,6 +74,7 @@ class GpuMesh {
     gl::Buffer vertices_ = gl::Buffer::create();
     gl::Buffer indices_ = gl::Buffer::create();
     std::optional<gl::Buffer> openness_;
+    std::optional<gl::Buffer> colors_;
     std::optional<GpuCurvature> curvature_;
     std::size_t uploaded_ = 0; ///< bytes of the vertices, then of the indices
     int triangles_ = 0;

@@ -33,6 +33,7 @@ const GpuMesh& GpuMeshStore::get(const MeshView& mesh) {
         held.upload(mesh, mesh.vertices.size_bytes() + mesh.indices.size_bytes());
     }
     held.takeOpenness(mesh);
+    held.takeColors(mesh);
     return held;
 }
 
@@ -45,8 +46,8 @@ const std::shared_ptr<GpuMesh>& GpuMeshStore::prepare(const MeshView& mesh) {
     auto found = meshes_.find(key);
     const bool isCurrent = found != meshes_.end() && found->second.looked == look_;
     if (!isCurrent) {
-        const std::uint64_t sample =
-            sampleOf(mesh.indices, sampleOf(mesh.vertices, 0xcbf29ce484222325u));
+        const std::uint64_t sample = sampleOf(
+            mesh.colors, sampleOf(mesh.indices, sampleOf(mesh.vertices, 0xcbf29ce484222325u)));
         if (found == meshes_.end() || found->second.sample != sample) {
             found =
                 meshes_

@@ -70,6 +70,9 @@ void GpuTextureStore::bind(std::span<glm::vec4> data, const Pipeline& pipeline,
                            const Material& material, TextureBudget& budget, ShownTextures& shown) {
     const auto& images = pipeline.effects.textures;
     for (std::size_t i = 0; i < images.size(); ++i) {
+        if (images[i].isOfVertices) {
+            continue;
+        }
         const unsigned unit = binding::firstTexture + static_cast<unsigned>(i);
         glActiveTexture(GL_TEXTURE0 + unit);
         bindOne(images[i], material, data[std::size_t(pipeline.object.texture(i))], budget, shown);

@@ -20,4 +20,7 @@ inline void vertexAttributes(gl::VertexArray& array, const gl::Buffer& vertices)
                     offsetof(Vertex, tangent) + offsetof(glm::vec4, w));
 }
 
+/// Follows the curvature of a vertex, as in passes/vertex_color.vert.
+inline constexpr unsigned colorAttribute = 14;
+
 } // namespace patina

@@ -37,8 +37,20 @@ bool MeshPass::draw(const PreparedFrame& frame, FrameGpu& gpu, StepBudget& budge
         }
         mesh.takeOpenness(view);
     }
+    takeColors(frame);
     return findEdges(frame, gpu, budget) && findCurvature(frame, gpu, budget) &&
            setMarks(frame, gpu, budget);
+}
+
+/// Uploads the colours of meshes whose programs read them.
+void MeshPass::takeColors(const PreparedFrame& frame) {
+    for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
+        const PlannedItem& item = frame.plan.items[i];
+        const auto& pipeline = frame.materials[item.material].pipeline;
+        if (pipeline && pipeline->effects.readsVertexColors()) {
+            frame.meshes[i]->takeColors(item.view);
+        }
+    }
 }
 
 /// Finds and uploads the edges of meshes with outlines or fins; returns false when the budget is

@@ -17,6 +17,7 @@ class MeshPass : public Pass {
     std::string_view name() const override { return "meshes"; }
 
   private:
+    static void takeColors(const PreparedFrame& frame);
     static bool findEdges(const PreparedFrame& frame, FrameGpu& gpu, const StepBudget& budget);
     static bool findCurvature(const PreparedFrame& frame, FrameGpu& gpu, const StepBudget& budget);
     static bool setMarks(const PreparedFrame& frame, FrameGpu& gpu, const StepBudget& budget);

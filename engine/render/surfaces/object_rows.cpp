@@ -117,6 +117,12 @@ void describeImages(std::vector<EffectRow>& rows, const Material& material, cons
         const auto use = material.textures.find(row.line.effect.substr(textureKind.size()));
         const BoundTexture image =
             boundTexture(use->second, textureTarget(use->first, use->second, material, catalog));
+        if (image.isOfVertices) {
+            if (!mesh.indices.empty() && mesh.colors.empty()) {
+                row.line.reason += " The mesh has no vertex colours: it counts as white.";
+            }
+            continue;
+        }
         if (isMissing(use->second, image, images)) {
             row.line.reason += missingText(use->second);
         }

@@ -63,20 +63,32 @@ bool TextureWriter::has(TextureRole role) const {
                                [role](const BoundTexture& each) { return each.role == role; });
 }
 
+bool TextureWriter::hasFiles() const {
+    return !std::ranges::all_of(set_.textures, &BoundTexture::isOfVertices);
+}
+
 std::string TextureWriter::writeVertex(SourceBuilder& out, bool always) const {
-    if (set_.textures.empty() && !always) {
-        return {};
+    std::string statements;
+    if (hasFiles() || always) {
+        out.addFile("passes/texture.vert");
+        statements += "    placeImages();\n";
     }
-    out.addFile("passes/texture.vert");
-    if (!has(TextureRole::Height)) {
-        return "    placeImages();\n";
+    if (has(TextureRole::Height)) {
+        out.addFile("passes/texture_height.vert");
+        statements += "    placeHeights();\n";
     }
-    out.addFile("passes/texture_height.vert");
-    return "    placeImages();\n    placeHeights();\n";
+    if (set_.readsVertexColors()) {
+        out.addFile("passes/vertex_color.vert");
+        statements += "    placeVertexColor();\n";
+    }
+    return statements;
 }
 
 void TextureWriter::writeDeclarations(SourceBuilder& out) const {
-    if (set_.textures.empty()) {
+    if (set_.readsVertexColors()) {
+        out.addFile("passes/vertex_color.glsl");
+    }
+    if (!hasFiles()) {
         return;
     }
     out.addFile("passes/texture.glsl");
@@ -98,17 +110,25 @@ void TextureWriter::writeOpacityDeclarations(SourceBuilder& out) const {
 
 void TextureWriter::writeSamplers(SourceBuilder& out) const {
     for (std::size_t i = 0; i < set_.textures.size(); ++i) {
-        out.add(fmt::format("uniform sampler2D {};\n", samplerName(i)));
+        if (!set_.textures[i].isOfVertices) {
+            out.add(fmt::format("uniform sampler2D {};\n", samplerName(i)));
+        }
     }
 }
 
 /// Returns the part of the image that counts, as a colour where the value is one.
 std::string TextureWriter::texel(std::size_t index) const {
     const BoundTexture& texture = set_.textures[index];
-    const std::string read = fmt::format("texture({}, imagePlace({})).{}", samplerName(index),
-                                         layout_.texture(index), swizzle(texture.channel));
+    const std::string whole = texture.isOfVertices
+                                  ? "vertexColor"
+                                  : fmt::format("texture({}, imagePlace({}))", samplerName(index),
+                                                layout_.texture(index));
+    const std::string read = whole + '.' + swizzle(texture.channel);
     const bool widens = texture.isColor() && texture.channel != TextureChannel::Color;
     const bool narrows = !texture.isColor() && texture.channel == TextureChannel::Color;
+    if (narrows && texture.isOfVertices) {
+        return "vertexGrey()";
+    }
     return widens ? "vec3(" + read + ")" : narrows ? "imageGrey(" + read + ")" : read;
 }
 
@@ -118,7 +138,9 @@ std::string TextureWriter::changed(std::size_t index, const std::string& value) 
                                  ? texel(index)
                                  : value + operation(texture.mode) + texel(index);
     const Parameter* parameter = texture.parameter;
-    return fmt::format("imaged({}, {}, {}, {}, {})", value, made, layout_.texture(index),
+    const char* form = texture.isOfVertices ? "clamp(mix({}, {}, objectData[{}].w), {}, {})"
+                                            : "imaged({}, {}, {}, {}, {})";
+    return fmt::format(fmt::runtime(form), value, made, layout_.texture(index),
                        literal(parameter ? parameter->min : 0.0),
                        literal(parameter ? parameter->max : 1.0));
 }

@@ -44,6 +44,7 @@ class TextureWriter {
 
   private:
     bool has(TextureRole role) const;
+    bool hasFiles() const;
     void writeSamplers(SourceBuilder& out) const;
     std::string texel(std::size_t index) const;
     std::string changed(std::size_t index, const std::string& value) const;

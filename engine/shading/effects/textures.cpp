@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <glm/trigonometric.hpp>
 
+#include "catalog/combing_role.h"
 #include "shading/effects/data_layout.h"
 #include "shading/effects/effect_set.h"
 #include "shading/program/given_value.h"
@@ -99,7 +100,7 @@ const char* channelText(const BoundTexture& texture, bool isChosen) {
     case TextureChannel::Blue:
         return "blue";
     case TextureChannel::Alpha:
-        return isChosen ? "alpha" : "alpha, or grey without one";
+        return isChosen || texture.isOfVertices ? "alpha" : "alpha, or grey without one";
     default:
         return "colour";
     }
@@ -111,7 +112,8 @@ std::string detailOf(const BoundTexture& texture, const EffectSubject* subject) 
     }
     const TextureUse* use = subject == nullptr ? nullptr : texture.in(*subject->material);
     const bool isChosen = use == nullptr || use->channel == texture.channel;
-    return fmt::format("{}, {}{}", channelText(texture, isChosen), modeText(texture.mode),
+    return fmt::format("{}{}, {}{}", texture.isOfVertices ? "vertex colours: " : "",
+                       channelText(texture, isChosen), modeText(texture.mode),
                        texture.cutOut ? ", cut out" : "");
 }
 
@@ -216,12 +218,16 @@ TextureTarget textureTarget(std::string_view key, const TextureUse& use, const M
         target.whyNot = "It is switched off.";
     } else if (use.strength == 0.0) {
         target.whyNot = "Its strength is 0.";
+    } else if (isVertexColors(use.file) && target.role != TextureRole::Input) {
+        target.whyNot = "Vertex colours are no image of the surface's shape.";
     } else if (target.role == TextureRole::Input) {
         findParameter(target, key, material, catalog);
         if (target.parameter == nullptr) {
             target.whyNot = "The material has no such value now.";
         } else if (target.parameter->textureChannels.empty()) {
             target.whyNot = "The value takes no image.";
+        } else if (isVertexColors(use.file) && target.parameter->role == roles::combing) {
+            target.whyNot = "Vertex colours are no directions.";
         }
     }
     return target;
@@ -250,7 +256,8 @@ bool isColorUse(TextureRole role, TextureChannel channel) {
 bool isTextured(std::string_view parameterId, const Material& material) {
     const auto found = material.textures.find(parameterId);
     return found != material.textures.end() && !found->second.file.empty() &&
-           found->second.enabled && found->second.strength != 0.0;
+           found->second.enabled && found->second.strength != 0.0 &&
+           (!isVertexColors(found->second.file) || textureRole(parameterId) == TextureRole::Input);
 }
 
 std::string BoundTexture::key() const {
@@ -282,9 +289,13 @@ bool BoundTexture::isColor() const {
 }
 
 BoundTexture boundTexture(const TextureUse& use, const TextureTarget& target) {
-    return {target.role,      target.kind,
-            target.parameter, channelOf(use, target),
-            use.mode,         target.role == TextureRole::Opacity && use.cutOut};
+    return {target.role,
+            target.kind,
+            target.parameter,
+            channelOf(use, target),
+            use.mode,
+            target.role == TextureRole::Opacity && use.cutOut,
+            isVertexColors(use.file)};
 }
 
 void TexturesEffect::choose(const MaterialSubject& subject, const EffectSet& set) {
@@ -310,13 +321,15 @@ void TexturesEffect::addTo(ChoiceHash& hash) const {
         hash.add(static_cast<std::uint64_t>(texture.channel));
         hash.add(static_cast<std::uint64_t>(texture.mode));
         hash.add(texture.cutOut);
+        hash.add(texture.isOfVertices);
     }
 }
 
 void TexturesEffect::list(EffectListing& listing, const EffectSet&) const {
     for (const BoundTexture& texture : textures) {
         listing.add("texture/" + texture.key(), detailOf(texture, listing.subject()),
-                    always("An image is bound to it."));
+                    always(texture.isOfVertices ? "The mesh's vertex colours drive it."
+                                                : "An image is bound to it."));
     }
 }
 
@@ -353,6 +366,10 @@ void TexturesEffect::place(ObjectLayout& layout, const EffectSet&) const {
 std::string_view TexturesEffect::whyPerPixel(const EffectSet&) const {
     return !textures.empty() ? "images change the surface between its corners."
                              : std::string_view();
+}
+
+bool TexturesEffect::readsVertexColors() const {
+    return std::ranges::any_of(textures, &BoundTexture::isOfVertices);
 }
 
 void TexturesEffect::remove(Scene& scene, const EffectName& effect, const Catalog&) {

@@ -45,6 +45,7 @@ struct BoundTexture {
     TextureChannel channel = TextureChannel::Color;
     TextureMode mode = TextureMode::Replace;
     bool cutOut = false;
+    bool isOfVertices = false; ///< it is the mesh's colours and has no sampler
 
     /// Its key in Material::textures, and whether a key is that.
     std::string key() const;
@@ -74,6 +75,7 @@ struct TexturesEffect {
     }
     void place(ObjectLayout& layout, const EffectSet& set) const;
     std::string_view whyPerPixel(const EffectSet& set) const;
+    bool readsVertexColors() const;
     static void remove(Scene& scene, const EffectName& effect, const Catalog& catalog);
 
     friend bool operator==(const TexturesEffect&, const TexturesEffect&) = default;
