@@ -15,6 +15,7 @@
 #include "measure/approximation/cheap_moves.h"
 #include "measure/approximation/direction_tables.h"
 #include "measure/approximation/geometry_moves.h"
+#include "measure/approximation/level_check.h"
 #include "measure/approximation/measured_text.h"
 #include "measure/approximation/tabled_terms.h"
 #include "measure/approximation/tidied_text.h"
