@@ -339,8 +339,7 @@ TEST_F(PicturePassesTest, ReleasedTargets_LeaveThePictureToThePasses) {
     for (const auto& [samples, scale] : {std::pair("1", "full"), {"4", "full"}, {"4", "half"}}) {
         SCOPED_TRACE(fmt::format("{} samples, {}", samples, scale));
         Scene scene = with("watercolour");
-        for (const auto& [id, level] : {std::pair("picture.samples", samples),
-                                        {"picture.scale", scale}}) {
+        for (const auto& [id, level] : {std::pair("samples", samples), {"scale", scale}}) {
             const PictureChoiceText& text = *pictureChoiceText(id);
             scene.accuracy.choose(text.choice, *text.level(level));
         }

@@ -126,106 +126,87 @@ TEST_F(RefractionOfABall, Lens_TurnsTheSceneRound) {
     EXPECT_LT(pixel(image, 36, 32).g, 0.1f);
 }
 
-/// Looks at the edge of a glowing square near the ball, which enlarges it, before another one far
-/// away, against the mean of many exact rays of each pixel.
+/// Looks at the edge of a glowing square near the ball, which enlarges it, against the mean of many
+/// exact rays of each pixel.
 class SilhouettesBehindABall : public RefractionTest {
   protected:
     static constexpr int size = 97;
     static constexpr double index = 1.5;
-    static constexpr double nearAt = -1.6;
-    static constexpr double farAt = -4.0;
-    static constexpr double turn = 33.0; ///< degrees of the near square about the view
+    static constexpr double squareAt = -1.6;
+    static constexpr double turn = 33.0; ///< degrees of the square about the view
     static constexpr double half = 0.5;
     const glm::dvec3 across{std::cos(glm::radians(turn)), std::sin(glm::radians(turn)), 0.0};
 
-    SilhouettesBehindABall() {
-        scene_.background = glm::dvec3(0.0);
-        scene_.camera.distance = 4.0;
-    }
-
     void SetUp() override {
         RefractionTest::SetUp();
-        scene_.objects = {clear("ball", "solid-body", index), glowing({1.0, 0.0, 0.0}, {0, 0, farAt}),
-                          glowing({0.0, 1.0, 0.0}, {0, 0, nearAt})};
-        scene_.objects[1].rotation.z = 20.0;
-        scene_.objects[2].rotation.z = turn;
-        scene_.objects[2].scale = glm::dvec3(half);
-        scene_.objects[2].translation += half * across;
+        scene_.background = glm::dvec3(0.0);
+        scene_.objects = {clear("ball", "solid-body", index),
+                          glowing({0.0, 1.0, 0.0}, glm::dvec3(0, 0, squareAt) + half * across)};
+        scene_.objects[1].rotation.z = turn;
+        scene_.objects[1].scale = glm::dvec3(half);
     }
 
-    /// Returns the mean error of the squares' colours over all pixels that are well on the ball.
-    double meanError(const std::string& level) {
+    /// Returns the root of the mean square error over all pixels that are well on the ball.
+    double error(const std::string& level) {
         scene_.objects[0].material.accuracy["silhouettes"] = level;
         const Image image = drawn(size);
         double sum = 0.0;
         int pixels = 0;
         for (int y = 0; y < size; ++y) {
             for (int x = 0; x < size; ++x) {
-                const glm::dvec3 exact = exactPixel(x, y);
-                if (exact.x != miss) {
-                    const glm::dvec3 error = glm::abs(glm::dvec3(pixel(image, x, y)) - exact);
-                    sum += 0.5 * (error.x + error.y);
+                const double exact = exactPixel(x, y);
+                if (exact != miss) {
+                    const double off = double(pixel(image, x, y).g) - exact;
+                    sum += off * off;
                     ++pixels;
                 }
             }
         }
-        return sum / std::max(pixels, 1);
+        return std::sqrt(sum / std::max(pixels, 1));
     }
 
   private:
-    /// Returns whether a ray goes through a square of this size that is turned about the view.
-    static bool isHit(const glm::dvec3& from, const glm::dvec3& d, double z, double angle,
-                      double extent) {
-        const double t = (z - from.z) / d.z;
-        const double c = std::cos(glm::radians(angle));
-        const double s = std::sin(glm::radians(angle));
-        const glm::dvec3 at = from + t * d;
-        return t > 0.0 && std::abs(c * at.x + s * at.y) < extent &&
-               std::abs(c * at.y - s * at.x) < extent;
+    bool isHit(const glm::dvec3& from, const glm::dvec3& d) const {
+        const double t = (squareAt - from.z) / d.z;
+        const glm::dvec3 at = from + t * d - half * across;
+        return t > 0.0 && std::abs(across.x * at.x + across.y * at.y) < half &&
+               std::abs(across.x * at.y - across.y * at.x) < half;
     }
 
-    glm::dvec3 exactRay(double x, double y) const {
+    double exactRay(double x, double y) const {
         const glm::dvec3 origin = eye(scene_.camera);
         const glm::dvec3 d = rayThrough(x, y, size);
         const double b = glm::dot(origin, d);
         const double beside = glm::dot(origin, origin) - b * b;
-        if (beside > 0.9 * 0.9) {
-            return glm::dvec3(miss);
+        if (beside > 0.7 * 0.7) {
+            return miss;
         }
         const glm::dvec3 n = origin + (-b - std::sqrt(1.0 - beside)) * d;
         const Split in = split(d, n, index);
         const glm::dvec3 end = n - 2.0 * glm::dot(n, in.onwards) * in.onwards;
         const Split out = split(in.onwards, -end, 1.0 / index);
-        const double passed = (1.0 - in.share) * (1.0 - out.share);
-        if (isHit(end - half * across, out.onwards, nearAt, turn, half)) {
-            return {0.0, passed, 0.0};
-        }
-        const bool isFar = isHit(end, out.onwards, farAt, scene_.objects[1].rotation.z, 1.0);
-        return {isFar ? passed : 0.0, 0.0, 0.0};
+        return isHit(end, out.onwards) ? (1.0 - in.share) * (1.0 - out.share) : 0.0;
     }
 
-    glm::dvec3 exactPixel(int x, int y) const {
+    double exactPixel(int x, int y) const {
         constexpr int side = 8;
-        glm::dvec3 sum(0.0);
+        double sum = 0.0;
         for (int i = 0; i < side * side; ++i) {
-            const glm::dvec3 ray =
+            const double ray =
                 exactRay(x + (i % side + 0.5) / side - 0.5, y + (i / side + 0.5) / side - 0.5);
-            if (ray.x == miss) {
-                return ray;
+            if (ray == miss) {
+                return miss;
             }
             sum += ray;
         }
-        return sum / double(side * side);
+        return sum / (side * side);
     }
 };
 
-TEST_F(SilhouettesBehindABall, OfMoreRays_AreNearerToExactOnes) {
-    const double one = meanError("rays1");
-    const double four = meanError("rays4");
-    const double sixteen = meanError("rays16");
-    EXPECT_LT(four, 0.7 * one) << one;
-    EXPECT_LT(sixteen, 0.9 * four) << one;
-    EXPECT_LT(sixteen, 0.5 * one) << one;
+// The figures that the descriptor states.
+TEST_F(SilhouettesBehindABall, OfFourRays_AreNearerToExactOnesThanThoseOfOne) {
+    EXPECT_NEAR(error("rays4"), 0.114, 0.005);
+    EXPECT_NEAR(error("rays1"), 0.138, 0.005);
 }
 
 TEST_F(SilhouettesBehindABall, WithNothingBehind_HasNoProgramOfItsOwn) {
@@ -489,7 +470,8 @@ TEST_F(MirroredByATerm, InWhiteSurroundings_IsWhite) {
     }
 }
 
-/// With as thick a film as is none the body is the clear one of its index, whatever its rays.
+/// With as thick a film as is none the body is the clear one of its index. Rays of several
+/// wavelengths share what three channels mirror, so there it is near.
 TEST_F(MirroredByATerm, WithoutAFilm_IsTheBodyOfItsIndex) {
     for (const double dispersion : {0.0, 1.0}) {
         surround(false);
@@ -501,7 +483,8 @@ TEST_F(MirroredByATerm, WithoutAFilm_IsTheBodyOfItsIndex) {
         set(scene_.objects[0], "index", 1.52);
         const Image bare = drawn(17);
         for (std::size_t i = 0; i < bare.pixels.size(); ++i) {
-            ASSERT_NEAR(coated.pixels[i], bare.pixels[i], 3e-3f) << dispersion << ' ' << i;
+            ASSERT_NEAR(coated.pixels[i], bare.pixels[i], dispersion > 0.0 ? 1e-2f : 1e-3f)
+                << dispersion << ' ' << i;
         }
     }
 }
@@ -544,6 +527,7 @@ TEST_F(Refraction, InWhiteSurroundings_IsWhite) {
 TEST_F(Refraction, OfAlmostNone_IsPlainTransparency) {
     scene_.objects = {clear("sphere", "solid-body", 1.0001),
                       glowing({1.0, 0.25, 0.0}, {0.5, 0.0, -2.0})};
+    scene_.objects[0].material.accuracy["silhouettes"] = "rays1"; // several smooth what is behind
     const Image refracted = drawn(65);
     scene_.objects.erase(scene_.objects.begin());
     const Image plain = drawn(65);

@@ -8,7 +8,7 @@
 namespace patina {
 namespace {
 
-constexpr int maxGrowth = 64;
+constexpr int maxAddedPixels = 64;
 
 bool isPowerOfTwo(int length) {
     return std::has_single_bit(static_cast<unsigned>(length));
@@ -25,7 +25,7 @@ bool isAlike(int a, int b, double scale) {
 
 int fallbackLength(int length, int small, double scale) {
     const int minSide = std::max(small, 1);
-    for (int wanted = minSide; wanted <= minSide + maxGrowth; ++wanted) {
+    for (int wanted = minSide; wanted <= minSide + maxAddedPixels; ++wanted) {
         if (isAlike(wanted, length, scale)) {
             return wanted;
         }
