@@ -9,9 +9,6 @@ float facesMore(vec3 n, float number) {
     return number < 0.5 ? x - max(y, z) : (number < 1.5 ? y - max(z, x) : z - max(x, y));
 }
 
-// Where another axis takes over, as one over what is faced more in all the way.
-const float OTHER_AXIS = 6.0;
-
 // A lattice across one axis of the object.
 struct DotLattice {
     float number; // of the axis
@@ -58,8 +55,8 @@ vec2 fromNearestDot(DotLattice lattice, float shiftX, float shiftY) {
 }
 
 // How much of a dot is there: all of it where the surface faces the lattice's axis in the middle of
-// the dot, by how it bends from here to there. Within some degrees of where another axis takes over
-// dots of the one get smaller as those of the other come.
+// the dot, by how it bends from here to there. Within a degree of where another axis takes over
+// dots of both are smaller.
 float standsThere(DotLattice lattice, DrawnPlace at, DrawnBend bend, vec2 off) {
     vec3 across = (off.x * lattice.first + off.y * lattice.second) * (-1.0 / lattice.cells);
     float facing = dot(at.n, lattice.axis);
@@ -69,7 +66,7 @@ float standsThere(DotLattice lattice, DrawnPlace at, DrawnBend bend, vec2 off) {
     float bent = (dot(bend.diagonal, bend.diagonal) + 2.0 * dot(bend.mixed, bend.mixed)) /
         (lattice.cells * lattice.cells);
     vec3 n = at.n + bentAlong(bend, way) * (1.0 / (1.0 + 4.0 * bent));
-    return clamp(0.5 + OTHER_AXIS * facesMore(n, lattice.number), 0.0, 1.0);
+    return clamp(0.5 + 30.0 * facesMore(n, lattice.number), 0.0, 1.0);
 }
 
 // The ink of a dot of a radius whose square is given. What the ramp of its edge adds to its area
@@ -86,16 +83,15 @@ vec2 darker(vec2 a, vec2 b) {
     return a.x > b.x ? a : b;
 }
 
-// One dot, of an area in cells where it stands alone. Where dots of two lattices lie over each
-// other each leaves a share of the bare paper, so that both together leave what one would.
+// One dot. Where it is dark dots are so large that they reach beyond their cells: there the axis
+// that the surface faces here counts, so that nothing stays bare between two lattices.
 vec2 stableDot(DotLattice lattice, DrawnPlace at, DrawnBend bend, vec2 shift, float area,
-    vec2 tone) {
+    float dark) {
     vec2 off = fromNearestDot(lattice, shift.x, shift.y);
-    float share = standsThere(lattice, at, bend, off);
-    float bare = share < 1.0 ? pow(max(tone.y, 1e-6), share) : tone.y;
-    float part = clamp((1.0 - bare) / max(tone.x, 1e-6), 0.0, 1.0);
-    float away = lattice.size * sqrt(off.x * off.x + off.y * off.y);
-    return dotInk(area * sqr(lattice.size) * part, away);
+    float here = clamp(1.0 + 30.0 * facesMore(at.n, lattice.number), 0.0, 1.0);
+    float large = smoothstep(0.4, 0.6, dark);
+    float share = max((1.0 - large) * standsThere(lattice, at, bend, off), large * here);
+    return dotInk(area * share, lattice.size * sqrt(off.x * off.x + off.y * off.y));
 }
 
 // Dots that stay on the surface and keep their size on the picture: from one scale to the next
@@ -107,16 +103,16 @@ vec2 stableDots(DotLattice lattice, DrawnPlace at, DrawnBend bend, vec2 tone) {
     float third = clamp(number - 2.0, 0.0, 1.0);
     float fourth = clamp(number - 3.0, 0.0, 1.0);
     float together = 1.0 + second * second + third * third + fourth * fourth;
-    // Dots overlap when they are large: those of this radius leave nothing bare. One at each corner
-    // of a cell reaches its middle at 0.71, two or three reach 0.5, and four 0.35.
-    float even = (0.56418958 + 0.19 * sqr(tone.x)) * inversesqrt(together);
-    float full = max(even, 0.55 + fourth * (0.155 * fourth - 0.3));
-    float radius = even + sqr(sqr(sqr(tone.x))) * (full - even);
-    float area = sqr(radius) * tone.x;
-    vec2 drawn = stableDot(lattice, at, bend, vec2(0.0), area, tone);
-    drawn = darker(drawn, stableDot(lattice, at, bend, vec2(0.5, 0.5), area * sqr(second), tone));
-    drawn = darker(drawn, stableDot(lattice, at, bend, vec2(0.5, 0.0), area * sqr(third), tone));
-    drawn = darker(drawn, stableDot(lattice, at, bend, vec2(0.0, 0.5), area * sqr(fourth), tone));
+    // Dots overlap when they are large; at 0.75 of the distance they leave nothing bare.
+    float reach = lattice.size * (0.56418958 + 0.19 * tone.x * tone.x);
+    float area = reach * reach * tone.x / together;
+    vec2 drawn = stableDot(lattice, at, bend, vec2(0.0), area, tone.x);
+    drawn = darker(drawn,
+        stableDot(lattice, at, bend, vec2(0.5, 0.5), area * second * second, tone.x));
+    drawn = darker(drawn,
+        stableDot(lattice, at, bend, vec2(0.5, 0.0), area * third * third, tone.x));
+    drawn = darker(drawn,
+        stableDot(lattice, at, bend, vec2(0.0, 0.5), area * fourth * fourth, tone.x));
     return drawn;
 }
 

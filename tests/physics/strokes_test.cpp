@@ -106,16 +106,6 @@ TEST(SurfaceHalftone, OnAnyScale_CoversTheTone) {
     }
 }
 
-TEST(SurfaceHalftone, InFullInk_LeavesNoSpeckBare) {
-    for (double pixel = 0.004; pixel < 0.0081; pixel += 0.0002) {
-        for (int i = 0; i < 400; ++i) {
-            const glm::dvec3 place(0.01 * (i % 20), 0.01 * (i / 20), 0.0);
-            const double ink = inkOn("surface-halftone", place, pixel, 0.0, {{"cell", 12.0}});
-            EXPECT_GT(ink, 0.97) << pixel << ' ' << place.x << ' ' << place.y;
-        }
-    }
-}
-
 /// The places lie on a ball of radius 1 beside the origin, where lattices of two axes meet.
 TEST(SurfaceHalftone, WhereAnotherAxisTakesOver_KeepsTheToneWithoutASudden) {
     double jump = 0.0;
