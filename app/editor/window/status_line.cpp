@@ -29,6 +29,8 @@ StatusLine::StatusLine(Document& document, MessageLog& messages, QWidget* parent
       time_(new QLabel(this)), progress_(new QProgressBar(this)), tasks_(new QToolButton(this)),
       badge_(new QToolButton(this)), switched_(new QToolButton(this)) {
     setSizeGripEnabled(false);
+    // What it says does not widen the window.
+    setSizePolicy(QSizePolicy::Ignored, sizePolicy().verticalPolicy());
     model_->setObjectName("statusModel");
     effects_->setObjectName("statusEffects");
     time_->setObjectName("statusTime");
