@@ -96,8 +96,8 @@ class FrameJob {
     /// Returns true when the last frame's picture is there to be read.
     bool hasPicture() const { return hasPicture_ && !failure_; }
 
-    /// Frees the targets that a frame is drawn into; the next frame makes them again. A picture that
-    /// passes are drawn over stays, with the depths that they read, so that takePasses() has it.
+    /// Frees the targets that a frame is drawn into; the next frame makes them again. A picture
+    /// that passes are drawn over stays, with the depths that they read, for takePasses().
     void releaseTargets();
 
     /// Returns the report of the last frame that was drawn.

@@ -214,7 +214,8 @@ std::string detailOf(const BlockUse& use, const EffectSet& set) {
     const AccuracyChoice* rays = set.isShownRefracted ? nullptr : rayChoice(use.block());
     std::string text;
     for (const CompiledValue& value : use.compiled()) {
-        if ((idle == nullptr || value.id != idle->id) && (rays == nullptr || value.id != rays->id)) {
+        if ((idle == nullptr || value.id != idle->id) &&
+            (rays == nullptr || value.id != rays->id)) {
             text += fmt::format("{}{}={}", text.empty() ? "" : ", ", value.id, value.value);
         }
     }
