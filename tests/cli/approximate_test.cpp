@@ -120,7 +120,7 @@ TEST_P(OfAPaper, FrontHasTwoUsefulWaysThatKeepTheirErrorOnUnseenCases) {
     const TemporaryFolder folder;
     writePaper(paper, folder / "before");
     const Outcome outcome =
-        approximated({(folder / "before/models" / (paper.id + ".glsl")).string(), "--seconds", "15",
+        approximated({(folder / "before/models" / (paper.id + ".glsl")).string(), "--seconds", "30",
                       "--cases", "10000", "--json", "-o", (folder / "after/models").string()});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     const auto json = nlohmann::json::parse(outcome.out);
@@ -200,7 +200,7 @@ TEST(Approximate, WrittenBlock_IsValidAndPassesTheSweep) {
     const TemporaryFolder folder;
     writePaper(banks, folder / "before");
     const Outcome outcome =
-        approximated({(folder / "before/models/banks.glsl").string(), "--seconds", "10", "-o",
+        approximated({(folder / "before/models/banks.glsl").string(), "--seconds", "20", "-o",
                       (folder / "data/patina/shaders").string()});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_NE(outcome.err.find("shaders/models/banks.glsl"), std::string::npos)
