@@ -32,36 +32,31 @@ inline std::optional<int> rayCount(const EnumValue& level) {
                                       : std::nullopt;
 }
 
-/// Returns the accuracy choice of a refraction block whose levels count the wavelengths that bend
-/// apart: whole numbers from 1. The program reads it, and the block's struct has no field of it.
-/// Null where there is none.
-inline const AccuracyChoice* wavelengthChoice(const Block& block) {
+/// Returns the accuracy choice of a refraction block of whose levels `count` makes numbers above 0;
+/// null where there is none. The program reads it, and the block's struct has no field of it.
+template <class Count>
+const AccuracyChoice* choiceOfCounts(const Block& block, Count count) {
     if (block.kind != kinds::refraction) {
         return nullptr;
     }
-    const auto found = std::ranges::find_if(block.accuracy, [](const AccuracyChoice& choice) {
-        return !choice.values.empty() &&
-               std::ranges::all_of(choice.values, [](const EnumValue& level) {
-                   return wholeNumber(level).value_or(0) > 0;
-               });
-    });
+    const auto found =
+        std::ranges::find_if(block.accuracy, [&count](const AccuracyChoice& choice) {
+            return !choice.values.empty() &&
+                   std::ranges::all_of(choice.values, [&count](const EnumValue& level) {
+                       return count(level).value_or(0) > 0;
+                   });
+        });
     return found == block.accuracy.end() ? nullptr : &*found;
 }
 
-/// Returns the accuracy choice of a refraction block whose levels count the rays of a pixel that
-/// look for what is behind a body: "rays1", "rays4". The program reads it, too. Null where there is
-/// none.
+/// Returns the choice of how many wavelengths bend apart: whole numbers from 1.
+inline const AccuracyChoice* wavelengthChoice(const Block& block) {
+    return choiceOfCounts(block, [](const EnumValue& level) { return wholeNumber(level); });
+}
+
+/// Returns the choice of how many rays of a pixel look for what is behind a body: "rays1", "rays4".
 inline const AccuracyChoice* rayChoice(const Block& block) {
-    if (block.kind != kinds::refraction) {
-        return nullptr;
-    }
-    const auto found = std::ranges::find_if(block.accuracy, [](const AccuracyChoice& choice) {
-        return !choice.values.empty() &&
-               std::ranges::all_of(choice.values, [](const EnumValue& level) {
-                   return rayCount(level).value_or(0) > 0;
-               });
-    });
-    return found == block.accuracy.end() ? nullptr : &*found;
+    return choiceOfCounts(block, rayCount);
 }
 
 /// Returns true when the program reads the choice, so that the block's functions do not know it.

@@ -53,6 +53,16 @@ class ShadingTest : public testing::Test {
         return leftOut(effectSet(material, scene, catalog()), {&material, scene, catalog(), {}});
     }
 
+    /// Returns why an image of the material is left out; empty where none is.
+    static std::string whyNoTexture(const Material& material) {
+        for (const EffectLine& line : leftOutOf(material, {})) {
+            if (line.effect.starts_with("texture/")) {
+                return line.reason;
+            }
+        }
+        return {};
+    }
+
     static std::string fragment(const Material& material, const Scene& scene) {
         const auto program = surfaceProgram(effectSet(material, scene, catalog()), catalog());
         EXPECT_TRUE(program) << (program ? "" : text(program.error()));

@@ -15,15 +15,6 @@ class TextureEffects : public ShadingTest {
         made.textures[key] = textureUse(key, "/image.png");
         return made;
     }
-
-    static std::string whyNot(const Material& material) {
-        for (const EffectLine& line : leftOutOf(material, {})) {
-            if (line.effect.starts_with("texture/")) {
-                return line.reason;
-            }
-        }
-        return {};
-    }
 };
 
 TEST_F(TextureEffects, UnboundMaterial_HasNoSamplerAndNoCoordinates) {
@@ -85,23 +76,24 @@ TEST_F(TextureEffects, ImageOfTheGlow_LightsABlackOne) {
 }
 
 TEST_F(TextureEffects, ValueThatTheModelLacks_IsLeftOutWithAReason) {
-    EXPECT_EQ(whyNot(withImage("lambert", "roughness")), "The material has no such value now.");
+    EXPECT_EQ(whyNoTexture(withImage("lambert", "roughness")),
+              "The material has no such value now.");
 }
 
 TEST_F(TextureEffects, ValueThatTakesNoImage_IsLeftOutWithAReason) {
-    EXPECT_EQ(whyNot(withImage("ward", "tangent.angle")), "The value takes no image.");
+    EXPECT_EQ(whyNoTexture(withImage("ward", "tangent.angle")), "The value takes no image.");
 }
 
 TEST_F(TextureEffects, StrengthZero_IsLeftOutWithAReason) {
     Material phong = withImage("phong", "diffuse.color");
     phong.textures.begin()->second.strength = 0.0;
-    EXPECT_EQ(whyNot(phong), "Its strength is 0.");
+    EXPECT_EQ(whyNoTexture(phong), "Its strength is 0.");
 }
 
 TEST_F(TextureEffects, SwitchedOff_IsLeftOutWithAReason) {
     Material phong = withImage("phong", "diffuse.color");
     phong.textures.begin()->second.enabled = false;
-    EXPECT_EQ(whyNot(phong), "It is switched off.");
+    EXPECT_EQ(whyNoTexture(phong), "It is switched off.");
 }
 
 TEST_F(TextureEffects, MoreImagesThanUnits_AreLeftOutWithAReason) {
@@ -111,7 +103,7 @@ TEST_F(TextureEffects, MoreImagesThanUnits_AreLeftOutWithAReason) {
         ward.textures[key] = textureUse(key, "/image.png");
     }
     EXPECT_EQ(effectSet(ward, {}, catalog()).textures.size(), maxTextures);
-    EXPECT_EQ(whyNot(ward), "A material shows 8 images at most.");
+    EXPECT_EQ(whyNoTexture(ward), "A material shows 8 images at most.");
 }
 
 TEST_F(TextureEffects, OpacityAfterTooManyImages_StaysSinceShadowsGoByIt) {

@@ -119,15 +119,6 @@ class VertexColorTexts : public ShadingTest {
         made.textures[key] = textureUse(key, std::string(vertexColorsName));
         return made;
     }
-
-    static std::string whyNot(const Material& material) {
-        for (const EffectLine& line : leftOutOf(material, {})) {
-            if (line.effect.starts_with("texture/")) {
-                return line.reason;
-            }
-        }
-        return {};
-    }
 };
 
 TEST_F(VertexColorTexts, WhatTheyDrive_HasNoSamplerAndNoCoordinates) {
@@ -171,7 +162,7 @@ TEST_F(VertexColorTexts, Key_DiffersFromThatOfAnImage) {
 
 TEST_F(VertexColorTexts, ReliefAndOpacity_AreLeftOutWithAReason) {
     for (const char* key : {"normal", "height", "opacity"}) {
-        EXPECT_EQ(whyNot(driven("phong", key)),
+        EXPECT_EQ(whyNoTexture(driven("phong", key)),
                   "Vertex colours are no image of the surface's shape.")
             << key;
     }
