@@ -86,10 +86,10 @@ float surfaceBefore(MarkPoint m, vec2 slope, vec2 beside, float reach) {
     float asideThere = max(aside - bend * inward, 0.0);
     float facingThere = sqrt(1.0 - asideThere * asideThere);
     float risen = inward * (aside + asideThere) / (facing + facingThere);
-    float steepness = asideThere / facingThere;
+    float slopeThere = asideThere / facingThere;
     float shared = asideThere / max(aside, 1e-6);
     shared = aside > 1e-6 ? shared : 1.0;
-    return risen - steepness * inward - shared / facingThere * dot(slope, beside);
+    return risen - slopeThere * inward - shared / facingThere * dot(slope, beside);
 }
 
 // The depth at the place `beside` a mark's point on the picture, in metres, in clip space. What
