@@ -5,5 +5,10 @@
 
 vec3 gaussianSpecular(Directions d, GaussianSpecular p) {
     vec3 lobe = p.specularColor * gaussianHighlight(p.angle, d, p.width);
-    return glossed(lobe, p.gloss, p.glossMode == GAUSSIAN_SPECULAR_GLOSS_MODE_LIMIT, 1.0);
+    float white = 1.0;
+    if (p.highlightForm == GAUSSIAN_SPECULAR_HIGHLIGHT_FORM_RECIPROCAL) {
+        lobe *= d.nl;
+        white = d.nl;
+    }
+    return glossed(lobe, p.gloss, p.glossMode == GAUSSIAN_SPECULAR_GLOSS_MODE_LIMIT, white);
 }

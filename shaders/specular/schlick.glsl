@@ -5,5 +5,10 @@
 
 vec3 schlickSpecular(Directions d, SchlickSpecular p) {
     vec3 lobe = p.specularColor * schlickLobe(d.versineRv, d.rv, p.shininess);
-    return glossed(lobe, p.gloss, p.glossMode == SCHLICK_SPECULAR_GLOSS_MODE_LIMIT, 1.0);
+    float white = 1.0;
+    if (p.highlightForm == SCHLICK_SPECULAR_HIGHLIGHT_FORM_RECIPROCAL) {
+        lobe *= d.nl;
+        white = d.nl;
+    }
+    return glossed(lobe, p.gloss, p.glossMode == SCHLICK_SPECULAR_GLOSS_MODE_LIMIT, white);
 }

@@ -49,6 +49,24 @@ TEST_F(DeviceValues, NearlyOppositeUnitDirections_StayAsTheyAre) {
     EXPECT_NEAR(onDevice(request) / exact, 1.0, 5e-4);
 }
 
+/// The published forms beside it are not: light and viewer stand at 70 and 20 degrees.
+TEST_F(DeviceValues, ReciprocalForms_LetLightAndViewerChangePlaces) {
+    for (const char* model : {"schlick", "gaussian"}) {
+        for (const bool reciprocal : {false, true}) {
+            EvalCase request = facing(model);
+            request.block.values["diffuse.color"] = glm::dvec3(0.0);
+            request.block.values["highlight.form"] = std::string(reciprocal ? "reciprocal" : "raw");
+            request.l = direction(70.0, 0.0);
+            request.v = direction(20.0, 160.0);
+            const double there = onDevice(request) / request.l.z;
+            EXPECT_GT(there, 1e-4);
+            std::swap(request.l, request.v);
+            const double ratio = onDevice(request) / request.l.z / there;
+            EXPECT_NEAR(ratio, reciprocal ? 1.0 : 0.34202 / 0.93969, 1e-4) << model;
+        }
+    }
+}
+
 /// A model of a power of the mirror direction, and what its level "rounded" states to be off at
 /// most, as a share of the peak for each unit of the exponent.
 struct RoundedModel {

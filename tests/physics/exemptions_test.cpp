@@ -52,6 +52,28 @@ TEST(RareExemptions, StraussUnderLightBelowThreeDegrees_GivesBackMoreThanArrives
     EXPECT_GT(sum / l.z, 1.1);
 }
 
+/// What a light at 85 degrees gives back is more than arrives unless the lobe is multiplied by n.l.
+TEST(RareExemptions, PublishedHighlightsUnderAGrazingLight_GiveBackMoreThanArrives) {
+    const glm::dvec3 l = direction(85.0, 0.0);
+    for (const auto& [id, size] : {std::pair("schlick", "shininess"), {"gaussian", "width"}}) {
+        for (const char* kind : {"models", "specular"}) {
+            for (const char* form : {"raw", "reciprocal"}) {
+                Values values{
+                    {"specular.color", white}, {size, 2.0}, {"highlight.form", std::string(form)}};
+                if (kind == std::string("models")) {
+                    values["diffuse.color"] = black;
+                }
+                const Subject highlight(kind, id, values);
+                double sum = 0.0;
+                for (const WeightedDirection& to : hemisphereRule(l)) {
+                    sum += to.weight * highlight.shade(geometry(l, to.v)).x;
+                }
+                EXPECT_EQ(sum / l.z > 1.0, form == std::string("raw")) << kind << id << form << sum;
+            }
+        }
+    }
+}
+
 TEST(RareExemptions, FileOfABrighterSurface_GivesBackMoreThanArrives) {
     const tests::TemporaryFolder folder;
     tests::writeFile(folder / "a.binary", tests::merlBytes({2, 2, 2}, [](const DirectionPair&) {

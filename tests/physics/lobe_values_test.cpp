@@ -28,6 +28,75 @@ TEST(Phong, ItsLobe_MatchesThePower) {
     }
 }
 
+/// Is a block with a reciprocal form, and its values of a highlight without a matte base.
+struct Highlight {
+    std::string kind;
+    std::string id;
+    Values values;
+
+    Subject of(const std::string& form, const std::string& gloss = "multiply") const {
+        Values chosen = values;
+        chosen["specular.color"] = glm::dvec3(0.7);
+        chosen["highlight.form"] = form;
+        chosen["gloss"] = 0.6;
+        chosen["gloss.mode"] = gloss;
+        return Subject(kind, id, chosen);
+    }
+};
+
+/// Returns all that have one.
+std::vector<Highlight> highlightsOfTwoForms() {
+    return {{"models", "schlick", {{"diffuse.color", black}, {"shininess", 20.0}}},
+            {"specular", "schlick", {{"shininess", 20.0}}},
+            {"models", "gaussian", {{"diffuse.color", black}, {"width", 0.4}}},
+            {"specular", "gaussian", {{"width", 0.4}}}};
+}
+
+/// What arrives is n.l, so that f is the value over it.
+TEST(ReciprocalForm, LightAndViewerExchanged_IsTheSame) {
+    for (const Highlight& highlight : highlightsOfTwoForms()) {
+        for (const std::string gloss : {"multiply", "limit"}) {
+            const Subject reciprocal = highlight.of("reciprocal", gloss);
+            for (const std::string name : {"A", "B", "D", "E", "F"}) {
+                const auto g = pairOfDirections(name);
+                const double there = reciprocal.shade(g).x / g.l.z;
+                const double back = reciprocal.shade(geometry(g.v, g.l)).x / g.v.z;
+                EXPECT_NEAR(there, back, 1e-13 * there)
+                    << highlight.kind << highlight.id << gloss << name;
+            }
+        }
+    }
+}
+
+TEST(ReciprocalForm, OfEachLobe_IsThePublishedOneTimesTheCosine) {
+    for (const Highlight& highlight : highlightsOfTwoForms()) {
+        for (const std::string name : {"A", "B", "C", "D", "E", "F"}) {
+            const auto g = pairOfDirections(name);
+            const double published = highlight.of("raw").shade(g).x;
+            EXPECT_NEAR(highlight.of("reciprocal").shade(g).x, g.l.z * published, 1e-14)
+                << highlight.kind << highlight.id << name;
+        }
+    }
+}
+
+TEST(PublishedForm, WithoutAChoice_IsTheLobeAlone) {
+    const auto lobe = [](const char* id, const Values& values) {
+        Values chosen = values;
+        chosen["diffuse.color"] = black;
+        chosen["specular.color"] = white;
+        return Subject("models", id, chosen);
+    };
+    const Subject schlick = lobe("schlick", {{"shininess", 25.0}});
+    const Subject gaussian = lobe("gaussian", {{"width", 0.5}});
+    for (const std::string name : {"A", "B", "C", "D", "E", "F"}) {
+        const auto g = pairOfDirections(name);
+        const double t = projections(g)[rv];
+        EXPECT_NEAR(schlick.shade(g).x, t > 0.0 ? t / (25.0 - 25.0 * t + t) : 0.0, 1e-14) << name;
+        const double angle = std::acos(projections(g)[nh]);
+        EXPECT_NEAR(gaussian.shade(g).x, std::exp(-4.0 * angle * angle), 1e-13) << name;
+    }
+}
+
 TEST(Lambert, White_IsTheCosine) {
     const Subject model("models", "lambert", {{"diffuse.color", white}});
     expectRow(table("lobes.json")["projections"]["nl"],
