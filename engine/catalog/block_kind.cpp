@@ -9,6 +9,7 @@
 
 #include "catalog/bending_roles.h"
 #include "catalog/combing_role.h"
+#include "catalog/index_trend.h"
 #include "catalog/measured_file.h"
 #include "catalog/picture_roles.h"
 
@@ -117,6 +118,10 @@ constexpr auto inPass = std::to_array<ParameterRole>(
 constexpr auto inFresnel = std::to_array<ParameterRole>(
     {{roles::indexOutside},
      {roles::indexInside},
+     {roles::temperature},
+     {roles::temperatureMeasured},
+     {roles::temperatureSlope},
+     {roles::expansion},
      {roles::index, ParameterType::Vec3},
      {roles::extinction, ParameterType::Vec3},
      {roles::wavelengths, ParameterType::Vec3},

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "catalog/fills.h"
+#include "catalog/index_trend.h"
 #include "catalog/unit_direction.h"
 #include "catalog/wavelength_choice.h"
 #include "catalog/wavelengths.h"
@@ -32,7 +33,7 @@ std::size_t placed(std::size_t& floats, int components) {
 bool isOfProgram(const Parameter& parameter) {
     return parameter.role == roles::diffuseColor || parameter.role == roles::highlightColor ||
            parameter.role == roles::ambientColor || parameter.role == roles::polarised ||
-           parameter.role == roles::fieldDirection;
+           parameter.role == roles::fieldDirection || isOfIndexTrend(parameter);
 }
 
 /// Calls `ofParameter` and `ofChoice` for the fields in their order, with the offset and size of
@@ -54,8 +55,9 @@ std::size_t eachField(const Block& block, OfParameter ofParameter, OfChoice ofCh
     return roundedUp(floats);
 }
 
-/// Writes a value, the default where none is given; directions are made unit.
-void pack(const Parameter& parameter, const Values& values, double* out) {
+/// Writes a value, the default where none is given; directions are made unit, and an index is that
+/// at the temperature of the block.
+void pack(const Block& block, const Parameter& parameter, const Values& values, double* out) {
     const auto found = values.find(parameter.id);
     writeNumbers(parameter, found == values.end() ? parameter.defaultValue : found->second, out);
     if (isDirection(parameter)) {
@@ -63,6 +65,7 @@ void pack(const Parameter& parameter, const Values& values, double* out) {
         std::copy_n(&unit.x, 3, out);
     }
     takeWavelengths(parameter, srgbWavelengths, out);
+    takeTemperature(block, parameter, values, out);
 }
 
 double levelOf(const AccuracyChoice& choice, const AccuracyLevels& levels) {
@@ -95,7 +98,7 @@ std::vector<double> packed(const Block& block, const Values& values, const Accur
     const std::size_t size = eachField(
         block,
         [&](const Parameter& parameter, std::size_t offset, int components) {
-            pack(parameter, values, at(offset, components));
+            pack(block, parameter, values, at(offset, components));
         },
         [&](const AccuracyChoice& choice, std::size_t offset) {
             *at(offset, 1) = levelOf(choice, levels);

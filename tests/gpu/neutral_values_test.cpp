@@ -9,6 +9,7 @@
 #include "gpu_fixture.h"
 #include "render/surfaces/object_rows.h"
 #include "shading/effects/effect_key.h"
+#include "shading/effects/surface_program.h"
 
 namespace patina::neutral_values_test {
 namespace {
@@ -118,6 +119,39 @@ TEST_F(NeutralSceneTest, CheaperFormThatIsNotZero_StaysIn) {
     const Values values{{"f0", black}};
     EXPECT_TRUE(isNeutral(fresnel, values));
     EXPECT_FALSE(isNeutral(fresnel, values, {{"reflectance.f0", "schlick"}}));
+}
+
+TEST_F(NeutralSceneTest, WarmTermThatHadTheIndexAround_StaysIn) {
+    const Block& fresnel = *catalog->find("fresnel", "dielectric");
+    Values values{{"index.inside", 1.3}, {"index.outside", 1.3}, {"temperature", 80.0}};
+    EXPECT_TRUE(isNeutral(fresnel, values));
+    values["temperature.slope"] = -1e-4;
+    EXPECT_FALSE(isNeutral(fresnel, values));
+}
+
+/// The index that results is in the place of the one that was measured.
+TEST_F(NeutralSceneTest, TemperatureOfATerm_IsInNoTextAndChangesThePicture) {
+    makeRenderer();
+    const auto text = [this](const Scene& scene) {
+        const auto program =
+            surfaceProgram(effectSet(scene.objects[0].material, scene, *catalog), *catalog);
+        return program ? program->fragment.text : std::string();
+    };
+    Scene scene = simpleScene("cook-torrance");
+    BlockValues& term = scene.objects[0].material.parts["fresnel"];
+    term = block("fresnel", "dielectric");
+    const std::string plain = text(scene);
+    EXPECT_NE(plain.find("dielectricFresnel"), std::string::npos);
+    EXPECT_EQ(plain.find("emperature"), std::string::npos);
+    term.parameters["index.inside"] = 1.5;
+    term.parameters["temperature"] = 120.0;
+    term.parameters["temperature.slope"] = -1e-3;
+    EXPECT_EQ(text(scene), plain);
+    const Image warm = capture(scene);
+    term = block("fresnel", "dielectric");
+    EXPECT_NE(warm, capture(scene));
+    term.parameters["index.inside"] = 1.4;
+    EXPECT_EQ(warm, capture(scene));
 }
 
 TEST_F(NeutralSceneTest, DarkStudio_IsInNoProgramAndInNoPixel) {

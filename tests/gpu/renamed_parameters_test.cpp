@@ -5,6 +5,7 @@
 #include <regex>
 #include <sstream>
 
+#include "catalog/index_trend.h"
 #include "catalog/shader_names.h"
 #include "scene/environment.h"
 #include "scene/transparency.h"
@@ -209,6 +210,12 @@ TEST_F(RenamedParameters, OfAFresnelTerm_SayHowStronglyABodyBends) {
     material.parts["fresnel"] = values(renamed(), kinds::fresnel, "dielectric",
                                        {{roles::indexInside, 2.4}, {roles::indexOutside, 1.2}});
     EXPECT_DOUBLE_EQ(index(renamed(), material), 2.0);
+    material.parts["fresnel"] = values(renamed(), kinds::fresnel, "dielectric",
+                                       {{roles::indexInside, 2.4},
+                                        {roles::indexOutside, 1.2},
+                                        {roles::temperature, 120.0},
+                                        {roles::temperatureSlope, -0.0012}});
+    EXPECT_NEAR(index(renamed(), material), 1.9, 1e-12);
     material.parts["fresnel"] =
         values(renamed(), kinds::fresnel, "schlick", {{roles::f0, glm::dvec3(0.04)}});
     EXPECT_DOUBLE_EQ(index(renamed(), material), 1.5);

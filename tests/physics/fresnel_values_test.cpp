@@ -109,6 +109,70 @@ TEST(DispersiveFresnel, OfWater_HasItsIndexAndDispersionAndFallsWithWarmth) {
     EXPECT_NEAR(indexByConstants(warm, 587.5618), d - 1e-3, 1e-12);
 }
 
+/// Returns the index of a clear material of one number, from how much it reflects facing the light.
+double indexOf(const Values& values) {
+    const double r = std::sqrt(Subject("fresnel", "dielectric", values).reflectance(1.0));
+    return (1.0 + r) / (1.0 - r);
+}
+
+TEST(Dielectric, AtATemperatureThatChangesNothing_HasItsIndex) {
+    const Values plain{{"index.inside", 1.4567}};
+    const auto packedOf = [](const Values& values) {
+        return Subject("fresnel", "dielectric", values).parameters;
+    };
+    for (const Values& changed :
+         {Values{{"temperature", 80.0}},
+          Values{{"temperature.expansion", 1e-3}, {"temperature.slope", 1e-4}},
+          Values{{"temperature.expansion", 1e-3},
+                 {"temperature", 300.0},
+                 {"temperature.measured", 300.0}}}) {
+        Values values = plain;
+        values.insert(changed.begin(), changed.end());
+        EXPECT_EQ(packedOf(values), packedOf(plain));
+    }
+}
+
+/// Of 1.5 at 25 degrees it is 1.48425 at 60 by the rule for organic liquids, -0.00045 per kelvin.
+TEST(Dielectric, OfASlope_ChangesEvenlyWithTheTemperature) {
+    EXPECT_NEAR(indexOf({{"index.inside", 1.5},
+                         {"temperature", 60.0},
+                         {"temperature.measured", 25.0},
+                         {"temperature.slope", -0.00045}}),
+                1.48425, rounding);
+}
+
+/// What is left beside the release is how the molecules themselves change, an eighth of the whole.
+TEST(Dielectric, OfWater_FallsWithItsDensityAsPublished) {
+    constexpr double d = 587.5618;
+    constexpr double cold = 998.207; // kg/m^3 at 20 degrees
+    const double index = publishedIndexOfWater(d, 20.0, cold);
+    for (const auto& [degrees, density] :
+         {std::pair(30.0, 995.650), std::pair(60.0, 983.20), std::pair(90.0, 965.31)}) {
+        const double warmer = degrees - 20.0;
+        const double change = publishedIndexOfWater(d, degrees, density) - index;
+        const double found = indexOf({{"index.inside", index},
+                                      {"temperature", degrees},
+                                      {"temperature.expansion", (cold / density - 1.0) / warmer}});
+        EXPECT_NEAR(found - index, change, std::abs(change) / 8.0) << degrees;
+    }
+}
+
+TEST(Dielectric, AtAnyTemperature_HasAnIndexInItsRange) {
+    for (const double index : {0.01, 1.0, 1.5, 100.0}) {
+        for (const double temperature : {-273.15, 0.0, 5000.0}) {
+            for (const double change : {-0.01, 1e-6, 0.01}) {
+                const Subject term("fresnel", "dielectric",
+                                   {{"index.inside", index},
+                                    {"temperature", temperature},
+                                    {"temperature.expansion", change},
+                                    {"temperature.slope", -change}});
+                const double r = term.reflectance(0.5);
+                EXPECT_TRUE(r >= 0.0 && r <= 1.0) << index << ' ' << temperature << ' ' << change;
+            }
+        }
+    }
+}
+
 TEST(DispersiveFresnel, ByCauchysConstants_FollowsThePowersOfTheWavelength) {
     const Values values{{"formula", std::string("cauchy")},
                         {"cauchy", glm::dvec3(1.5, 0.004, 0.0002)},

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "catalog/index_trend.h"
 #include "measure/lobe/fresnel_block.h"
 #include "shading/program/compiled_block.h"
 
@@ -92,7 +93,7 @@ std::optional<OpticalInterface> interfaceOf(const Block& fresnel, const Values& 
         return media;
     }
     if (const auto inside = of.number(roles::indexInside)) {
-        media.index = glm::dvec3(*inside);
+        media.index = glm::dvec3(indexAtTemperature(fresnel, values, *inside));
         return media;
     }
     const auto index = of.vector(roles::index);

@@ -9,6 +9,7 @@
 #include <glm/common.hpp>
 
 #include "catalog/fills.h"
+#include "catalog/index_trend.h"
 #include "catalog/spectrum.h"
 #include "catalog/wavelengths.h"
 #include "measure/lobe/fresnel_block.h"
@@ -122,10 +123,11 @@ Result<ConstantsAt> constantsOf(const Catalog& catalog, const Material& material
         spectrum.channels = srgbWavelengths;
         return *measured;
     }
-    if (const auto inside = fresnel.number(roles::indexInside)) {
+    if (const auto measured = fresnel.number(roles::indexInside)) {
+        const double inside = indexAtTemperature(*fresnel.block, fresnel.values, *measured);
         const double outside = fresnel.number(roles::indexOutside).value_or(1.0);
-        return dispersedBody(catalog, material, outside, *inside).value_or([inside](double) {
-            return OpticalConstants{*inside, 0.0};
+        return dispersedBody(catalog, material, outside, inside).value_or([inside](double) {
+            return OpticalConstants{inside, 0.0};
         });
     }
     const auto index = fresnel.vector(roles::index);

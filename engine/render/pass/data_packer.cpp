@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_access.hpp>
 
 #include "catalog/fills.h"
+#include "catalog/index_trend.h"
 #include "catalog/spectrum.h"
 #include "shading/effects/effect_key.h"
 #include "shading/effects/key_light.h"
@@ -14,6 +15,7 @@
 #include "shading/effects/lights.h"
 #include "shading/effects/opacity.h"
 #include "shading/effects/shadows.h"
+#include "shading/program/given_value.h"
 #include "shading/program/parameter_packer.h"
 #include "shading/program/storable.h"
 
@@ -135,10 +137,23 @@ void packSpectra(std::span<glm::vec4> out, const ParameterLayout& layout, const 
     }
 }
 
+/// Puts the index at the temperature of the block in the place of that which was measured.
+void packTemperature(std::span<glm::vec4> out, const BlockPlace& place, const Values& values) {
+    for (const ParameterField& field : place.layout.fields) {
+        if (field.parameter != nullptr && field.parameter->role == roles::indexInside) {
+            double number = 0.0;
+            writeNumbers(*field.parameter, givenValue(*field.parameter, values), &number);
+            takeTemperature(*place.block, *field.parameter, values, &number);
+            out[field.offset / 4][static_cast<int>(field.offset % 4)] = static_cast<float>(number);
+        }
+    }
+}
+
 void packPlace(std::span<glm::vec4> out, const BlockPlace& place, const Values& values,
                const AccuracyLevels& levels, const PackedAround& around) {
     const std::span<glm::vec4> own = out.subspan(static_cast<std::size_t>(place.first));
     packInto(own, place.layout, values, levels, around);
+    packTemperature(own, place, values);
     if (around.wavelengths == srgbWavelengths) {
         return; // of which documents hold the numbers
     }

@@ -6,6 +6,7 @@
 
 #include <glm/common.hpp>
 
+#include "catalog/index_trend.h"
 #include "shading/program/compiled_block.h"
 #include "shading/program/given_value.h"
 
@@ -111,7 +112,7 @@ void BodyIndex::takeTerm(const Block& term, const Values& values, const Accuracy
     wavelengths_ = wavelengthsOf(term, values, wavelengths);
     isKnown_ = true;
     if (inside) {
-        channels_ = glm::dvec3(*inside / outside);
+        channels_ = glm::dvec3(indexAtTemperature(term, values, *inside) / outside);
     } else if (index && extinction) {
         isKnown_ = *extinction == glm::dvec3(0.0);
         channels_ = *index / outside;

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "catalog/index_trend.h"
 #include "shading/effects/textures.h"
 #include "shading/program/given_value.h"
 
@@ -25,14 +26,16 @@ const Parameter* angleOfNothing(const Block& block, const Values& values) {
 }
 
 /// Returns the three parts of a value; the same one thrice of a number. What is not finite or out
-/// of range counts as what the program gets.
-glm::dvec3 partsOf(const Parameter& parameter, const Values& values) {
+/// of range counts as what the program gets, and an index as that at the block's temperature.
+glm::dvec3 partsOf(const Block& block, const Parameter& parameter, const Values& values) {
     const Value value = conformed(parameter, givenValue(parameter, values));
     if (const auto* triple = std::get_if<glm::dvec3>(&value)) {
         return *triple;
     }
-    const auto* number = std::get_if<double>(&value);
-    return glm::dvec3(number == nullptr ? 1.0 : *number);
+    const auto* given = std::get_if<double>(&value);
+    double number = given == nullptr ? 1.0 : *given;
+    takeTemperature(block, parameter, values, &number);
+    return glm::dvec3(number);
 }
 
 bool holds(const NeutralValue& value, const Block& block, const Values& values,
@@ -49,8 +52,8 @@ bool holds(const NeutralValue& value, const Block& block, const Values& values,
     if (parameter == nullptr || (other == nullptr && !value.word.empty())) {
         return false;
     }
-    const glm::dvec3 parts = partsOf(*parameter, values);
-    return other == nullptr ? notPositive(Value(parts)) : parts == partsOf(*other, values);
+    const glm::dvec3 parts = partsOf(block, *parameter, values);
+    return other == nullptr ? notPositive(Value(parts)) : parts == partsOf(block, *other, values);
 }
 
 const NeutralCase* neutralCase(const Block& block, const Values& values,
@@ -79,9 +82,10 @@ std::string listText(const std::vector<std::string>& labels, const char* what) {
 }
 
 /// "its “Index outside” and “Index inside” are both 1.5".
-std::string equalText(const Parameter& one, const Parameter& other, const Values& values) {
+std::string equalText(const Block& block, const Parameter& one, const Parameter& other,
+                      const Values& values) {
     return fmt::format("its {} and {} are both {:.4g}", quotedLabel(one.label),
-                       quotedLabel(other.label), partsOf(one, values).x);
+                       quotedLabel(other.label), partsOf(block, one, values).x);
 }
 
 std::string caseText(const NeutralCase& neutral, const Block& block, const Values& values) {
@@ -99,7 +103,7 @@ std::string caseText(const NeutralCase& neutral, const Block& block, const Value
             continue;
         }
         if (!value->word.empty()) {
-            parts.push_back(equalText(*block.parameter(value->word), parameter, values));
+            parts.push_back(equalText(block, *block.parameter(value->word), parameter, values));
         } else {
             std::vector<std::string>& signedOrNot = parameter.min < 0.0 ? less : zero;
             (infoOf(parameter.type).isColor ? black : signedOrNot)
