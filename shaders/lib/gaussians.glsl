@@ -9,21 +9,21 @@
 const int ANGLE_POLYNOMIAL = 1;
 const int ANGLE_SMALL = 2;
 
-// theta^2 by the level, from 1 - cos theta and cos theta: the polynomial of four terms for
-// acos(x) / sqrt(1 - x) of Abramowitz and Stegun, Handbook of Mathematical Functions, 4.4.45, is
-// squared, so that no root is left; for small angles theta^2 = 2 (1 - cos theta).
-float cheapSquaredAngle(int level, float versine, float c) {
+// theta^2 by the level, from 1 - cos theta: a minimax polynomial up to theta = pi / 2, relative
+// error 1.2e-4, or for small angles theta^2 = 2 (1 - cos theta).
+float cheapSquaredAngle(int level, float versine) {
     if (level == ANGLE_POLYNOMIAL) {
-        return versine * sqr(1.5707288 + c * (-0.2121144 + c * (0.0742610 - c * 0.0187293)));
+        return versine * (1.999763966 + versine * (0.3403575718 + versine * (0.05738563836
+            + versine * 0.06960269809)));
     }
     return 2.0 * versine;
 }
 
-// e^(-(theta / width)^2) by the level, from 1 - cos theta and cos theta, width > 0.
-float gaussianLobeBy(int level, float versine, float c, float width) {
+// e^(-(theta / width)^2) by the level, from 1 - cos theta, width > 0.
+float gaussianLobeBy(int level, float versine, float width) {
     if (level == ANGLE_POLYNOMIAL || level == ANGLE_SMALL) {
         float inverse = 1.0 / width;
-        float angle2 = cheapSquaredAngle(level, versine, c);
+        float angle2 = cheapSquaredAngle(level, versine);
         return exp2(-1.4426950408889634 * (angle2 * inverse) * inverse);
     }
     return gaussianLobe(versine, width);
@@ -34,6 +34,6 @@ float gaussianLobeBy(int level, float versine, float c, float width) {
 // narrower than slopeWidth() allows.
 // R. L. Cook and K. E. Torrance, ACM TOG 1(1), 1982 (Blinn's Gaussian, 1977).
 float gaussianHighlight(int level, Directions d, float m) {
-    float lobe = gaussianLobeBy(level, upperVersine(d), d.nh, slopeWidth(m));
+    float lobe = gaussianLobeBy(level, upperVersine(d), slopeWidth(m));
     return d.nH > 0.0 ? lobe : 0.0;
 }

@@ -13,18 +13,30 @@ float ashikhminShirleyFall(Directions d, AshikhminShirley p) {
     return minusLnCosBySin2(d.sin2h, d.cos2h);
 }
 
+// (n.h)^e from (n.h)^2 as it is rounded. Where light and viewer graze the surface on opposite sides
+// it loses as many digits as l + v is shorter than they are.
+float ashikhminShirleyRounded(Directions d, float e) {
+    return roundedPower(d.cos2h / max(d.HH, 1e-30), 0.5 * e);
+}
+
 // (n.h)^(nu cos^2 phi + nv sin^2 phi) sqrt((nu + 1)(nv + 1)) with phi the azimuth of h. The
 // exponent is (nu (H.t)^2 + nv (H.b)^2) / sin^2 on the scale of H, and -ln cos / sin^2 has a limit
 // at h = n.
 float ashikhminShirleyLobe(Directions d, AshikhminShirley p) {
     if (p.shininessYEqual) { // no azimuth is left
+        if (p.falloff == ASHIKHMIN_SHIRLEY_FALLOFF_ROUNDED) {
+            return ashikhminShirleyRounded(d, p.shininessX) * (p.shininessX + 1.0);
+        }
         float exponent = p.shininessX * d.sin2h * ashikhminShirleyFall(d, p);
         return exp2(-1.4426950408889634 * exponent) * (p.shininessX + 1.0);
     }
     Directions g = alongGrain(d, p.tangentAngle);
     float weight = p.shininessX * sqr(g.tH) + p.shininessY * sqr(g.bH);
-    return exp2(-1.4426950408889634 * weight * ashikhminShirleyFall(d, p))
-        * sqrt((p.shininessX + 1.0) * (p.shininessY + 1.0));
+    float peak = sqrt((p.shininessX + 1.0) * (p.shininessY + 1.0));
+    if (p.falloff == ASHIKHMIN_SHIRLEY_FALLOFF_ROUNDED) {
+        return peak * ashikhminShirleyRounded(d, weight / max(d.sin2h, 1e-30));
+    }
+    return peak * exp2(-1.4426950408889634 * weight * ashikhminShirleyFall(d, p));
 }
 
 // The density of half vectors, in 1/sr, whose integral is 1; for plots.

@@ -55,7 +55,7 @@ float cookTorranceReducedD(Directions d, CookTorrance p) {
         float e = phongExponent(slopeWidth(p.roughness));
         return (e + 2.0) * gaussianPower(halfVersine(d), d.nh, e) / (2.0 * PI);
     }
-    return gaussianLobeBy(ANGLE_SMALL, halfVersine(d), d.nh, width) / gaussianNormaliser(width);
+    return gaussianLobeBy(ANGLE_SMALL, halfVersine(d), width) / gaussianNormaliser(width);
 }
 
 // D as it is computed, in 1/sr.

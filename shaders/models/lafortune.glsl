@@ -5,16 +5,20 @@
 
 // max(0, Cx lt vt + Cy lb vb + Cz ln vn)^e for one channel, C = (Cx, Cy, Cz). The part that is the
 // same in every azimuth is written with the exact versine of r.v (mirroring lobes, Cx + Cy < 0) or
-// l.v (lobes back to the light), so that 1 - base is not formed from a rounded base.
+// l.v (lobes back to the light), so that 1 - base is not formed from a rounded base, but where that
+// may be.
 float lafortunePower(Directions g, Lafortune p, vec3 C, float e) {
     float x = g.lt * g.vt;
     float y = g.lb * g.vb;
     float z = g.nl * g.nv;
+    float base = C.x * x + C.y * y + C.z * z;
+    if (p.falloff == LAFORTUNE_FALLOFF_ROUNDED) {
+        return base > 0.0 ? exp2(min(e * log2(max(base, 1e-37)), 100.0)) : 0.0;
+    }
     bool mirrors = C.x + C.y < 0.0;
     float turn = mirrors ? C.z : -C.z;
     float versine = mirrors ? g.versineRv : 2.0 * g.versineLh * (1.0 + g.lh);
     float gap = (1.0 - C.z) + C.z * versine - (C.x + turn) * x - (C.y + turn) * y;
-    float base = C.x * x + C.y * y + C.z * z;
     if (p.falloff == LAFORTUNE_FALLOFF_GAUSSIAN) {
         return base > 0.0 ? exp2(min(-1.4426950408889634 * e * gap, 100.0)) : 0.0;
     }

@@ -82,7 +82,7 @@ TEST(BlinnPhongPower, ByEachLevel_ErrsAsOfPhong) {
 }
 
 TEST(GaussianAngle, ByThePolynomial_ErrsLittle) {
-    expectAbout(halfError("gaussian", {{"width", 0.4}}, {{"angle", "polynomial"}}), 2.8e-5);
+    expectAbout(halfError("gaussian", {{"width", 0.4}}, {{"angle", "polynomial"}}), 3.6e-5);
 }
 
 TEST(GaussianAngle, TakenForSmall_ErrsAsWideAsItIs) {

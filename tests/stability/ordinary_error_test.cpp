@@ -67,6 +67,10 @@ double growthOf(const EvalBlock& block, bool diffuse) {
     const bool rounded = isRounded(block);
     double growth = growthOfEntries(block);
     for (const auto& [id, value] : block.values) {
+        if (const auto* each = std::get_if<glm::dvec3>(&value); each && lists("exponents", id)) {
+            const double largest = std::max({each->x, each->y, each->z});
+            growth = std::max(growth, rounded ? growthOfPower(largest, true) : 0.0);
+        }
         const auto* x = std::get_if<double>(&value);
         if (x == nullptr) {
             continue;
