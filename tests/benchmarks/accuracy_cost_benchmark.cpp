@@ -6,6 +6,7 @@
 #include <string>
 
 #include "benchmarks.h"
+#include "catalog/value_json.h"
 #include "gl/headless_context.h"
 #include "machine_text.h"
 #include "measure/cost/cost_sweep.h"
@@ -21,14 +22,16 @@ constexpr glm::ivec2 smallSize{32, 32}; ///< where 4096 directions are looked in
 /// Limits the levels of a setting: pairs of slow frames get fewer.
 constexpr double longestSeconds = 30.0;
 
-using Words = std::vector<std::pair<std::string, std::string>>;
-
 /// A model where its choices differ, with the choices that something else decides about.
 struct Setting {
     std::string model;
-    Words values{};
+    std::vector<std::pair<std::string, Value>> values{};
     std::string filler{}; ///< in its Fresnel slot; its choices are measured, not the model's
 };
+
+Value word(const char* id) {
+    return std::string(id);
+}
 
 const std::vector<Setting> settings = {
     {"phong"},
@@ -39,13 +42,15 @@ const std::vector<Setting> settings = {
     {"ashikhmin-shirley"},
     {"strauss"},
     {"he-torrance"},
-    {"oren-nayar", {{"form", "full"}}},
-    {"oren-nayar", {{"form", "interreflection"}}},
-    {"oren-nayar", {{"form", "eon"}}},
-    {"cook-torrance", {{"distribution", "beckmann"}, {"masking", "smith-correlated"}}},
-    {"cook-torrance", {{"distribution", "ggx"}, {"masking", "smith-correlated"}}},
-    {"cook-torrance", {{"distribution", "phong"}}},
-    {"cook-torrance", {{"distribution", "blinn-gaussian"}}},
+    {"oren-nayar", {{"form", word("full")}}},
+    {"oren-nayar", {{"form", word("interreflection")}}},
+    {"oren-nayar", {{"form", word("eon")}}},
+    {"minnaert", {{"darkening", 0.65}}},
+    {"minnaert", {{"darkening", 2.0}}},
+    {"cook-torrance", {{"distribution", word("beckmann")}, {"masking", word("smith-correlated")}}},
+    {"cook-torrance", {{"distribution", word("ggx")}, {"masking", word("smith-correlated")}}},
+    {"cook-torrance", {{"distribution", word("phong")}}},
+    {"cook-torrance", {{"distribution", word("blinn-gaussian")}}},
     {"cook-torrance", {}, "dielectric"},
     {"cook-torrance", {}, "conductor"},
     {"cook-torrance", {}, "blinn-f0"},
@@ -121,7 +126,8 @@ std::string nameOf(const Catalog& catalog, const Setting& setting) {
     std::string name = setting.filler.empty() ? catalog.find("models", setting.model)->label
                                               : catalog.find("fresnel", setting.filler)->label;
     for (const auto& [id, value] : setting.values) {
-        name += ", " + value;
+        const auto* chosen = std::get_if<std::string>(&value);
+        name += ", " + (chosen != nullptr ? *chosen : id + ' ' + textOf(value));
     }
     return name;
 }
@@ -238,8 +244,7 @@ bool accuracyCost() {
         "## Of materials\n\nAgainst the same frame in double precision.\n\n{}\n"
         "## Of the picture\n\nAgainst the finest picture that the device draws, over all pixels of "
         "objects.\n\n{}",
-        today(), machineText(), before, load(),
-        usualSize.x, usualSize.y, materials, pictures);
+        today(), machineText(), before, load(), usualSize.x, usualSize.y, materials, pictures);
     return writeDocument("accuracy-cost.md", text);
 }
 
