@@ -111,6 +111,37 @@ TEST_F(ReferenceFrameTest, LightsInSeparateColours_DifferByRoundingOnly) {
     }
 }
 
+/// One term by its indices, one by its own function, one through a filter; in part and whole.
+TEST_F(ReferenceFrameTest, PolarisedLights_DifferByRoundingOnly) {
+    for (const Block* fresnel : catalog->ofKind("fresnel")) {
+        for (const char* model : {"cook-torrance", "he-torrance"}) {
+            SCOPED_TRACE(fresnel->id + ' ' + model);
+            Scene scene = simpleScene(model);
+            scene.ambient = {0.1, 0.2, 0.3};
+            scene.lights.push_back(light("point"));
+            scene.objects[0].material.parts["fresnel"] = block("fresnel", fresnel->id);
+            const FrameError ordinary = error(scene);
+            scene.lights[0].block.parameters["polarised"] = 1.0;
+            scene.lights[0].block.parameters["polarised.direction"] = glm::dvec3(1.0, 0.3, 0.0);
+            scene.lights[1].block.parameters["polarised"] = 0.4;
+            scene.lights[1].block.parameters["color.highlight"] = glm::dvec3(0.25, 0.5, 2.0);
+            EXPECT_LE(error(scene).p99, std::max(rounding, 2.0 * ordinary.p99));
+        }
+    }
+}
+
+TEST_F(ReferenceFrameTest, PolarisedLightThroughAFilter_DiffersByRoundingOnly) {
+    for (const std::string filter : {"s", "p"}) {
+        Scene scene = simpleScene("cook-torrance");
+        scene.objects[0].material.parts["fresnel"] = block("fresnel", "dielectric");
+        scene.objects[0].material.parts["fresnel"].parameters["polarisation"] = filter;
+        const Image ordinary = capture(scene);
+        scene.lights[0].block.parameters["polarised"] = 1.0;
+        EXPECT_NE(capture(scene), ordinary);
+        EXPECT_LE(error(scene).p99, rounding);
+    }
+}
+
 TEST_F(ReferenceFrameTest, FresnelOverTheSum_IsBlended) {
     Scene scene = simpleScene();
     scene.objects[0].material.parts["fresnel"] = block("fresnel", "dielectric");

@@ -79,6 +79,7 @@ class Collector {
         for (std::size_t i = 0; i < layout_.slots.size(); ++i) {
             addBlock(layout_.slots[i], effects_.slots[i]);
         }
+        addPolarised();
         if (effects_.blend) {
             addBlock(*layout_.part(kinds::fresnel), *effects_.blend);
         }
@@ -104,9 +105,6 @@ class Collector {
         if (isVisiblyTransparent(effects_)) {
             return failure("the object is transparent");
         }
-        if (answersPolarisedLight(effects_)) {
-            return failure("the object is lit by polarised light");
-        }
         if (const std::string effect = unknownToReference(effects_); !effect.empty()) {
             return failure(
                 fmt::format("the object has {}, which has no code in double precision", effect));
@@ -127,6 +125,17 @@ class Collector {
         code_.blocks.push_back(codeOf(place, object_.data, static_cast<std::size_t>(place.first)));
         takeLevels(code_.blocks.back().values, place, use);
         places_.push_back(&place);
+    }
+
+    /// Notes the Fresnel term that answers to polarised light, where there is such.
+    void addPolarised() {
+        for (std::size_t i = 0; answersPolarisedLight(effects_) && i < code_.slots; ++i) {
+            const reference::Block* code = code_.blocks[i + 1].code;
+            if (layout_.slots[i].block->kind == kinds::fresnel && code != nullptr) {
+                code_.polarised.emplace(
+                    SurfaceCode::Polarised{PolarisedTerm(layout_.slots[i], *code), i});
+            }
+        }
     }
 
     void addImages() {
@@ -184,6 +193,10 @@ class Collector {
                                                    ? glm::dvec3(0.0)
                                                    : glm::dvec3(buffer_.sceneData[colors + 2])};
                 }
+                if (effects_.lights[g].isPolarised && code_.polarised) {
+                    light.field = glm::dvec4(
+                        buffer_.sceneData[at + static_cast<std::size_t>(group.colors) + 3]);
+                }
                 if (group.shadow && hasShadows(effects_)) {
                     light.share = share++;
                 }
@@ -240,6 +253,10 @@ SurfaceShader::SurfaceShader(const SurfaceCode& code)
     for (std::size_t i = 0; i < code.slots; ++i) {
         fillers_.push_back({code.blocks[i + 1].code, values_[i + 1]});
     }
+    polarised_ = fillers_;
+    if (code.polarised) {
+        polarised_[code.polarised->slot].block = &code.polarised->term.block();
+    }
 }
 
 void SurfaceShader::lookAt(const SurfaceBuffer& buffer, std::size_t pixel) {
@@ -289,21 +306,22 @@ glm::dvec3 SurfaceShader::sampled() const {
             *code_.firstSample + std::size_t(i * SurfaceBufferLayout::sampleValues);
         const glm::dvec3 arriving(noted(first + 1));
         if (sends(arriving)) {
-            sum += arriving * value(glm::dvec3(noted(first)), point_.toEye);
+            sum += arriving * value(glm::dvec3(noted(first)), point_.toEye, fillers_);
         }
     }
     return sum / double(SurfaceBufferLayout::samples);
 }
 
 /// Returns the model's value, with what is below 0 raised to 0.
-glm::dvec3 SurfaceShader::value(const glm::dvec3& l, const glm::dvec3& v) const {
+glm::dvec3 SurfaceShader::value(const glm::dvec3& l, const glm::dvec3& v,
+                                reference::Fillers fillers) const {
     reference::Geometry geometry = reference::geometry(point_.n, point_.t, l, v);
     geometry.pixel = point_.place;
-    return reference::shade(*code_.blocks.front().code, geometry, values_.front(), fillers_);
+    return reference::shade(*code_.blocks.front().code, geometry, values_.front(), fillers);
 }
 
 /// Returns the model's value without its diffuse term; 0 where the model does not tell it apart.
-glm::dvec3 SurfaceShader::highlightAlone(const glm::dvec3& l, const glm::dvec3& v) const {
+glm::dvec3 SurfaceShader::highlightAlone(const glm::dvec3& l, reference::Fillers fillers) const {
     if (code_.diffuse.empty()) {
         return glm::dvec3(0.0);
     }
@@ -312,9 +330,9 @@ glm::dvec3 SurfaceShader::highlightAlone(const glm::dvec3& l, const glm::dvec3& 
         std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(field.offset), field.components,
                     0.0);
     }
-    reference::Geometry geometry = reference::geometry(point_.n, point_.t, l, v);
+    reference::Geometry geometry = reference::geometry(point_.n, point_.t, l, point_.toEye);
     geometry.pixel = point_.place;
-    return reference::shade(*code_.blocks.front().code, geometry, values, fillers_);
+    return reference::shade(*code_.blocks.front().code, geometry, values, fillers);
 }
 
 /// Returns the ambient light that lights add.
@@ -339,9 +357,15 @@ glm::dvec3 SurfaceShader::lit() const {
             arriving.radiance *= noted(value)[part];
         }
         if (sends(arriving.radiance)) {
-            glm::dvec3 shaded = value(arriving.l, point_.toEye);
+            std::optional<FieldAcross> swings;
+            if (light.field) {
+                swings.emplace(code_.polarised->term,
+                               acrossOf(arriving.l, glm::normalize(point_.toEye), *light.field));
+            }
+            const std::vector<reference::Filler>& fillers = light.field ? polarised_ : fillers_;
+            glm::dvec3 shaded = value(arriving.l, point_.toEye, fillers);
             if (light.colors) {
-                const glm::dvec3 highlight = highlightAlone(arriving.l, point_.toEye);
+                const glm::dvec3 highlight = highlightAlone(arriving.l, fillers);
                 shaded = light.colors->diffuse * glm::max(shaded - highlight, glm::dvec3(0.0)) +
                          light.colors->highlight * highlight;
             }
@@ -369,7 +393,7 @@ glm::dvec3 SurfaceShader::ambient() const {
         light += glm::mix(code_.hemisphere->ground, code_.hemisphere->sky, up);
     }
     return open.w * light *
-           (value(g.n, 0.5 * g.n + std::sqrt(0.75) * g.t) + code_.highlightAmbient);
+           (value(g.n, 0.5 * g.n + std::sqrt(0.75) * g.t, fillers_) + code_.highlightAmbient);
 }
 
 glm::dvec3 SurfaceShader::emitted() const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "measure/error/polarised_term.h"
 #include "reference/reference.h"
 #include "render/surfaces/surface_buffer.h"
 #include "shading/effects/light_colors.h"
@@ -23,6 +24,13 @@ struct SurfaceCode {
         std::optional<std::size_t>
             share; ///< is the index of its shadow among a pixel's; empty: it has none
         std::optional<LightColors> colors{}; ///< are empty where it has its own colour alone
+        /// Is the direction in which it swings and the share that does, where that counts.
+        std::optional<glm::dvec4> field{};
+    };
+    /// Is the Fresnel term in a slot that answers to polarised light.
+    struct Polarised {
+        PolarisedTerm term;
+        std::size_t slot = 0;
     };
     /// Says where the field is that an image changes, or that is emitted.
     struct FieldPlace {
@@ -45,6 +53,7 @@ struct SurfaceCode {
     std::vector<FieldPlace> diffuse; ///< multiply the model's diffuse term
     glm::dvec3 highlightAmbient{0.0}; ///< is what a highlight in the slot adds to ambient light
     std::vector<LightCode> lights;
+    std::optional<Polarised> polarised;
     std::optional<glm::dvec3> ambient;
     std::optional<Hemisphere> hemisphere;
     std::optional<BlockCode> fog;
@@ -93,8 +102,8 @@ class SurfaceShader {
 
     void takeImages();
     glm::dvec4 noted(std::size_t value) const;
-    glm::dvec3 value(const glm::dvec3& l, const glm::dvec3& v) const;
-    glm::dvec3 highlightAlone(const glm::dvec3& l, const glm::dvec3& v) const;
+    glm::dvec3 value(const glm::dvec3& l, const glm::dvec3& v, reference::Fillers fillers) const;
+    glm::dvec3 highlightAlone(const glm::dvec3& l, reference::Fillers fillers) const;
     glm::dvec3 lit() const;
     glm::dvec3 fromLights() const;
     glm::dvec3 ambient() const;
@@ -108,6 +117,7 @@ class SurfaceShader {
     Point point_{};
     std::vector<std::vector<double>> values_; ///< are those of the blocks, as images changed them
     std::vector<reference::Filler> fillers_;
+    std::vector<reference::Filler> polarised_; ///< are the same for polarised light
     const reference::Function* incidence_;
 };
 

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure/error/polarised_term.h"
+
+#include <algorithm>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace patina {
+namespace {
+
+constexpr double halfAcross = 0.5; ///< is the share of ordinary light
+
+/// Is what the thread's blocks of polarised terms reflect now.
+struct Polarised {
+    const PolarisedTerm* term = nullptr;
+    double across = halfAcross;
+};
+thread_local Polarised polarisedNow;
+
+/// Is the one function of such a block.
+void callPolarised(const double* in, double* out, reference::Parameters values) {
+    const glm::dvec3 share =
+        polarisedNow.term->reflectance({in[0], in[1]}, values, polarisedNow.across);
+    std::copy_n(&share.x, 3, out);
+}
+
+constexpr reference::BlockCall polarisedCalls[] = {{"", 2, 3, &callPolarised}};
+
+std::optional<std::size_t> offsetOf(const BlockPlace& place, std::string_view role) {
+    const Parameter* parameter = place.block->withRole(role);
+    const auto found =
+        std::ranges::find(place.layout.fields, parameter, &ParameterField::parameter);
+    return parameter == nullptr || found == place.layout.fields.end()
+               ? std::nullopt
+               : std::optional(found->offset);
+}
+
+template <std::size_t Results, std::size_t Arguments>
+std::array<double, Results> libraryCall(std::string_view name,
+                                        const std::array<double, Arguments>& arguments) {
+    std::array<double, Results> results{};
+    reference::findFunction(name)->call(arguments.data(), results.data());
+    return results;
+}
+
+} // namespace
+
+PolarisedTerm::PolarisedTerm(const BlockPlace& place, const reference::Block& code)
+    : code_(&code),
+      at_{offsetOf(place, roles::indexOutside), offsetOf(place, roles::indexInside),
+          offsetOf(place, roles::index),        offsetOf(place, roles::extinction),
+          offsetOf(place, roles::f0),           offsetOf(place, roles::polarisation)},
+      block_(code) {
+    block_.calls = polarisedCalls;
+    if (place.block->withRole(roles::wavelengths) != nullptr) {
+        at_ = Offsets(); // of which a film's one index tells nothing
+    }
+}
+
+glm::dvec3 PolarisedTerm::reflectance(const std::array<double, 2>& incidence,
+                                      reference::Parameters values, double fieldAcross) const {
+    const glm::dvec3 ordinary = code_->fresnel(incidence[0], incidence[1], values);
+    constexpr int across = 1; // "s", the first behind "unpolarised"
+    const int filter = at_.filter ? static_cast<int>(values[*at_.filter]) : 0;
+    if (filter != 0) {
+        return 2.0 * (filter == across ? fieldAcross : 1.0 - fieldAcross) * ordinary;
+    }
+    if (code_->optionalCall(reference::acrossSuffix) != nullptr) {
+        const auto s = code_->call<3>(reference::acrossSuffix, incidence, values);
+        const glm::dvec3 swings(s[0], s[1], s[2]);
+        return glm::max(glm::mix(2.0 * ordinary - swings, swings, fieldAcross), 0.0);
+    }
+    return ordinary * glm::dvec3(share(0, incidence, values, fieldAcross),
+                                 share(1, incidence, values, fieldAcross),
+                                 share(2, incidence, values, fieldAcross));
+}
+
+/// Returns the reflectance of one channel over that of ordinary light; 1 where no roles tell it.
+double PolarisedTerm::share(int channel, const std::array<double, 2>& incidence,
+                            reference::Parameters values, double fieldAcross) const {
+    const auto in = static_cast<std::size_t>(channel);
+    const double outside = at_.outside ? values[*at_.outside] : 1.0;
+    std::array<double, 2> both{1.0, 1.0};
+    if (at_.outside && at_.inside) {
+        both = libraryCall<2, 4>("dielectricReflectances",
+                                 {incidence[0], incidence[1], outside, values[*at_.inside]});
+    } else if (at_.index && at_.extinction) {
+        both = libraryCall<2, 5>("conductorReflectances",
+                                 {incidence[0], incidence[1], outside, values[*at_.index + in],
+                                  values[*at_.extinction + in]});
+    } else if (at_.f0) {
+        const double f0 = std::clamp(values[*at_.f0 + in], 0.0, 1.0);
+        const double index = std::min(libraryCall<1, 1>("indexFromF0", {f0})[0], 1e4);
+        both = libraryCall<2, 4>("dielectricReflectances",
+                                 {incidence[0], incidence[1], 1.0, index});
+    }
+    const double sum = both[0] + both[1];
+    return sum > 1e-30 ? 2.0 * glm::mix(both[1], both[0], fieldAcross) / sum : 1.0;
+}
+
+FieldAcross::FieldAcross(const PolarisedTerm& term, double fieldAcross) {
+    polarisedNow = {&term, fieldAcross};
+}
+
+FieldAcross::~FieldAcross() {
+    polarisedNow = Polarised();
+}
+
+double acrossOf(const glm::dvec3& l, const glm::dvec3& v, const glm::dvec4& field) {
+    const glm::dvec3 direction(field);
+    const glm::dvec3 across = glm::cross(l, v);
+    const glm::dvec3 swings = direction - glm::dot(direction, l) * l;
+    const double size = glm::dot(across, across) * glm::dot(swings, swings);
+    const double along = glm::dot(across, swings);
+    return size > 1e-14 ? glm::mix(halfAcross, std::min(along * along / size, 1.0), field.w)
+                        : halfAcross;
+}
+
+} // namespace patina
