@@ -11,10 +11,13 @@
 #include "measure/choice/choices.h"
 #include "measure/error/display_curve.h"
 #include "measure/error/flip.h"
+#include "measure/error/frame_error.h"
 #include "measure/error/parallel.h"
+#include "measure/error/reference_frame.h"
 #include "reference/reference.h"
 #include "refraction_fixture.h"
 #include "render/lights/placement.h"
+#include "render/surfaces/surface_buffer_drawer.h"
 
 namespace patina::faceted_body_test {
 namespace {
@@ -221,12 +224,16 @@ class FacetedBody : public RefractionTest {
         gem().material.accuracy["reflections"] = std::to_string(reflections);
     }
 
-    Image stone() {
+    View stoneView() const {
         View view = viewOf(scene_, size);
         view.samples = 1;
         view.environmentImage = environment_;
         view.environmentSamples = 4 * raysPerPixel; // a round has one ray
-        auto image = renderer->capture(scene_, view, meshSource(), false);
+        return view;
+    }
+
+    Image stone() {
+        auto image = renderer->capture(scene_, stoneView(), meshSource(), false);
         EXPECT_TRUE(image) << (image ? "" : image.error().text());
         return image ? *image : Image();
     }
@@ -328,8 +335,83 @@ TEST_F(FacetedBody, FromFiveDirections_IsWhatRaysSee) {
          {glm::dvec3(90.0, 0.0, 0.0), glm::dvec3(70.0, 20.0, 0.0), glm::dvec3(20.0, -35.0, 0.0),
           glm::dvec3(-60.0, 10.0, 15.0), glm::dvec3(0.0, 80.0, 40.0)}) {
         gem().rotation = rotation;
-        EXPECT_LT(flip(stone(), 8), 0.02) << rotation.x << ' ' << rotation.y;
+        EXPECT_LT(flip(stone(), 8), 0.005) << rotation.x << ' ' << rotation.y;
     }
+}
+
+/// Returns the frame that charts measure errors against.
+LinearFrame frameInDoubles(Renderer& renderer, const BufferedScene& around) {
+    std::unique_ptr<ReferenceFrame> frame;
+    for (int round = 0; round < raysPerPixel; ++round) {
+        auto buffer = renderer.surfaces().capture(around.scene, around.view, around.meshes, round);
+        if (round == 0) {
+            auto made = ReferenceFrame::create(std::move(*buffer), {true}, &around);
+            EXPECT_TRUE(made) << (made ? "" : made.error().text());
+            frame = std::move(*made);
+        } else {
+            frame->goOn(std::move(*buffer));
+        }
+        while (!frame->step(std::chrono::milliseconds(10))) {
+        }
+    }
+    return frame->frame();
+}
+
+/// The rays of the test and those that charts are measured against were written apart.
+TEST_F(FacetedBody, InDoublePrecision_IsWhatRaysSeeAndTellsTheErrorsOfLevels) {
+    set(gem(), "dispersion", 0.36);
+    set(gem(), "absorption.color", glm::dvec3(1.0));
+    gem().material.accuracy["wavelengths"] = std::to_string(usualWavelengths);
+    gem().rotation = {70.0, 20.0, 0.0};
+    const View view = stoneView();
+    const MeshSource source = meshSource();
+    const LinearFrame frame = frameInDoubles(*renderer, {scene_, view, source, *catalog});
+    const Image drawnImage = stone();
+    const std::vector<glm::dvec3> right = exactPicture(drawnImage, 8);
+    int shown = 0;
+    int other = 0;
+    for (std::size_t i = 0; i < right.size(); ++i) {
+        if (frame.counts[i] != 0) {
+            ++shown;
+            const double near = 1e-3 * (1.0 + glm::length(right[i]));
+            other += glm::distance(frame.colors[i], right[i]) > near ? 1 : 0;
+        }
+    }
+    EXPECT_GT(shown, size * size / 5);
+    EXPECT_LE(other, shown / 100);
+
+    const ErrorMeter meter(frame, DisplayCurve::of(scene_, *catalog));
+    double last = 0.0;
+    for (const int reflections : {8, 6, 4, 2, 0}) {
+        follow(reflections);
+        const FrameError error = meter.errorOf({{size, size}, lightOf(stone()), {}});
+        EXPECT_GT(error.flip, last) << reflections;
+        last = error.flip;
+        RecordProperty("flip" + std::to_string(reflections), std::to_string(error.flip));
+    }
+}
+
+TEST_F(FacetedBody, BesideOthersOrUnderAnImage_IsNotKnownInDoublePrecision) {
+    const auto whyNot = [this] {
+        const View view = stoneView();
+        const MeshSource source = meshSource();
+        const BufferedScene around{scene_, view, source, *catalog};
+        auto buffer = renderer->surfaces().capture(scene_, view, source, 0);
+        const auto made = ReferenceFrame::create(
+            std::move(*buffer), std::vector<bool>(scene_.objects.size(), true), &around);
+        return made ? std::string() : made.error().problem;
+    };
+    EXPECT_EQ(whyNot(), "");
+    gem().mesh = "builtin:torus";
+    EXPECT_NE(whyNot().find("no convex body"), std::string::npos) << whyNot();
+    gem().mesh = "builtin:brilliant";
+    scene_.objects.push_back(glowing({1.0, 0.0, 0.0}, {0, 0, -2}));
+    EXPECT_EQ(whyNot(), "other objects are seen through it");
+    scene_.objects.pop_back();
+    surround(true);
+    EXPECT_EQ(whyNot(), "an image is what surrounds it");
+    scene_.parts.clear();
+    EXPECT_EQ(whyNot(), "");
 }
 
 TEST_F(FacetedBody, ThatIsStretched_IsWhatRaysSee) {

@@ -101,7 +101,9 @@ std::unique_ptr<ReferenceFrame> GroundTruthFrame::reference(SurfaceBuffer buffer
     if (!wish_.inDoubles) {
         return nullptr;
     }
-    auto made = ReferenceFrame::create(std::move(buffer), wish_.counted);
+    const BufferedScene around{wish_.exact.scene, wish_.exact.view, wish_.meshes,
+                               *wish_.renderer.catalog()};
+    auto made = ReferenceFrame::create(std::move(buffer), wish_.counted, &around);
     method_ = made ? "the same frame in double precision"
                    : fmt::format("the exact frame as the device draws it, because {}",
                                  made.error().problem);

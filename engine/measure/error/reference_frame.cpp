@@ -15,14 +15,15 @@ constexpr std::size_t pixelsAtOnce = 8192;
 } // namespace
 
 Result<std::unique_ptr<ReferenceFrame>> ReferenceFrame::create(SurfaceBuffer buffer,
-                                                               const std::vector<bool>& wanted) {
+                                                               const std::vector<bool>& wanted,
+                                                               const BufferedScene* around) {
     std::unique_ptr<ReferenceFrame> made(new ReferenceFrame());
     made->codes_.resize(buffer.objects.size());
     for (std::size_t i = 0; i < buffer.objects.size(); ++i) {
         if (!buffer.objects[i].pipeline || i >= wanted.size() || !wanted[i]) {
             continue;
         }
-        Result<SurfaceCode> code = SurfaceCode::of(buffer.objects[i], buffer);
+        Result<SurfaceCode> code = SurfaceCode::of(i, buffer, around);
         if (!code) {
             return tl::unexpected(code.error());
         }
@@ -33,6 +34,7 @@ Result<std::unique_ptr<ReferenceFrame>> ReferenceFrame::create(SurfaceBuffer buf
     made->frame_.counts.resize(buffer.pixels());
     made->still_.resize(buffer.pixels());
     made->sampled_.resize(buffer.pixels());
+    made->passed_.resize(buffer.pixels());
     made->buffer_ = std::move(buffer);
     return made;
 }
@@ -84,8 +86,10 @@ void ReferenceFrame::compute(std::size_t first, std::size_t last) {
             frame_.counts[pixel] = 1;
         }
         sampled_[pixel] += shader.sampled();
-        frame_.colors[pixel] =
-            shader.finished(still_[pixel] + sampled_[pixel] / double(buffers_ + 1));
+        passed_[pixel] += shader.passed(static_cast<std::uint32_t>(buffers_));
+        const double rounds = buffers_ + 1;
+        const glm::dvec3 finished = shader.finished(still_[pixel] + sampled_[pixel] / rounds);
+        frame_.colors[pixel] = shader.over(passed_[pixel] / rounds, finished);
     }
 }
 

@@ -14,10 +14,12 @@ namespace patina {
 /// SurfaceBuffer holds. It works in steps, on all cores, and needs no OpenGL.
 class ReferenceFrame {
   public:
-    /// Prepares the frame; `wanted` says for each object of the scene whether its pixels count. An
+    /// Prepares the frame; `wanted` says for each object of the scene whether its pixels count.
+    /// Rays through a body of facets are followed only with the scene that the buffer is of. An
     /// error says why one of these objects cannot be computed.
     static Result<std::unique_ptr<ReferenceFrame>> create(SurfaceBuffer buffer,
-                                                          const std::vector<bool>& wanted);
+                                                          const std::vector<bool>& wanted,
+                                                          const BufferedScene* around = nullptr);
 
     /// Works for about so long, and returns true when the buffer is done.
     bool step(std::chrono::milliseconds patience);
@@ -44,6 +46,7 @@ class ReferenceFrame {
     LinearFrame frame_;
     std::vector<glm::dvec3> still_;   ///< is the part of each pixel that is not sampled
     std::vector<glm::dvec3> sampled_; ///< is the sum of the sampled part over the buffers
+    std::vector<glm::dvec3> passed_;  ///< is that of what rays see through bodies
     int buffers_ = 0;                 ///< counts those that are done
     std::size_t done_ = 0;            ///< counts pixels of the current one
 };

@@ -58,9 +58,9 @@ void takeLevels(std::vector<double>& values, const BlockPlace& place, const Bloc
 /// Collects an object's code, block by block.
 class Collector {
   public:
-    Collector(const BufferedObject& object, const SurfaceBuffer& buffer)
-        : object_(object), buffer_(buffer), layout_(object.pipeline->object),
-          effects_(object.pipeline->effects) {}
+    Collector(std::size_t index, const SurfaceBuffer& buffer, const BufferedScene* around)
+        : index_(index), object_(buffer.objects[index]), buffer_(buffer), around_(around),
+          layout_(object_.pipeline->object), effects_(object_.pipeline->effects) {}
 
     Result<SurfaceCode> collect() {
         if (auto whole = checkWhole(); !whole) {
@@ -72,6 +72,7 @@ class Collector {
             code_.firstSample = object_.firstSample;
             code_.isSampled = !takesKeyAlone(effects_);
         }
+        code_.isSampled = code_.isSampled || (code_.facets && code_.facets->isSampled());
         code_.openness = opennessValue(effects_);
         code_.slots = layout_.slots.size();
         code_.blends = effects_.blend.has_value();
@@ -95,14 +96,28 @@ class Collector {
     }
 
   private:
-    Result<void> checkWhole() const {
+    /// Follows the rays through a body of facets.
+    Result<void> takeRefraction() {
+        if (around_ == nullptr) {
+            return failure("the object refracts what is seen through it");
+        }
+        Result<FacetedRays> rays = FacetedRays::of(object_, index_, *around_);
+        if (!rays) {
+            return tl::unexpected(rays.error());
+        }
+        code_.facets = std::move(*rays);
+        return {};
+    }
+
+    Result<void> checkWhole() {
         if (!layout_.model) {
             return failure("an object has a plain fallback for its model");
         }
         if (effects_.refraction) {
-            return failure("the object refracts what is seen through it");
-        }
-        if (isVisiblyTransparent(effects_)) {
+            if (auto taken = takeRefraction(); !taken) {
+                return taken;
+            }
+        } else if (isVisiblyTransparent(effects_)) {
             return failure("the object is transparent");
         }
         if (const std::string effect = unknownToReference(effects_); !effect.empty()) {
@@ -222,8 +237,10 @@ class Collector {
         }
     }
 
+    std::size_t index_;
     const BufferedObject& object_;
     const SurfaceBuffer& buffer_;
+    const BufferedScene* around_;
     const ObjectLayout& layout_;
     const EffectSet& effects_;
     SurfaceCode code_;
@@ -241,8 +258,9 @@ bool sends(const glm::dvec3& radiance) {
 
 } // namespace
 
-Result<SurfaceCode> SurfaceCode::of(const BufferedObject& object, const SurfaceBuffer& buffer) {
-    return Collector(object, buffer).collect();
+Result<SurfaceCode> SurfaceCode::of(std::size_t object, const SurfaceBuffer& buffer,
+                                    const BufferedScene* around) {
+    return Collector(object, buffer, around).collect();
 }
 
 SurfaceShader::SurfaceShader(const SurfaceCode& code)
@@ -281,6 +299,16 @@ glm::dvec3 SurfaceShader::finished(glm::dvec3 sum) const {
         sum = fogged(sum);
     }
     return glm::clamp(sum, 0.0, maxLight);
+}
+
+glm::dvec3 SurfaceShader::passed(std::uint32_t round) const {
+    return code_.facets ? code_.facets->seen(*buffer_, pixel_, round) : glm::dvec3(0.0);
+}
+
+/// Computes as passes/refraction_facets_rays.glsl.
+glm::dvec3 SurfaceShader::over(const glm::dvec3& passed, const glm::dvec3& finished) const {
+    const double opacity = double(buffer_->normals[pixel_].w);
+    return code_.facets ? glm::mix(glm::clamp(passed, 0.0, maxLight), finished, opacity) : finished;
 }
 
 /// Returns one of the values that the buffer holds for the pixel.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "measure/error/faceted_rays.h"
 #include "measure/error/polarised_term.h"
 #include "reference/reference.h"
 #include "render/surfaces/surface_buffer.h"
@@ -64,9 +65,13 @@ struct SurfaceCode {
     std::size_t firstShare = 0;
     glm::dvec3 eye{0.0};
 
-    /// Collects the code of an object. An error says what of it cannot be computed: a block or an
-    /// effect without code in double precision, refraction or transparency.
-    static Result<SurfaceCode> of(const BufferedObject& object, const SurfaceBuffer& buffer);
+    std::optional<FacetedRays> facets; ///< are followed where it is a body of flat facets
+
+    /// Collects the code of an object of the buffer. An error says what of it cannot be computed: a
+    /// block or an effect without code in double precision, transparency, and refraction but by
+    /// facets in a scene that is known.
+    static Result<SurfaceCode> of(std::size_t object, const SurfaceBuffer& buffer,
+                                  const BufferedScene* around);
 };
 
 /// Shades pixels one after the other; each thread needs its own.
@@ -90,6 +95,13 @@ class SurfaceShader {
     /// Returns the picture's linear light, given the sum of both: blended, with what the surface
     /// emits, and in fog.
     glm::dvec3 finished(glm::dvec3 sum) const;
+
+    /// Returns what the ray of a round sees through a body of facets; 0 of other objects.
+    glm::dvec3 passed(std::uint32_t round) const;
+
+    /// Returns the picture's light where a body shows so much of what is around it, behind what is
+    /// finished; the latter alone of other objects.
+    glm::dvec3 over(const glm::dvec3& passed, const glm::dvec3& finished) const;
 
   private:
     struct Point {

@@ -12,6 +12,10 @@ namespace patina {
 /// the block does not let them be chosen.
 int wavelengthCount(const BlockUse& refraction);
 
+/// Returns how many times a ray is reflected inside of a body that follows it from facet to facet;
+/// 0 of a block without such a choice.
+int innerReflections(const BlockUse& refraction);
+
 /// Says where the wavelengths of a body lie in `objectData`, a vec4 for each: its shares of the
 /// three channels, then the body's index for it, which is packed with the refraction.
 struct WavelengthPlace {

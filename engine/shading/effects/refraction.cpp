@@ -193,10 +193,9 @@ int facetsAtOnce(int wavelengths) {
 
 /// Writes the ways of rays from facet to facet.
 void writeFacets(SurfaceText& text, const BlockUse& use) {
-    const EnumValue& level = use.level(*reflectionChoice(use.block()));
     const int wavelengths = wavelengthCount(use);
     text.out.add(fmt::format("#define INNER_REFLECTIONS {}\n#define FACETS_AT_ONCE {}\n",
-                             *wholeNumber(level), facetsAtOnce(wavelengths)));
+                             innerReflections(use), facetsAtOnce(wavelengths)));
     text.out.addFile(text.set.environment ? "passes/refraction_facets_environment.glsl"
                                           : "passes/refraction_facets_plain.glsl");
     text.out.addFile(text.set.isShownRefracted ? "passes/refraction_facets_behind.glsl"
@@ -284,6 +283,11 @@ int wavelengthCount(const BlockUse& refraction) {
     return choice == nullptr || !bendsColorsApart(refraction)
                ? 0
                : wholeNumber(refraction.level(*choice)).value_or(0);
+}
+
+int innerReflections(const BlockUse& refraction) {
+    const AccuracyChoice* choice = reflectionChoice(refraction.block());
+    return choice == nullptr ? 0 : wholeNumber(refraction.level(*choice)).value_or(0);
 }
 
 std::optional<WavelengthPlace> wavelengthPlace(const ObjectLayout& layout) {
