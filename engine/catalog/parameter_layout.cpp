@@ -6,7 +6,7 @@
 #include "catalog/fills.h"
 #include "catalog/index_trend.h"
 #include "catalog/unit_direction.h"
-#include "catalog/wavelength_choice.h"
+#include "catalog/wavelength_ray_choices.h"
 #include "catalog/wavelengths.h"
 
 namespace patina {

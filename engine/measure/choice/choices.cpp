@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "catalog/wavelength_choice.h"
+#include "catalog/wavelength_ray_choices.h"
 #include "measure/choice/picture_choices.h"
 #include "shading/effects/effect_set.h"
 #include "shading/effects/refracted_wavelengths.h"

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "catalog/wavelength_choice.h"
+#include "catalog/wavelength_ray_choices.h"
 #include "material/measured_preset.h"
 #include "measure/stability/edge_case_values.h"
 #include "measure/stability/pairwise.h"

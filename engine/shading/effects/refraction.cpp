@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "catalog/wavelength_choice.h"
+#include "catalog/wavelength_ray_choices.h"
 #include "measured/spectrum_color.h"
 #include "shading/effects/body_index.h"
 #include "shading/effects/data_layout.h"
