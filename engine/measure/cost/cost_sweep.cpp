@@ -112,7 +112,7 @@ class CostSweep::Implementation {
     Steps run() {
         secondsInAll_ = secondsOfSingles(frames_, *drawn_);
         co_yield Steps::Pause();
-        co_await makeStandard();
+        co_await makeBaseline();
         if (problems_.empty() && !options_.given) {
             co_await timeEmptyFrames();
         }
@@ -127,7 +127,7 @@ class CostSweep::Implementation {
     }
 
     /// Makes the frames with which points are compared.
-    Steps makeStandard() {
+    Steps makeBaseline() {
         Result<bool> done = baseline_->step(patience_);
         while (done && !*done) {
             const bool isGroundTruth = !baseline_->groundTruth().isDone();
