@@ -125,20 +125,6 @@ std::string editedPart(std::string_view text, std::size_t first, std::size_t las
     return out.append(text.substr(first, last - first));
 }
 
-std::string helpersOf(std::span<const ShaderEdit> edits) {
-    std::vector<std::string> helpers;
-    for (const ShaderEdit& edit : edits) {
-        if (!edit.helper.empty() && std::ranges::find(helpers, edit.helper) == helpers.end()) {
-            helpers.push_back(edit.helper);
-        }
-    }
-    std::string out;
-    for (const std::string& helper : helpers) {
-        out += helper;
-    }
-    return out;
-}
-
 ShaderSource editedSource(const ShaderSource& source, const ShaderSyntax& syntax,
                           std::span<const ShaderEdit> edits) {
     std::map<std::string, std::size_t> helpers; // to the first function that calls them

@@ -53,9 +53,6 @@ std::vector<ShaderEdit> editsOf(std::span<const CheapMove* const> moves);
 std::string editedPart(std::string_view text, std::size_t first, std::size_t last,
                        std::span<const ShaderEdit> edits);
 
-/// Returns the helpers of edits, each once.
-std::string helpersOf(std::span<const ShaderEdit> edits);
-
 /// Returns the source with edits. Their helpers, and the functions that read tables, precede the
 /// functions that are edited.
 ShaderSource editedSource(const ShaderSource& source, const ShaderSyntax& syntax,
