@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/environment_setup.h"
 
-#include <algorithm>
-
 #include "cli/command.h"
 #include "scene/environment.h"
 

@@ -2,7 +2,6 @@
 #include "catalog/measured_file.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include <nlohmann/json.hpp>
 

@@ -2,8 +2,6 @@
 #include "io/assimp_materials.h"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
 
 #include <assimp/material.h>
 #include <glm/common.hpp>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pages of docs/concepts: each of their pictures is made again by one script, and each page is
 // found from the README.
-#include <algorithm>
 #include <filesystem>
 #include <regex>
 #include <set>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machine_text.h"
 
-#include <cstdlib>
 #include <ctime>
 #include <fstream>
 #include <thread>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstdint>
 #include <cstring>
-#include <sstream>
 
 #include <gtest/gtest.h>
 

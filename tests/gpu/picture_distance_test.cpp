@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measure/error/picture_distance.h"
 
-#include <cmath>
-
 #include <gtest/gtest.h>
 
 #include "measure/error/structural_similarity.h"

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <numbers>
 #include <stdexcept>
 
 #include "measure/lobe/lobe_model.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/measured_files.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string_view>

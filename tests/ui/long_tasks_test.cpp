@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What takes long, in one list: who reports to it, what is shown, and how it is stopped.
-#include <atomic>
 #include <future>
 
 #include <QPointer>

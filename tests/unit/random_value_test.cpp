@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/random_value.h"
 
-#include <cmath>
-
 #include <gtest/gtest.h>
 
 namespace patina::random_value_test {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "library/preset_marks.h"
 
-#include <algorithm>
-
 #include "session/session.h"
 
 namespace patina {

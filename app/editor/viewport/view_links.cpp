@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/view_links.h"
 
-#include <utility>
-
 #include <QActionGroup>
 #include <QHBoxLayout>
 #include <QMenu>

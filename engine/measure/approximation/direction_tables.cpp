@@ -2,7 +2,6 @@
 #include "measure/approximation/direction_tables.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <optional>
 #include <set>

@@ -4,7 +4,6 @@
 #include <memory>
 #include <set>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "core/error.h"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measure/lobe/fresnel_block.h"
 
-#include <array>
-
 #include <fmt/format.h>
 
 #include "measure/stability/sweep_cases.h"

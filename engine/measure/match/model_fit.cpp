@@ -6,7 +6,6 @@
 #include <bitset>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <random>
 #include <utility>

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
-#include <utility>
 
 #include "measure/eval/eval_source.h"
 #include "measure/interpreter/shader_evaluator.h"

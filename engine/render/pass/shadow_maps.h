@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 
 #include "render/pass/shadow_casters.h"
 #include "render/pass/shadow_drawer.h"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/surfaces/object_rows.h"
 
-#include <algorithm>
-#include <cmath>
 #include <string_view>
 
 #include <fmt/format.h>
