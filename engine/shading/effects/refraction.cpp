@@ -306,8 +306,7 @@ bool followsFacets(const Block& refraction) {
 
 bool hasRefraction(const Scene& scene, const Catalog& catalog) {
     return std::ranges::any_of(scene.objects, [&catalog](const Object& object) {
-        return object.visible && canBeSeen(object.material) &&
-               refractionChoice(object.material, catalog).block != nullptr;
+        return isDrawn(object) && refractionChoice(object.material, catalog).block != nullptr;
     });
 }
 
@@ -315,9 +314,6 @@ bool showsSceneRefracted(const Scene& scene, const Catalog& catalog) {
     if (!hasRefraction(scene, catalog)) {
         return false;
     }
-    const auto isDrawn = [](const Object& object) {
-        return object.visible && canBeSeen(object.material);
-    };
     return isSeen(scene.ground) || std::ranges::count_if(scene.objects, isDrawn) > 1;
 }
 
