@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "accuracy/cost_text.h"
 
-#include "text/as_text.h"
 #include <cmath>
 
 #include <QCoreApplication>
 #include <QStringList>
+
+#include "text/as_text.h"
+#include "text/display_number.h"
 
 namespace patina {
 namespace {
@@ -255,7 +257,7 @@ QString methodText(const CostChart& chart) {
     return tr("%1 × %2 pixels, %3 of them shaded; %4; errors against %5.")
         .arg(chart.size.x)
         .arg(chart.size.y)
-        .arg(numberLocale().toString(static_cast<qulonglong>(chart.pixels)))
+        .arg(wholeText(chart.pixels))
         .arg(asText(chart.timer), asText(chart.groundTruth));
 }
 

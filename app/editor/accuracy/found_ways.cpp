@@ -24,13 +24,9 @@ class WaysText {
     Q_DECLARE_TR_FUNCTIONS(WaysText)
 };
 
-QString numberText(std::size_t number) {
-    return numberLocale().toString(static_cast<qulonglong>(number));
-}
-
 QString searchText(const CheaperWays& soFar) {
     return WaysText::tr("Searching: %1 changes, %2 tried, %3 cheaper ways so far")
-        .arg(numberText(soFar.moves), numberText(soFar.tried), numberText(soFar.ways.size()));
+        .arg(wholeText(soFar.moves), wholeText(soFar.tried), wholeText(soFar.ways.size()));
 }
 
 std::filesystem::path folderOfBlock(const FoundWays& found) {
@@ -157,7 +153,7 @@ QString methodText(const FoundWays& found) {
     return WaysText::tr("%1 of %2, predicted. Errors where white is 1, light and viewer 3° or more "
                         "above the surface; the largest of %3 cases that the search did not see.")
         .arg(asText(capitalised(found.ways.unit)), asText(found.wish.subject.block.block->label),
-             numberText(found.ways.heldOut));
+             wholeText(found.ways.heldOut));
 }
 
 QString entryText(const FoundWays& found) {

@@ -13,6 +13,7 @@
 #include "docks/prediction_text.h"
 #include "measure/lobe/lobe_model.h"
 #include "text/as_text.h"
+#include "text/display_number.h"
 
 namespace patina {
 namespace {
@@ -97,8 +98,7 @@ void fillModel(NumberRow& row, const Block& model) {
     }
     row.setText(EnergyClaim, claimText(model, "energy_conserving"));
     row.setText(ReciprocityClaim, claimText(model, "reciprocal"));
-    row.setNumber(ValueCount, numberLocale().toString(qulonglong(model.parameters.size())),
-                  double(model.parameters.size()));
+    row.setNumber(ValueCount, wholeText(model.parameters.size()), double(model.parameters.size()));
 }
 
 void nameColumns(QTreeWidget& list) {

@@ -29,8 +29,7 @@ QString turnText(const ModelRanking::Turn& turn) {
 
 QString methodOf(const ModelRanking& ranking) {
     return ModelsPage::tr("%1 pixels of the object; %2; times are beside the quickest.")
-        .arg(numberLocale().toString(qulonglong(ranking.pixels())),
-             QString::fromStdString(ranking.timer()));
+        .arg(wholeText(ranking.pixels()), QString::fromStdString(ranking.timer()));
 }
 
 using TakeCosts = std::function<void(const std::vector<ModelCost>&, const QString& method)>;

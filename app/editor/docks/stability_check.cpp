@@ -18,10 +18,6 @@ constexpr std::size_t checkedCases = 300000;
 /// Is the number of cases between two checks for cancellation.
 constexpr std::size_t checkSlice = std::size_t(1) << 12;
 
-QString shown(std::size_t cases) {
-    return numberLocale().toString(static_cast<qulonglong>(cases));
-}
-
 StabilityFailure failureOf(const SweepKey& key, const SweepTally& tally) {
     const EvalCase& request = tally.worst.request;
     const QString programs = asText(variantText(request));
@@ -81,7 +77,8 @@ StabilityOutcome checkStability(const Catalog& catalog, const Material& material
     StabilitySweep sweep(std::move(*variants), options);
     while (!sweep.finished() && !control.isCancelled()) {
         sweep.step();
-        control.report(sweep.progress(), QObject::tr("%1 cases").arg(shown(sweep.report().cases)));
+        control.report(sweep.progress(),
+                       QObject::tr("%1 cases").arg(wholeText(sweep.report().cases)));
     }
     StabilityOutcome outcome = outcomeOf(sweep);
     if (!context) {

@@ -29,13 +29,9 @@ constexpr int progressSteps = 1000;
 enum Column { What, Cases, Where, Amount };
 constexpr std::pair<Column, int> columnWidths[] = {{What, 230}, {Cases, 70}, {Amount, 230}};
 
-QString grouped(std::size_t number) {
-    return numberLocale().toString(static_cast<qulonglong>(number));
-}
-
 QString verdictOf(const StabilityOutcome& outcome) {
     const QString cases =
-        StabilityDock::tr("%1 cases%2").arg(grouped(outcome.cases), outcome.limit);
+        StabilityDock::tr("%1 cases%2").arg(wholeText(outcome.cases), outcome.limit);
     if (!outcome.problems.isEmpty()) {
         return StabilityDock::tr("Could not be checked: %1").arg(outcome.problems.join(' '));
     }
@@ -144,7 +140,7 @@ void StabilityDock::showOutcome(const Result<StabilityOutcome>& checked) {
 void StabilityDock::fill(const StabilityOutcome& outcome) {
     for (const StabilityFailure& failure : outcome.failures) {
         auto* row = new QTreeWidgetItem(
-            list_, {failure.what, grouped(failure.count), failure.where, failure.amount});
+            list_, {failure.what, wholeText(failure.count), failure.where, failure.amount});
         row->setData(What, evalLineRole, failure.evalLine);
         row->setTextAlignment(Cases, Qt::AlignRight | Qt::AlignVCenter);
         for (const Column column : {What, Where, Amount}) {

@@ -45,6 +45,10 @@ int placesOf(double number) {
 
 } // namespace
 
+QString wholeText(std::size_t number) {
+    return numberLocale().toString(static_cast<qulonglong>(number));
+}
+
 QString digitsText(double number) {
     return likeText(number, number);
 }

@@ -3,6 +3,8 @@
 // window write theirs: with a point in every language, as what is typed may have either mark.
 #pragma once
 
+#include <cstddef>
+
 #include <QLocale>
 #include <QString>
 
@@ -12,6 +14,9 @@ namespace patina {
 inline QLocale numberLocale() {
     return QLocale::c();
 }
+
+/// Returns all digits of a whole number.
+QString wholeText(std::size_t number);
 
 /// Returns a number with three digits that count, and all of those before the point: "23.4",
 /// "0.0317", "9346".
