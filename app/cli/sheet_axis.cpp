@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/sheet_axis.h"
 
-#include <array>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "core/number_text.h"
+#include "sheet/sheet_file.h"
 
 namespace patina {
 namespace {
-
-constexpr std::array<std::pair<std::string_view, AxisKind>, 4> kindWords{
-    {{"models", AxisKind::Models},
-     {"accuracy", AxisKind::Accuracy},
-     {"lights", AxisKind::Lights},
-     {"environments", AxisKind::Environments}}};
 
 constexpr const char* expectedAxis =
     "id=from:to:steps, id=value,value, or models, accuracy, lights or environments, alone or with "
@@ -54,8 +47,8 @@ Result<SheetAxis> axisFromText(const std::string& text) {
     const std::size_t equals = text.find('=');
     SheetAxis axis;
     axis.value = text.substr(0, equals);
-    for (const auto& [word, kind] : kindWords) {
-        if (axis.value == word) {
+    for (const auto& [kind, word] : axisWords) {
+        if (kind != AxisKind::Value && axis.value == word) {
             axis.kind = kind;
             axis.value.clear();
         }

@@ -18,16 +18,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Pairs the kind of an axis with the key that holds its steps in a file.
-struct KindKey {
-    AxisKind kind;
-    const char* key;
-};
-constexpr std::array kindKeys{
-    KindKey{AxisKind::Value, "value"}, KindKey{AxisKind::Models, "models"},
-    KindKey{AxisKind::Accuracy, "accuracy"}, KindKey{AxisKind::Lights, "lights"},
-    KindKey{AxisKind::Environments, "environments"}};
-
 constexpr std::array<std::string_view, 3> numberWords{"time", "error", "albedo"};
 
 /// Returns a file's value as it would be typed for --set. Nothing is returned for null, an object,
@@ -118,8 +108,8 @@ class SheetReader {
             return axis;
         }
         const auto* found = std::ranges::find_if(
-            kindKeys, [&reader](const KindKey& each) { return reader.has(each.key); });
-        if (found == kindKeys.end()) {
+            axisWords, [&reader](const AxisWord& each) { return reader.has(each.word); });
+        if (found == axisWords.end()) {
             reader_.addError(key, "the axis does not say what it is of",
                              "one of the keys value, models, accuracy, lights, environments");
             return axis;
@@ -130,7 +120,7 @@ class SheetReader {
             readRange(reader, axis);
             readEntries(reader, "values", axis);
         } else {
-            readEntries(reader, found->key, axis);
+            readEntries(reader, found->word, axis);
         }
         refuseUnknown(reader);
         return axis;
@@ -182,11 +172,12 @@ class SheetReader {
 
     /// Makes every unknown key an error, since a misspelt one would change the axis in silence.
     void refuseUnknown(JsonReader& reader) {
+        std::vector<std::string> known{"from", "to", "steps", "values"};
+        for (const auto& [kind, word] : axisWords) {
+            known.insert(kind == AxisKind::Value ? known.begin() : known.end(), word);
+        }
         const Json misspelt = reader.unknown(); // outlives the loop
         for (const auto& item : misspelt.items()) {
-            const std::vector<std::string> known{"value",    "from",   "to",
-                                                 "steps",    "values", "models",
-                                                 "accuracy", "lights", "environments"};
             reader.addError(item.key(), fmt::format("an axis has no key \"{}\"", item.key()),
                             oneOf(item.key(), known));
         }
@@ -229,7 +220,7 @@ Json toJson(const SheetAxis& axis) {
     for (const std::string& entry : axis.entries) {
         entries.push_back(axis.kind == AxisKind::Value ? jsonOfTyped(entry) : Json(entry));
     }
-    const auto* key = std::ranges::find(kindKeys, axis.kind, &KindKey::kind)->key;
+    const auto* key = std::ranges::find(axisWords, axis.kind, &AxisWord::kind)->word;
     if (axis.kind != AxisKind::Value) {
         json[key] = std::move(entries);
         return json;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string_view>
 #include <vector>
@@ -35,6 +36,17 @@ Result<void> writeSheet(const std::filesystem::path& path, const Sheet& sheet);
 
 /// Returns the files of the sheets that ship, sorted; empty where their folder cannot be read.
 std::vector<std::filesystem::path> shippedSheets();
+
+/// Pairs a kind of axis with its word: the key that holds its steps in files, and its name on the
+/// command line, where a value is called by its id instead.
+struct AxisWord {
+    AxisKind kind;
+    const char* word;
+};
+inline constexpr std::array axisWords{
+    AxisWord{AxisKind::Value, "value"}, AxisWord{AxisKind::Models, "models"},
+    AxisWord{AxisKind::Accuracy, "accuracy"}, AxisWord{AxisKind::Lights, "lights"},
+    AxisWord{AxisKind::Environments, "environments"}};
 
 /// Returns the word for a number in files and on the command line: "time", "error" or "albedo".
 std::string_view wordOf(CellNumber number);
