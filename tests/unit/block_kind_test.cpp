@@ -104,5 +104,32 @@ TEST(BlockKinds, Functions_StandInTheGuide) {
     }
 }
 
+/// Tells whether a table has a row whose first two cells name a kind and a role.
+bool hasRoleRow(const std::string& guide, std::string_view kind, std::string_view role) {
+    std::istringstream lines(guide);
+    for (std::string line; std::getline(lines, line);) {
+        const auto first = line.find(" | ");
+        if (!line.starts_with("| ") || first == line.npos) {
+            continue;
+        }
+        const auto second = line.find(" | ", first + 3);
+        if (line.substr(0, first).find(kind) != line.npos &&
+            line.substr(first, second - first).find(fmt::format("`{}`", role)) != line.npos) {
+            return true;
+        }
+    }
+    return false;
+}
+
+TEST(BlockKinds, Roles_StandInTheGuide) {
+    const std::string guide = textOf("docs/design/blocks.md");
+    for (const BlockKind& kind : blockKinds()) {
+        for (const ParameterRole& role : kind.roles) {
+            EXPECT_TRUE(hasRoleRow(guide, kind.folder, role.word))
+                << kind.folder << ": " << role.word;
+        }
+    }
+}
+
 } // namespace
 } // namespace patina::tests::block_kind_test
