@@ -67,9 +67,9 @@ void SceneMeshes::nameMissing(const Scene& scene) {
     }
 }
 
-/// Notes what the mesh of an object lacks, once.
-void SceneMeshes::note(const Object& object, const char* lack) {
-    const Error remark{object.mesh, 0, 0, lack, {}};
+/// Notes what is missing in the mesh of an object, once.
+void SceneMeshes::note(const Object& object, const char* missing) {
+    const Error remark{object.mesh, 0, 0, missing, {}};
     if (std::ranges::find(missing_, remark) == missing_.end()) {
         missing_.push_back(remark);
     }

@@ -31,9 +31,9 @@ class SceneMeshes {
     void findOpenness();
     Result<void> add(const Object& object, AssetClient& client);
     void nameMissing(const Scene& scene);
-    void note(const Object& object, const char* lack);
+    void note(const Object& object, const char* missing);
 
-    Errors missing_; ///< are warnings of what images or vertex colours need and meshes lack
+    Errors missing_; ///< are warnings of what images or vertex colours need and meshes do not have
     Errors remarks_; ///< warnings of the meshes that were read
     std::map<MeshKey, Mesh> made_;
     std::vector<std::shared_ptr<const SharedMesh>> read_;

@@ -25,7 +25,7 @@ struct PictureDistance {
 /// Returns the first three channels of each pixel, row by row.
 std::vector<glm::dvec3> displayColors(const Image& image);
 
-/// Compares the display values 0 .. 1 of the right picture `a` and of `b`. `relative` is the error
+/// Compares the display values 0 .. 1 of the ground truth `a` and of `b`. `relative` is the error
 /// of each pixel in linear light, as in FrameDifference. Calls `isNeedless` every 20 milliseconds
 /// or so, and returns nothing once that is true.
 std::optional<PictureDistance> pictureDistance(std::vector<float> relative, const Image& a,

@@ -48,7 +48,7 @@ bool isBefore(const LightGroup& a, const LightGroup& b) {
     return b.shadow && (!a.shadow || BlockUse::isBefore(*a.shadow, *b.shadow));
 }
 
-/// Why a light is not in the program; empty when it is.
+/// Returns why a light is not in the program; empty when it is.
 std::string whyNoLight(const Light& light, const Block* block) {
     if (!light.enabled) {
         return "It is switched off.";

@@ -40,7 +40,7 @@ std::string nonCastersText(const Scene& scene) {
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// Why shadows cannot be seen, whatever the light is; empty when they can.
+/// Returns why shadows cannot be seen, whatever the light is; empty when they can.
 std::string whyNoShadows(const Scene& scene, const Catalog& catalog) {
     if (!hasCaster(scene, catalog)) {
         return scene.objects.empty()
@@ -56,7 +56,7 @@ std::string whyNoShadows(const Scene& scene, const Catalog& catalog) {
     return {};
 }
 
-/// Why a light's shadows are not drawn; empty when they are, or none are asked for.
+/// Returns why a light's shadows are not drawn; empty when they are, or none are asked for.
 std::string whyNoShadow(const Light& light, const Block& block, const Catalog& catalog,
                         const std::string& whyNone) {
     const BlockValues* shadow = light.part(kinds::shadows);
