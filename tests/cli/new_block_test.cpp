@@ -16,7 +16,8 @@ class NewBlock : public testing::Test {
   protected:
     void SetUp() override {
         const std::string guide = readFile(shipped("CONTRIBUTING.md"));
-        static const std::regex block("```(?:json|glsl) ((?:lights|fresnel|fog)/\\S+)\n([^`]*)```");
+        static const std::regex block(
+            "```(?:json|glsl) ((?:lights|fresnel|fog|pass)/\\S+)\n([^`]*)```");
         for (std::sregex_iterator it(guide.begin(), guide.end(), block), end; it != end; ++it) {
             writeFile(data_ / ("patina/shaders/" + (*it)[1].str()), (*it)[2]);
             files_.push_back((*it)[1]);
@@ -46,7 +47,8 @@ class NewBlock : public testing::Test {
 TEST_F(NewBlock, Guide_HasTwoFilesOfEachKind) {
     EXPECT_EQ(files_, (std::vector<std::string>{"lights/warn.json", "lights/warn.glsl",
                                                 "fresnel/lazanyi.json", "fresnel/lazanyi.glsl",
-                                                "fog/haze.json", "fog/haze.glsl"}));
+                                                "fog/haze.json", "fog/haze.glsl",
+                                                "pass/vignette.json", "pass/vignette.glsl"}));
 }
 
 TEST_F(NewBlock, Descriptors_AreValid) {
@@ -65,17 +67,19 @@ TEST_F(NewBlock, Scene_IsDrawnWithThem) {
     scene["objects"][0]["preset"] = shipped("presets/cook-torrance/red-plastic.patina.json");
     scene["lights"] = Json::array({{{"name", "lamp"}, {"id", "warn"}}});
     scene["fog"] = {{"id", "haze"}, {"parameters", {{"density", 1.0}}}};
+    scene["passes"] = Json::parse(R"([{"id": "vignette"}])");
     writeFile(file, scene.dump());
     const Outcome outcome = patinaWithThem({"effects", "--scene", file, "--no-cost"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     EXPECT_NE(outcome.out.find("lights/warn"), std::string::npos) << outcome.out;
     EXPECT_NE(outcome.out.find("fog/haze"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("pass/vignette"), std::string::npos) << outcome.out;
     const std::string picture = data_ / "drawn.png";
     const Outcome drawn =
         patinaWithThem({"render", "--scene", file, "--size", "16x16", "-o", picture});
     EXPECT_EQ(drawn.exitCode, 0);
-    EXPECT_EQ(drawn.err, "") << "the driver takes both shaders";
+    EXPECT_EQ(drawn.err, "") << "the driver takes all shaders";
     EXPECT_TRUE(std::filesystem::exists(picture));
 }
 
