@@ -87,6 +87,21 @@ INSTANTIATE_TEST_SUITE_P(
                   0, "not in the preset's folder"}),
     [](const auto& information) { return std::string(information.param.name); });
 
+TEST(BadInput, MistakesOfAScene_AreToldOnceAndNothingIsDrawn) {
+    const TemporaryFolder folder;
+    writeFile(folder / "a.patina-scene.json",
+              R"({"format": "patina.scene", "version": 1, "exposure": "bright"})");
+    writeFile(folder / "a.patina.json", preset());
+    const Outcome outcome =
+        patina({"render", folder / "a.patina.json", "--scene", folder / "a.patina-scene.json",
+                "--size", "16x16", "-o", folder / "a.png"});
+    EXPECT_EQ(outcome.exitCode, 1);
+    const auto said = outcome.err.find("\"bright\"");
+    ASSERT_NE(said, std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find("\"bright\"", said + 1), std::string::npos) << outcome.err;
+    EXPECT_FALSE(fs::exists(folder / "a.png"));
+}
+
 /// A stranger's scene in a folder of its own, beside which lies what is the user's.
 class StrangersScene : public testing::Test {
   protected:
