@@ -12,7 +12,6 @@
 #include "cli/command.h"
 #include "cli/mapped_point.h"
 #include "cli/picture.h"
-#include "measure/choice/picture_choices.h"
 #include "measure/cost/predicted_chart.h"
 #include "measure/cost/scaling_sweep.h"
 

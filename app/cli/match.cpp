@@ -8,7 +8,6 @@
 
 #include "catalog/json_text.h"
 #include "catalog/suggestion.h"
-#include "catalog/value_json.h"
 #include "cli/command.h"
 #include "cli/cost_sweeps.h"
 #include "cli/picture_options.h"

@@ -10,7 +10,6 @@
 
 #include "catalog/fills.h"
 #include "catalog/suggestion.h"
-#include "catalog/typed_value.h"
 #include "core/number_text.h"
 #include "material/accuracy_text.h"
 #include "material/block_values.h"

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "material/model_swap.h"
 #include "scene/scene_assignment.h"
 #include "sheet/axis_steps.h"
 #include "sheet/sheet_file.h"

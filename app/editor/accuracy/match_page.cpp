@@ -21,7 +21,6 @@
 #include "catalog/json_text.h"
 #include "docks/panel.h"
 #include "document/document.h"
-#include "document/snapshot_edits.h"
 #include "measure/cost/model_ranking.h"
 #include "session/session.h"
 #include "text/as_text.h"

@@ -6,7 +6,6 @@
 
 #include <QVBoxLayout>
 
-#include "accuracy/measure_bar.h"
 #include "accuracy/model_list.h"
 #include "catalog/json_text.h"
 #include "docks/family_chooser.h"

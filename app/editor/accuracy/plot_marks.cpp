@@ -8,10 +8,10 @@
 #include <QPainterPath>
 
 #include "accuracy/axis_ticks.h"
-#include "accuracy/cost_text.h"
 #include "accuracy/plot_colors.h"
 #include "accuracy/plot_library.h"
 #include "text/as_text.h"
+#include "text/display_number.h"
 #include "text/mixed_color.h"
 
 namespace patina {

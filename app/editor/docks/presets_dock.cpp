@@ -19,7 +19,6 @@
 #include "document/document.h"
 #include "files/file_actions.h"
 #include "library/preset_library.h"
-#include "library/thumbnail_maker.h"
 #include "session/session.h"
 
 namespace patina {

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "measure/stability/sweep_cases.h"
 #include "shading/program/compiled_block.h"
 
 namespace patina {

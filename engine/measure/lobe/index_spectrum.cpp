@@ -13,7 +13,6 @@
 #include "catalog/spectrum.h"
 #include "catalog/wavelengths.h"
 #include "measure/lobe/fresnel_block.h"
-#include "measure/stability/sweep_cases.h"
 #include "shading/program/compiled_block.h"
 
 namespace patina {

@@ -9,7 +9,6 @@
 #include "catalog/bending_roles.h"
 #include "shading/effects/effect_set.h"
 #include "shading/effects/surface_text.h"
-#include "shading/program/block_source.h"
 
 namespace patina {
 namespace {
