@@ -218,6 +218,15 @@ TEST_F(TextureForm, VertexColours_AreChosenLikeAnImageInOneStep) {
     EXPECT_FALSE(line().isBound());
 }
 
+/// A tick of any slider of the form presents every line again.
+TEST_F(TextureForm, VertexColoursPresentedAgain_KeepTheirIcon) {
+    const TextureUse colors = textureUse(color, std::string(vertexColorsName));
+    line().present(colors, {});
+    const qint64 icon = line().findChild<QToolButton*>()->icon().cacheKey();
+    line().present(colors, {});
+    EXPECT_EQ(line().findChild<QToolButton*>()->icon().cacheKey(), icon);
+}
+
 TEST_F(TextureForm, SurfaceForm_TakesNormalAndHeightMaps) {
     DocumentForm surface(document, images, settings::material);
     surface.textures().lay(surface.row("normal")->parameter(), image());

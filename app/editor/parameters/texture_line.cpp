@@ -25,8 +25,8 @@ QPixmap faded(const QPixmap& picture, double share) {
     return result;
 }
 
-/// Returns a picture of colours that blend from corner to corner.
-QImage cornerColors() {
+/// Makes a picture of colours that blend from corner to corner.
+QImage madeCornerColors() {
     QImage picture(thumbnailSide, thumbnailSide, QImage::Format_RGB32);
     for (int y = 0; y < thumbnailSide; ++y) {
         for (int x = 0; x < thumbnailSide; ++x) {
@@ -36,6 +36,12 @@ QImage cornerColors() {
                                   QColor::fromRgbF((1.0f - right) * (1.0f - down), right, down));
         }
     }
+    return picture;
+}
+
+/// Returns that picture, which is one and the same for all lines.
+const QImage& cornerColors() {
+    static const QImage picture = madeCornerColors();
     return picture;
 }
 
@@ -114,8 +120,9 @@ QToolButton* TextureLine::button(const QString& text, const QString& toolTip) {
 /// Leaves everything alone where it is as it was: a slider's tick presents it again, and an icon
 /// that is set is painted and laid out anew.
 void TextureLine::present(const std::optional<TextureUse>& use, const TexturePreview& preview) {
+    const QImage& image = use && isVertexColors(use->file) ? cornerColors() : preview.image;
     const bool isNew = !isPresented_ || use != use_ || preview.problem != problem_ ||
-                       preview.image.cacheKey() != image_.cacheKey();
+                       image.cacheKey() != image_.cacheKey();
     if (!isNew) {
         return;
     }
@@ -133,7 +140,7 @@ void TextureLine::present(const std::optional<TextureUse>& use, const TexturePre
         name_->setEnabled(use->enabled);
         showName(*use, preview.problem);
     }
-    image_ = isBound_ && isVertexColors(use->file) ? cornerColors() : preview.image;
+    image_ = image;
     isMissing_ = isBound_ && !preview.problem.isEmpty();
     counts_ = !use || use->enabled;
     showPreview();
