@@ -227,6 +227,15 @@ TEST_F(TextureForm, VertexColoursPresentedAgain_KeepTheirIcon) {
     EXPECT_EQ(line().findChild<QToolButton*>()->icon().cacheKey(), icon);
 }
 
+/// They are colours: no shape of the surface, and no opacity.
+TEST_F(TextureForm, VertexColours_AreNotOfferedOnTheSurface) {
+    DocumentForm surface(document, images, settings::material);
+    for (const char* id : {"normal", "height", "opacity"}) {
+        ASSERT_NE(surface.row(id)->textureLine(), nullptr) << id;
+        EXPECT_EQ(surface.row(id)->textureLine()->findChild<QToolButton*>()->menu(), nullptr) << id;
+    }
+}
+
 TEST_F(TextureForm, SurfaceForm_TakesNormalAndHeightMaps) {
     DocumentForm surface(document, images, settings::material);
     surface.textures().lay(surface.row("normal")->parameter(), image());

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QToolButton>
 
+#include "catalog/combing_role.h"
 #include "parameters/parameter_row.h"
 #include "parameters/texture_line.h"
 #include "parameters/texture_popup.h"
@@ -14,6 +15,12 @@ namespace {
 
 bool takesImage(const Parameter& parameter) {
     return !parameter.textureChannels.empty();
+}
+
+/// Tells whether vertex colours may drive the value: they are neither a shape nor an opacity nor
+/// directions.
+bool takesVertexColors(const Parameter& parameter) {
+    return textureRole(parameter.id) == TextureRole::Input && parameter.role != roles::combing;
 }
 
 /// Returns how an image lies at first. On a number whose range exceeds 1 it multiplies the number.
@@ -41,6 +48,9 @@ void FormTextures::attach(ParameterRow& row) {
         return;
     }
     TextureLine* line = row.makeTextureLine();
+    if (takesVertexColors(row.parameter())) {
+        line->offerVertexColors();
+    }
     connect(line, &TextureLine::chooseWished, this, [this, &row] { ask(row); });
     connect(line, &TextureLine::vertexColorsWished, this,
             [this, &row] { drive(row.parameter(), std::string(vertexColorsName)); });

@@ -87,7 +87,6 @@ TextureLine::TextureLine(const QString& valueName, QWidget* parent)
     allow_->setAccessibleName(tr("Allow the image of %1").arg(valueName));
     settings_->setAccessibleName(tr("Settings of the image of %1").arg(valueName));
     remove_->setAccessibleName(tr("Remove the image of %1").arg(valueName));
-    addChoices();
     connect(choose_, &QToolButton::clicked, this, &TextureLine::chooseWished);
     connect(enabled_, &QCheckBox::clicked, this, &TextureLine::enabledWished);
     connect(allow_, &QToolButton::clicked, this, &TextureLine::allowWished);
@@ -97,7 +96,7 @@ TextureLine::TextureLine(const QString& valueName, QWidget* parent)
 }
 
 /// The button itself asks for a file; its arrow has what else can drive the value.
-void TextureLine::addChoices() {
+void TextureLine::offerVertexColors() {
     auto* choices = new QMenu(choose_);
     choices->setToolTipsVisible(true);
     choices->addAction(tr("Image File..."), this, &TextureLine::chooseWished);

@@ -24,6 +24,9 @@ class TextureLine : public QWidget {
     void present(const std::optional<TextureUse>& use, const TexturePreview& preview);
     bool isBound() const { return isBound_; }
 
+    /// Lets vertex colours be chosen in place of a file.
+    void offerVertexColors();
+
     QToolButton* settingsButton() const { return settings_; }
 
   Q_SIGNALS:
@@ -39,7 +42,6 @@ class TextureLine : public QWidget {
     void changeEvent(QEvent* event) override;
 
   private:
-    void addChoices();
     QToolButton* button(const QString& text, const QString& toolTip);
     void showName(const TextureUse& use, const QString& problem);
     void showPreview();
