@@ -102,6 +102,15 @@ bool hasColors(const RawMesh& mesh) {
         mesh.colors, [](const glm::vec4& color) { return packed(color) != VertexColor(); });
 }
 
+/// Takes vertex colours from the material of a mesh that has none, since all of its file's may have
+/// been given them.
+void dropUnusedColors(MeshPart& part) {
+    if (!part.hasColors) {
+        std::erase_if(part.material.images,
+                      [](const auto& image) { return isVertexColors(image.second); });
+    }
+}
+
 /// Orders triangles for the vertex cache and vertices for fetching, and writes both into the
 /// target.
 void write(const RawMesh& mesh, const MeshSpans& target) {
@@ -132,6 +141,7 @@ Result<void> writeParts(const std::vector<RawMesh>& meshes, const MeshStorage& s
         const bool isNamed = !mesh.materials.empty();
         parts.push_back({isNamed ? mesh.materials.front() : nameless(materials),
                          mesh.positions.size(), mesh.indices.size(), hasColors(mesh)});
+        dropUnusedColors(parts.back());
     }
     auto target = storage(parts);
     if (!target) {

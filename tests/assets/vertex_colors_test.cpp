@@ -122,6 +122,20 @@ TEST(VertexColors, GltfMaterial_HasThemOnItsColour) {
     EXPECT_EQ(images.at("diffuse"), vertexColorsName);
 }
 
+/// Exporters write white ones, and one of a car's parts may be the only one with others.
+TEST(VertexColors, GltfMaterialOfWhiteVertices_HasNone) {
+    GlbWriter glb = triangleGlb();
+    glb.primitive()["attributes"]["COLOR_0"] =
+        glb.addAccessor(glb.addView(std::vector<float>(9, 1.0f)), 5126, "VEC3", 3);
+    glb.document["materials"].push_back({{"name", "Paint"}});
+    glb.primitive()["material"] = 0;
+    MeshRequest apart;
+    apart.byMaterial = true;
+    const auto mesh = loaded("colors.glb", glb.bytes(), apart);
+    ASSERT_TRUE(mesh) << mesh.error().text();
+    EXPECT_TRUE((*mesh)->parts().front().material.images.empty());
+}
+
 TEST(VertexColors, WhiteMesh_HasNone) {
     const auto plain = loaded("plain.obj", squareObj);
     ASSERT_TRUE(plain) << plain.error().text();
