@@ -54,7 +54,8 @@ void SceneMeshes::nameMissing(const Scene& scene) {
         bool hasImages = false;
         bool hasColors = false;
         for (const auto& [key, use] : object.material.textures) {
-            const bool counts = object.visible && !use.file.empty() && use.strength != 0.0;
+            const bool counts =
+                object.visible && use.enabled && !use.file.empty() && use.strength != 0.0;
             hasColors = hasColors || (counts && isVertexColors(use.file));
             hasImages = hasImages || (counts && !isVertexColors(use.file));
         }

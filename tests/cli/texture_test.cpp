@@ -218,6 +218,17 @@ TEST_F(VertexColorOption, MeshWithout_IsSaid) {
         << outcome.err;
 }
 
+TEST_F(VertexColorOption, SwitchedOff_AreNotMissed) {
+    writeFile(
+        folder_ / "unpainted.patina.json",
+        R"({"format": "patina.preset", "version": 1, "model": {"id": "lambert", "version": 1},)"
+        R"( "textures": {"diffuse.color": {"file": "builtin:vertex-colors", "enabled": false}}})");
+    const Outcome outcome = patina({"render", folder_ / "unpainted.patina.json", "--size", "16x16",
+                                    "-o", folder_ / "preset.png"});
+    EXPECT_EQ(outcome.exitCode, 0);
+    EXPECT_EQ(outcome.err, "");
+}
+
 TEST_F(VertexColorOption, Effects_NameThem) {
     const Outcome outcome = patina({"effects", "--no-cost", "--model", "phong", "--mesh", mesh(),
                                     "--texture", "diffuse.color=builtin:vertex-colors"});
