@@ -243,7 +243,7 @@ Result<RawMesh> meshFrom(const std::shared_ptr<MeshFolder>& folder, const Report
     }
     mesh.padAttributes();
     if (!hasLinearColors(file)) {
-        mesh.decodeColors(0);
+        mesh.decodeColors();
     }
     mesh.materials = materialsFrom(*scene, *folder);
     mesh.leftOut = leftOutOf(*scene);

@@ -151,7 +151,7 @@ std::optional<RawMesh> readPlainObj(const std::filesystem::path& file, bool byMa
     const bool whole = std::ranges::all_of(obj->shapes, [&](const tinyobj::shape_t& shape) {
         return addShape(mesh, obj->attributes, shape);
     });
-    mesh.decodeColors(0);
+    mesh.decodeColors();
     return whole ? std::optional(std::move(mesh)) : std::nullopt;
 }
 

@@ -55,9 +55,9 @@ void RawMesh::setMaterial(std::size_t firstIndex, std::uint32_t material) {
     materialOf.resize(indices.size() / 3, material);
 }
 
-void RawMesh::decodeColors(std::size_t first) {
-    for (std::size_t i = first; i < colors.size(); ++i) {
-        colors[i] = glm::vec4(glm::vec3(srgbDecoded(glm::dvec3(colors[i]))), colors[i].w);
+void RawMesh::decodeColors() {
+    for (glm::vec4& color : colors) {
+        color = glm::vec4(glm::vec3(srgbDecoded(glm::dvec3(color))), color.w);
     }
 }
 

@@ -25,7 +25,8 @@ struct RawMesh {
     std::vector<glm::vec3> normals;
     std::vector<glm::vec4> tangents;
     std::vector<glm::vec2> uvs;
-    std::vector<glm::vec4> colors;      ///< are in linear light, with alpha; white is unknown
+    /// Are in linear light, with alpha; a vertex whose colour nobody knows is white.
+    std::vector<glm::vec4> colors;
     std::vector<std::uint32_t> indices; ///< has three per triangle, each below positions.size()
     std::vector<MeshMaterial> materials;
     /// Has the index of each triangle's material, `noMaterial` where it has none; it is empty, or
@@ -42,8 +43,8 @@ struct RawMesh {
     /// Gives the triangles from `firstIndex` on a material.
     void setMaterial(std::size_t firstIndex, std::uint32_t material);
 
-    /// Says that colours from the vertex `first` on are encoded as for a screen.
-    void decodeColors(std::size_t first);
+    /// Makes linear light of colours that are encoded as for a screen (sRGB).
+    void decodeColors();
 
     /// Extends attributes that only some parts of the file have to the length of the positions.
     void padAttributes();
