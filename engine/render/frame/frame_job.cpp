@@ -364,8 +364,8 @@ Result<Image> FrameJob::read(bool display, std::optional<double> exposure) {
                        [this, shown](unsigned framebuffer) { showIn(framebuffer, size_, shown); });
 }
 
-/// Draws one pixel at the end, because a driver may keep the images that were drawn with last until
-/// others are.
+/// Where no picture stays it draws one pixel at the end, because a driver may keep the images that
+/// were drawn with last until others are.
 void FrameJob::releaseTargets() {
     passes_.layers.release();
     passes_.blended.release();
