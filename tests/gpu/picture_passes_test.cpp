@@ -358,6 +358,36 @@ TEST_F(PicturePassesTest, ReleasedTargets_LeaveThePictureToThePasses) {
     }
 }
 
+/// Programs are made ahead while the view rests, and drawn with where nobody sees it.
+TEST_F(PicturePassesTest, ReleasedTargets_StayBesideAFrameThatNobodySees) {
+    const Scene scene = with("watercolour");
+    FrameTarget target(33);
+    renderer->draw(scene, viewOf(scene), meshSource(), target.name());
+    const auto wanted = target.picture();
+    renderer->job().releaseTargets();
+    Scene ahead = scene;
+    ahead.objects.front().material.model = block("models", "phong");
+    ASSERT_TRUE(prewarm(ahead, viewOf(ahead), meshSource())) << "the test needs a new program";
+    ASSERT_TRUE(renderer->job().takePasses(scene, scene));
+    renderer->job().show(target.name());
+    EXPECT_EQ(target.picture(), wanted);
+}
+
+TEST_F(PicturePassesTest, TargetsThatAFrameUnseenMakesAnew_HaveNoPicture) {
+    const Scene scene = with("watercolour");
+    FrameTarget target(33);
+    renderer->draw(scene, viewOf(scene), meshSource(), target.name());
+    Scene ahead = scene;
+    ahead.objects.front().material.model = block("models", "phong");
+    ASSERT_TRUE(prewarm(ahead, viewOf(ahead), meshSource()));
+    EXPECT_TRUE(renderer->job().takePasses(scene, scene)) << "they are as before";
+    const PictureChoiceText& scale = *pictureChoiceText("scale");
+    ahead.accuracy.choose(scale.choice, *scale.level("half"));
+    ahead.objects.front().material.model = block("models", "gaussian");
+    ASSERT_TRUE(prewarm(ahead, viewOf(ahead), meshSource()));
+    EXPECT_FALSE(renderer->job().takePasses(scene, scene));
+}
+
 TEST_F(PicturePassesTest, ReleasedTargets_OfAPictureWithoutPassesAreGone) {
     const Scene scene = simpleScene();
     FrameTarget target(33);

@@ -2,6 +2,7 @@
 #include "render/frame/frame_job.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include <boost/container_hash/hash.hpp>
@@ -296,9 +297,16 @@ void FrameJob::prewarm() {
 
 /// Draws the frame with an empty scissor rectangle, because drivers put work off until a program is
 /// drawn with. With very many triangles that would take longer than it saves, so they are not
-/// drawn.
+/// drawn. What releaseTargets() has left of the target is laid aside; a whole one that is made anew
+/// has no picture any more.
 void FrameJob::drawUnseen() {
     FrameReport before = gpu_.report;
+    std::optional<HdrTarget> kept;
+    if (hasPicture_ && gpu_.frameTarget.depth().name() == 0) {
+        kept = std::exchange(gpu_.frameTarget, HdrTarget());
+    }
+    const auto isNew = gpu_.fitTarget(plan_, showsSceneRefracted(*plan_.effects, *catalog_));
+    hasPicture_ = hasPicture_ && (kept || (isNew && !*isNew) || gpu_.environment.hasPicture());
     if (prepare(began_, never) && !isLarge()) {
         budget_.beginStep(never);
         drawPasses(passes_.beforeObjects());
@@ -309,6 +317,9 @@ void FrameJob::drawUnseen() {
         gpu_.environment.addUnseen(gpu_.target().resolved(), *catalog_, shared_->programs());
         glDisable(GL_SCISSOR_TEST);
         leaveState();
+    }
+    if (kept) {
+        gpu_.frameTarget = std::move(*kept);
     }
     failure_.reset();
     gpu_.shadows.giveBack();
