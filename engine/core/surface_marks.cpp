@@ -17,6 +17,9 @@ constexpr double spacing = 0.62;
 /// Is how many places are tried before the farthest of them is taken.
 constexpr int maxMisses = 48;
 
+/// Is the least difference of normals, in radians, that is no rounding of one and the same.
+constexpr float minTurn = 1e-5f;
+
 std::uint64_t mixedBits(std::uint64_t x) {
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
     x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
@@ -39,11 +42,12 @@ glm::vec3 unitOr(const glm::vec3& v, const glm::vec3& other) {
 }
 
 /// Returns how fast the normal turns outwards from one corner to another, in radians for each
-/// metre, or inwards below 0; 0 where that is not a number.
+/// metre, or inwards below 0; 0 where that is not a number, or normals differ by rounding alone.
 float turnOf(const Vertex& from, const Vertex& to) {
     const glm::vec3 way = to.position - from.position;
-    const float turn = glm::dot(to.normal - from.normal, way) / glm::dot(way, way);
-    return std::isfinite(turn) ? turn : 0.0f;
+    const glm::vec3 change = to.normal - from.normal;
+    const float turn = glm::dot(change, way) / glm::dot(way, way);
+    return std::isfinite(turn) && glm::dot(change, change) > minTurn * minTurn ? turn : 0.0f;
 }
 
 } // namespace

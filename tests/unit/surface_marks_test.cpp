@@ -110,5 +110,12 @@ TEST(SurfaceMarks, Bend_IsThatOfABallAndNoneOnAPlane) {
     EXPECT_EQ(marksOn(triangles({{{0.0f, 0.0f}, 2.0f}}), 50)[7].bend, 0.0f);
 }
 
+/// Normals that were worked out for a tilted plane differ by what floats round.
+TEST(SurfaceMarks, Bend_IsNotWhatIsLostToRounding) {
+    Mesh plane = triangles({{{0.0f, 0.0f}, 2.0f}});
+    plane.vertices[1].normal += glm::vec3(1e-6f, 0.0f, 0.0f);
+    EXPECT_EQ(marksOn(plane, 50)[7].bend, 0.0f);
+}
+
 } // namespace
 } // namespace patina::surface_marks_test
