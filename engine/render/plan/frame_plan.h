@@ -28,7 +28,7 @@ struct PlannedMaterial {
     int layers = 0;          ///< is how many layers of strands are drawn over the surface
     bool hasFins = false;    ///< says that strands stand on the edges of its objects' meshes
 
-    double marks = 0.0;      ///< is how many marks of strokes stand on a pixel
+    double marks = 0.0;      ///< is how many marks of strokes there are, as marksPerUnit()
 
     bool needsEdges() const { return isOutlined || hasFins; }
 };
