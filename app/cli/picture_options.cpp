@@ -106,8 +106,9 @@ void addSceneOptions(CLI::App& command, PictureOptions& options) {
         ->allow_extra_args(false);
     command
         .add_option("--texture", options.textures,
-                    "An image on a value, as id=FILE (or normal=, height=, opacity=), or how it "
-                    "lies, as id:setting=value; repeatable")
+                    "An image on a value, as id=FILE (or normal=, height=, opacity=), the mesh's "
+                    "vertex colours, as id=builtin:vertex-colors, or how these lie, as "
+                    "id:setting=value; repeatable")
         ->type_size(1)
         ->allow_extra_args(false);
     command.add_option("--mesh", options.mesh, "A mesh file, or builtin:sphere and the like");
