@@ -2,6 +2,8 @@
 // Passes over the finished picture.
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "frame_target.h"
 #include "gpu_fixture.h"
 #include "scene/picture_choice_text.h"

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Images on values: laying one on, how it lies, taking it away, and files that are not there.
+#include <algorithm>
+
 #include <QCheckBox>
 #include <QImage>
 #include <QLabel>
 #include <QMenu>
 #include <QMimeData>
+#include <QSignalSpy>
 #include <QToolButton>
 #include <QUrl>
 
