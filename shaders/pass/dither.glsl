@@ -92,14 +92,19 @@ float ditherShown(float tone, float threshold, float last) {
     return tone - dark > threshold * (light - dark) ? light : dark;
 }
 
-// Along the curve, from the last dot whose number is a multiple of 64 to this one, what a dot is off
-// goes to the next one.
+// Along the curve, from the first dot of a run to this one, what a dot is off goes to the next one.
 vec3 ditherDiffused(PicturePoint at, ivec2 cell, float last, DitherPass p) {
+    int run = 64;
+    if (p.run == DITHER_PASS_RUN_SHORT) {
+        run = 16;
+    } else if (p.run == DITHER_PASS_RUN_MIDDLE) {
+        run = 32;
+    }
     int end = ditherAlong(cell);
-    int begin = end - (end & 63);
+    int begin = end - (end & (run - 1));
     vec3 shown = vec3(0.0);
     vec3 off = vec3(0.5) * (pictureRandom(ivec2(begin, begin)) - 0.5) / last;
-    for (int i = 0; i < 64; ++i) {
+    for (int i = 0; i < run; ++i) {
         if (begin + i <= end) {
             ivec2 each = ditherDot(begin + i);
             vec3 wanted = ditherTone(at, each, p) + off;

@@ -6,16 +6,26 @@ vec2 watercolourUnits(PicturePoint at, float size) {
     return (at.pixel - 0.5 * at.size) * (1.0 / (at.scale * max(size, 0.01)));
 }
 
+// How many sizes of hills a noise has that has `fine` of them when samples are.
+int watercolourOctaves(int fine, WatercolourPass p) {
+    return p.samples == WATERCOLOUR_PASS_SAMPLES_COARSE ? fine - 1 : fine;
+}
+
+// How many places are looked at on each side.
+int watercolourReach(WatercolourPass p) {
+    return p.samples == WATERCOLOUR_PASS_SAMPLES_COARSE ? 3 : 6;
+}
+
 // The height of the paper, -1 .. 1 and somewhat beyond.
 float watercolourPaper(PicturePoint at, WatercolourPass p) {
-    int octaves = 3;
+    int octaves = watercolourOctaves(3, p);
     return pictureTurbulence(watercolourUnits(at, p.grainSize), octaves);
 }
 
 // Where the brush was that should have been here.
 vec2 watercolourBrush(PicturePoint at, WatercolourPass p) {
     vec2 u = watercolourUnits(at, 9.0);
-    int octaves = 2;
+    int octaves = watercolourOctaves(2, p);
     vec2 off = vec2(pictureTurbulence(u, octaves),
                     pictureTurbulence(u + vec2(91.7, 43.1), octaves));
     return at.pixel + (p.wobble * at.scale) * off;
@@ -23,7 +33,7 @@ vec2 watercolourBrush(PicturePoint at, WatercolourPass p) {
 
 // The mean along a row, and in w how much of it shows objects.
 vec4 watercolourPassAcross(PicturePoint at, WatercolourPass p) {
-    int reach = 6;
+    int reach = watercolourReach(p);
     vec4 sum = vec4(0.0);
     float weights = 0.0;
     for (int i = -reach; i <= reach; ++i) {
@@ -39,7 +49,7 @@ vec4 watercolourPassAcross(PicturePoint at, WatercolourPass p) {
 }
 
 vec4 watercolourPassWash(PicturePoint at, WatercolourPass p) {
-    int reach = 6;
+    int reach = watercolourReach(p);
     vec4 sum = vec4(0.0);
     float weights = 0.0;
     for (int i = -reach; i <= reach; ++i) {
@@ -69,7 +79,7 @@ vec3 watercolourPass(PicturePoint at, WatercolourPass p) {
     bool bare = p.background == WATERCOLOUR_PASS_BACKGROUND_BARE &&
                 pictureSurface(pixel).number <= 0.0;
     float paper = watercolourPaper(at, p);
-    int octaves = 3;
+    int octaves = watercolourOctaves(3, p);
     float clouds = pictureTurbulence(watercolourUnits(at, p.pigmentSize), octaves);
     float edge = watercolourEdge(pixel, max(0.5 * p.width * at.scale, 0.5));
     float density = 1.0 - 0.35 * p.grain * paper + 0.5 * p.pigment * clouds + p.edges * edge;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What each style takes beside the plain picture, level by level, and how far cheaper levels are
 // from the first one: written into docs/style-cost.md, with the machine.
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "material/block_values.h"
 #include "measure/error/flip.h"
 #include "measure/error/picture_distance.h"
+#include "measure/match/free_numbers.h"
 #include "primitive_meshes.h"
 #include "stage.h"
 #include "statistics.h"
@@ -27,9 +29,10 @@ constexpr double enoughSeconds = 4.0;
 /// Is a style at one of its levels, with what was measured of it.
 struct Way {
     std::string style;
-    std::string level;   ///< is empty for the block's own values
-    bool isFirst = true; ///< says that the levels behind it are compared with it
+    std::string level; ///< is empty for the block's own values
     Scene scene;
+    /// Is the number of the way whose picture this one's is compared with, if any.
+    std::optional<std::size_t> other{};
     std::vector<double> ratios{};
     std::vector<double> extra{}; ///< seconds more than the plain picture
     double seconds = 0.0;        ///< of all frames together
@@ -59,9 +62,7 @@ class StyleStage {
         std::vector<Way> ways;
         for (const Block* model : catalog_->ofKind(kinds::models)) {
             if (model->lighting == LightsWanted::Key) {
-                Scene scene = plain_;
-                scene.objects.front().material = defaultMaterial(*model);
-                ways.push_back({model->label, {}, true, std::move(scene)});
+                addModel(ways, *model);
             }
         }
         for (const Block* pass : catalog_->ofKind(kinds::pass)) {
@@ -101,25 +102,67 @@ class StyleStage {
         return view;
     }
 
+    /// Adds a model as it is, then with every level that is not exact.
+    void addModel(std::vector<Way>& ways, const Block& model) const {
+        const std::size_t exact = ways.size();
+        Scene scene = plain_;
+        Material& material = scene.objects.front().material;
+        material = defaultMaterial(model);
+        ways.push_back({model.label, {}, scene});
+        for (const AccuracyChoice& choice : model.accuracy) {
+            for (const EnumValue& level : choice.values) {
+                if (!level.exact) {
+                    material.accuracy[choice.id] = level.id;
+                    ways.push_back({model.label, choice.id + " = " + level.id, scene, exact});
+                }
+            }
+            material.accuracy.erase(choice.id);
+        }
+    }
+
     /// Adds a pass as it is, then with every other state of what is compiled into it.
     void addPass(std::vector<Way>& ways, const Block& pass) const {
         Scene scene = plain_;
         scene.passes = {defaultBlockValues(pass)};
-        ways.push_back({pass.label, {}, true, scene});
-        for (const Parameter& parameter : pass.parameters) {
-            const ParameterTypeInfo& type = infoOf(parameter.type);
-            if (parameter.compiled != Compiled::Yes || type.states == nullptr) {
+        ways.push_back({pass.label, {}, scene});
+        const std::size_t asItIs = ways.size() - 1;
+        for (const Parameter* choice : choicesOf(pass, scene.passes.front().parameters)) {
+            addStates(ways, pass, asItIs, *choice);
+        }
+    }
+
+    /// Adds a way for each other state of a choice, and behind one by which more choices count, one
+    /// for each state of those.
+    void addStates(std::vector<Way>& ways, const Block& pass, std::size_t other,
+                   const Parameter& choice) const {
+        for (const Value& state : infoOf(choice.type).states(choice)) {
+            if (state == choice.defaultValue) {
                 continue;
             }
-            for (const Value& state : type.states(parameter)) {
-                if (state != parameter.defaultValue) {
-                    scene.passes.front().parameters[parameter.id] = state;
-                    ways.push_back(
-                        {pass.label, parameter.id + " = " + textOf(state), false, scene});
+            Way way{pass.label, ways[other].level, ways[other].scene, other};
+            way.level += (way.level.empty() ? "" : ", ") + choice.id + " = " + textOf(state);
+            way.scene.passes.front().parameters[choice.id] = state;
+            ways.push_back(way);
+            const std::size_t number = ways.size() - 1;
+            const auto before = choicesOf(pass, ways[other].scene.passes.front().parameters);
+            for (const Parameter* more : choicesOf(pass, way.scene.passes.front().parameters)) {
+                if (std::ranges::find(before, more) == before.end()) {
+                    addStates(ways, pass, number, *more);
                 }
             }
-            scene.passes.front().parameters[parameter.id] = parameter.defaultValue;
         }
+    }
+
+    /// Returns what is compiled into a pass and counts as its values stand.
+    static std::vector<const Parameter*> choicesOf(const Block& pass, const Values& values) {
+        std::vector<const Parameter*> choices;
+        for (const Parameter& parameter : pass.parameters) {
+            if (parameter.compiled == Compiled::Yes && infoOf(parameter.type).states != nullptr &&
+                counts(parameter, EvalBlock{&pass, values, {}})) {
+                choices.push_back(&parameter);
+            }
+        }
+        return choices;
     }
 
     static std::string textOf(const Value& state) {
@@ -133,10 +176,11 @@ class StyleStage {
         Material& material = scene.objects.front().material;
         setPart(material.parts, block.kind, defaultBlockValues(block));
         for (const AccuracyChoice& choice : block.accuracy) {
+            std::optional<std::size_t> exact;
             for (const EnumValue& level : choice.values) {
                 material.accuracy[choice.id] = level.id;
-                const bool isFirst = level.id == choice.values.front().id;
-                ways.push_back({block.label, choice.id + " = " + level.id, isFirst, scene});
+                ways.push_back({block.label, choice.id + " = " + level.id, scene, exact});
+                exact = exact.value_or(ways.size() - 1);
             }
         }
     }
@@ -174,15 +218,12 @@ Difference differenceOf(const std::vector<glm::dvec3>& first,
 
 std::string rowsOf(StyleStage& stage, const std::vector<Way>& ways) {
     std::string rows;
-    std::vector<glm::dvec3> first;
     for (const Way& way : ways) {
         const Spread ratio = spreadOf(way.ratios);
         std::string off = "|";
-        std::vector<glm::dvec3> picture = stage.pictureOf(way.scene);
-        if (way.isFirst) {
-            first = std::move(picture);
-        } else {
-            const Difference difference = differenceOf(first, picture);
+        if (way.other) {
+            const Difference difference =
+                differenceOf(stage.pictureOf(ways[*way.other].scene), stage.pictureOf(way.scene));
             off = fmt::format("{:.2f} % | {:.3f}", 100.0 * difference.mean, difference.flip);
         }
         rows += fmt::format("| {} | {} | {:.0f} | {:.2f} ({:.2f} .. {:.2f}) | {} |\n", way.style,
@@ -224,9 +265,9 @@ bool styleCost() {
             "plain "
             "matte\nball, which takes {:.0f} ms: milliseconds more, and the ratio, medians with "
             "the middle half. The pictures of\nlevels are compared with that of the first row of "
-            "their style: the mean difference of the\ndisplayed channels, and FLIP. Of a pass's "
-            "other "
-            "patterns, marks and colours that is no error: they\nare other looks.\n\n"
+            "their style, or of the row with all but\nthe last of their states: the mean "
+            "difference of the displayed channels, and FLIP. Of a pass's\nother patterns, marks "
+            "and colours that is no error: they are other looks.\n\n"
             "| style | level | ms more | of the plain picture's time | differs by | FLIP |\n"
             "| --- | --- | --- | --- | --- | --- |\n{}",
             today(), machineText(), before, load(), size.x, size.y, 1000.0 * spreadOf(plain).median,
