@@ -64,14 +64,15 @@ class CoherenceStage {
         return renderer_->capture(scene_, view, meshes_.source(), display).value();
     }
 
-    /// Black dots apart from each other on white paper, whatever their light is.
+    /// Black dots apart from each other on white paper, whatever their light is: 4 pixels wide, 45
+    /// on a square of 100 x 100 pixels. Sizes are those of a picture that is twice as high.
     void useDots() {
         Material& material = scene_.objects.front().material;
         material = defaultMaterial(*catalog_->find("models", "lambert"));
         BlockValues dots = defaultBlockValues(*catalog_->find("strokes", "stipple"));
-        dots.parameters["density"] = 45.0;
-        dots.parameters["dot.length"] = 4.0;
-        dots.parameters["dot.width"] = 4.0;
+        dots.parameters["density"] = 45.0 / 4.0;
+        dots.parameters["dot.length"] = 8.0;
+        dots.parameters["dot.width"] = 8.0;
         dots.parameters["variation"] = 0.0;
         dots.parameters["tone.dark"] = 10.0;
         dots.parameters["tone.light"] = 10.0;
@@ -131,6 +132,7 @@ class CoherenceStage {
         material.model.parameters["diffuse.color"] = glm::dvec3(1.0);
         material.model.parameters["ink.color"] = glm::dvec3(0.0);
         material.model.parameters["cell"] = 12.0;
+        scene_.lights.front().block.parameters["color"] = glm::dvec3(1.0);
         scene_.background = glm::dvec3(1.0);
     }
 
