@@ -131,8 +131,7 @@ const BlockUse* termIn(const EffectSet& set) {
 int placeOf(const BlockUse& term, const SurfaceText& text) {
     const auto isSlot = [&term](const BlockPlace& place) { return place.block == &term.block(); };
     const auto slot = std::ranges::find_if(text.object.slots, isSlot);
-    return slot != text.object.slots.end() ? slot->first
-                                           : text.object.part(kinds::fresnel)->first;
+    return slot != text.object.slots.end() ? slot->first : text.object.part(kinds::fresnel)->first;
 }
 
 /// Tells whether the term reflects what a clear surface of its index does.
@@ -314,7 +313,9 @@ bool showsSceneRefracted(const Scene& scene, const Catalog& catalog) {
     if (!hasRefraction(scene, catalog)) {
         return false;
     }
-    return isSeen(scene.ground) || std::ranges::count_if(scene.objects, isDrawn) > 1;
+    const auto drawn =
+        std::ranges::count_if(scene.objects, [](const Object& object) { return isDrawn(object); });
+    return isSeen(scene.ground) || drawn > 1;
 }
 
 void RefractionEffect::choose(const MaterialSubject& subject, const EffectSet& set) {
