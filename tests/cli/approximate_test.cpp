@@ -42,6 +42,9 @@ struct Paper {
     std::string id;
     std::string glsl;
     std::string parameters;
+    /// Is how many cases a stated error is held on, those of the program and as many of the test.
+    /// What takes long to judge has fewer.
+    std::size_t cases = 10000;
 };
 
 // J. Kajiya and T. Kay, Rendering Fur with Three Dimensional Textures, SIGGRAPH 1989.
@@ -72,7 +75,7 @@ vec3 banks(Directions d, Banks p) {
     return (p.diffuseColor * matte + p.specularColor * lobe) * d.nl;
 }
 )",
-                  colors};
+                  colors, 100000};
 
 // D. Edwards et al., The Halfway Vector Disk for BRDF Modeling, ACM TOG 25(1), 2006.
 const Paper disc{"edwards", R"(// SPDX-License-Identifier: MIT-0
@@ -100,7 +103,7 @@ Outcome approximated(std::vector<std::string> arguments,
     return patina(Start{.arguments = std::move(arguments),
                         .environment = std::move(environment),
                         .input = {},
-                        .timeLimitSeconds = 480.0});
+                        .timeLimitSeconds = 240.0});
 }
 
 /// The case of a block of a folder with its defaults.
@@ -113,23 +116,20 @@ Catalog catalogWith(const std::filesystem::path& own) {
     return loadCatalog(roots);
 }
 
-/// Counts the cases that a stated error holds on, those of the program and as many of the test.
-constexpr std::size_t casesOfProof = 100000;
-
 class OfAPaper : public testing::TestWithParam<const Paper*> {};
 
 TEST_P(OfAPaper, FrontHasTwoUsefulWaysThatKeepTheirErrorOnUnseenCases) {
     const Paper& paper = *GetParam();
     const TemporaryFolder folder;
     writePaper(paper, folder / "before");
-    const Outcome outcome =
-        approximated({(folder / "before/models" / (paper.id + ".glsl")).string(), "--seconds", "30",
-                      "--json", "-o", (folder / "after/models").string()});
+    const Outcome outcome = approximated(
+        {(folder / "before/models" / (paper.id + ".glsl")).string(), "--seconds", "30", "--cases",
+         std::to_string(paper.cases), "--json", "-o", (folder / "after/models").string()});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     const auto json = nlohmann::json::parse(outcome.out);
     const auto& ways = json.at("ways");
     ASSERT_GE(ways.size(), 2u) << outcome.out;
-    EXPECT_EQ(json.at("unseenCases"), casesOfProof);
+    EXPECT_EQ(json.at("unseenCases"), paper.cases);
 
     const Catalog before = catalogWith(folder / "before");
     const Catalog after = catalogWith(folder / "after");
@@ -137,8 +137,8 @@ TEST_P(OfAPaper, FrontHasTwoUsefulWaysThatKeepTheirErrorOnUnseenCases) {
     const EvalCase exact = caseOf(before, paper.id);
     const auto text = MeasuredText::of(exact, shipped("shaders"));
     ASSERT_TRUE(text) << patina::text(text.error());
-    const auto unseen =
-        commonCases(exact, {.count = casesOfProof, .seed = 77, .firstRow = 9000, .rows = 3000});
+    const auto unseen = commonCases(
+        exact, {.count = paper.cases, .seed = 77, .firstRow = 9000, .rows = paper.cases / 33});
     const JudgedCases judged = text->judged(texelsOfCases(unseen));
     double costBefore = json.at("exact").at("cost");
     double errorBefore = 0.0;
