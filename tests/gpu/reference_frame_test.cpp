@@ -111,22 +111,26 @@ TEST_F(ReferenceFrameTest, LightsInSeparateColours_DifferByRoundingOnly) {
     }
 }
 
-/// One term by its indices, one by its own function, one through a filter; in part and whole.
+/// Every term in the model that is quicker to compile, and one in the waves' own sum; in part and
+/// whole.
 TEST_F(ReferenceFrameTest, PolarisedLights_DifferByRoundingOnly) {
+    std::vector<std::pair<const char*, std::string>> pairs{{"he-torrance", "dielectric"}};
     for (const Block* fresnel : catalog->ofKind("fresnel")) {
-        for (const char* model : {"cook-torrance", "he-torrance"}) {
-            SCOPED_TRACE(fresnel->id + ' ' + model);
-            Scene scene = simpleScene(model);
-            scene.ambient = {0.1, 0.2, 0.3};
-            scene.lights.push_back(light("point"));
-            scene.objects[0].material.parts["fresnel"] = block("fresnel", fresnel->id);
-            const FrameError ordinary = error(scene);
-            scene.lights[0].block.parameters["polarised"] = 1.0;
-            scene.lights[0].block.parameters["polarised.direction"] = glm::dvec3(1.0, 0.3, 0.0);
-            scene.lights[1].block.parameters["polarised"] = 0.4;
-            scene.lights[1].block.parameters["color.highlight"] = glm::dvec3(0.25, 0.5, 2.0);
-            EXPECT_LE(error(scene).p99, std::max(rounding, 2.0 * ordinary.p99));
-        }
+        pairs.emplace_back("cook-torrance", fresnel->id);
+    }
+    for (const auto& [model, fresnel] : pairs) {
+        SCOPED_TRACE(fresnel + ' ' + model);
+        Scene ordinary = simpleScene(model);
+        ordinary.ambient = {0.1, 0.2, 0.3};
+        ordinary.lights.push_back(light("point"));
+        ordinary.objects[0].material.parts["fresnel"] = block("fresnel", fresnel);
+        Scene scene = ordinary;
+        scene.lights[0].block.parameters["polarised"] = 1.0;
+        scene.lights[0].block.parameters["polarised.direction"] = glm::dvec3(1.0, 0.3, 0.0);
+        scene.lights[1].block.parameters["polarised"] = 0.4;
+        scene.lights[1].block.parameters["color.highlight"] = glm::dvec3(0.25, 0.5, 2.0);
+        const double found = error(scene).p99;
+        EXPECT_LE(found, found <= rounding ? rounding : 2.0 * error(ordinary).p99);
     }
 }
 

@@ -350,8 +350,8 @@ class CheaperSearch {
 
     void trySingles(std::size_t firstMove) {
         constexpr std::size_t judgedAtOnce = 64;
-        for (std::size_t first = firstMove; first < moves_.size() && !isOver();
-             first += judgedAtOnce) {
+        std::size_t first = firstMove;
+        for (; first < moves_.size() && !isOver(); first += judgedAtOnce) {
             std::vector<TriedWay> ways;
             for (std::size_t i = first; i < std::min(first + judgedAtOnce, moves_.size()); ++i) {
                 ways.push_back({{i}, {}, {}});
@@ -359,6 +359,7 @@ class CheaperSearch {
             const std::vector<TriedWay> useful = tried(std::move(ways));
             useful_.insert(useful_.end(), useful.begin(), useful.end());
         }
+        untried_ += moves_.size() - std::min(first, moves_.size());
     }
 
     /// Returns the way with one more move; nothing where the moves change the same text, or it was
@@ -451,6 +452,15 @@ class CheaperSearch {
         found_.worst = worst.cases;
         for (const TriedWay& way : front_) {
             found_.worst.insert(found_.worst.end(), way.worst.begin(), way.worst.end());
+        }
+        if (untried_ > 0 && !found_.isStopped) {
+            found_.notes.push_back({{},
+                                    0,
+                                    0,
+                                    fmt::format("the time was over before {} of {} changes were "
+                                                "tried",
+                                                untried_, moves_.size()),
+                                    "a longer search"});
         }
         if (statedError(found_.exact) > options_.maxError) {
             found_.notes.push_back(
@@ -616,6 +626,7 @@ class CheaperSearch {
     std::vector<CheapMove> moves_;
     std::set<std::string> words_;  ///< are those of the moves, no two of which are the same
     std::vector<TriedWay> useful_; ///< are single moves that gain something
+    std::size_t untried_ = 0;      ///< counts single moves for which there was no time
     std::vector<TriedWay> tried_;  ///< are all that have a cost
     std::vector<TriedWay> front_;  ///< is sorted by error
     std::set<std::vector<std::size_t>> known_;
