@@ -285,6 +285,9 @@ TEST_F(OwnViews, EffectsPanel_SwitchesThoseOfTheActiveView) {
     settle();
     auto* list = dock->findChild<QTreeWidget*>();
     ASSERT_TRUE(QTest::qWaitFor([&] { return list->topLevelItemCount() > 0; }, waitMs));
+    settle(); // the panel takes its place beside the views
+    newFrames();
+    const QRgb before = middleOf(Side::A);
     QTreeWidgetItem* switched = nullptr;
     for (QTreeWidgetItemIterator it(list); *it != nullptr && switched == nullptr; ++it) {
         if ((*it)->flags().testFlag(Qt::ItemIsUserCheckable) &&
@@ -293,9 +296,6 @@ TEST_F(OwnViews, EffectsPanel_SwitchesThoseOfTheActiveView) {
         }
     }
     ASSERT_NE(switched, nullptr);
-    settle(); // the panel takes its place beside the views
-    newFrames();
-    const QRgb before = middleOf(Side::A);
     switched->setCheckState(0, Qt::Unchecked);
     settle();
     EXPECT_EQ(document().state().ownViews[1].switchedOff->size(), 1u);

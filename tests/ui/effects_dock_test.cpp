@@ -52,7 +52,10 @@ class EffectsPanel : public WindowFixture {
         }
     }
 
+    /// Waits for the row: the list is filled when the window has time.
     void switchOff(const QString& effect) {
+        ASSERT_TRUE(QTest::qWaitFor([&] { return row(effect) != nullptr; }, waitMs))
+            << effect.toStdString();
         row(effect)->setCheckState(0, Qt::Unchecked);
         settle();
         newFrames();
