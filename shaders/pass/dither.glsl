@@ -95,10 +95,12 @@ float ditherShown(float tone, float threshold, float last) {
 // Along the curve, from the first dot of a run to this one, what a dot is off goes to the next one.
 vec3 ditherDiffused(PicturePoint at, ivec2 cell, float last, DitherPass p) {
     int run = 64;
+    int middle = 32;
+    int few = 16;
     if (p.run == DITHER_PASS_RUN_SHORT) {
-        run = 16;
+        run = few;
     } else if (p.run == DITHER_PASS_RUN_MIDDLE) {
-        run = 32;
+        run = middle;
     }
     int end = ditherAlong(cell);
     int begin = end - (end & (run - 1));

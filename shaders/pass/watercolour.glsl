@@ -8,26 +8,29 @@ vec2 watercolourUnits(PicturePoint at, float size) {
 
 // How many sizes of hills a noise has that has `fine` of them when samples are.
 int watercolourOctaves(int fine, WatercolourPass p) {
-    return p.samples == WATERCOLOUR_PASS_SAMPLES_COARSE ? fine - 1 : fine;
+    int fewer = 1;
+    return p.samples == WATERCOLOUR_PASS_SAMPLES_COARSE ? fine - fewer : fine;
 }
 
 // How many places are looked at on each side.
 int watercolourReach(WatercolourPass p) {
-    return p.samples == WATERCOLOUR_PASS_SAMPLES_COARSE ? 3 : 6;
+    int coarse = 3;
+    int fine = 6;
+    return p.samples == WATERCOLOUR_PASS_SAMPLES_COARSE ? coarse : fine;
 }
 
 // The height of the paper, -1 .. 1 and somewhat beyond.
 float watercolourPaper(PicturePoint at, WatercolourPass p) {
-    int octaves = watercolourOctaves(3, p);
-    return pictureTurbulence(watercolourUnits(at, p.grainSize), octaves);
+    int octaves = 3;
+    return pictureTurbulence(watercolourUnits(at, p.grainSize), watercolourOctaves(octaves, p));
 }
 
 // Where the brush was that should have been here.
 vec2 watercolourBrush(PicturePoint at, WatercolourPass p) {
     vec2 u = watercolourUnits(at, 9.0);
-    int octaves = watercolourOctaves(2, p);
-    vec2 off = vec2(pictureTurbulence(u, octaves),
-                    pictureTurbulence(u + vec2(91.7, 43.1), octaves));
+    int octaves = 2;
+    int some = watercolourOctaves(octaves, p);
+    vec2 off = vec2(pictureTurbulence(u, some), pictureTurbulence(u + vec2(91.7, 43.1), some));
     return at.pixel + (p.wobble * at.scale) * off;
 }
 
@@ -79,8 +82,9 @@ vec3 watercolourPass(PicturePoint at, WatercolourPass p) {
     bool bare = p.background == WATERCOLOUR_PASS_BACKGROUND_BARE &&
                 pictureSurface(pixel).number <= 0.0;
     float paper = watercolourPaper(at, p);
-    int octaves = watercolourOctaves(3, p);
-    float clouds = pictureTurbulence(watercolourUnits(at, p.pigmentSize), octaves);
+    int octaves = 3;
+    float clouds =
+        pictureTurbulence(watercolourUnits(at, p.pigmentSize), watercolourOctaves(octaves, p));
     float edge = watercolourEdge(pixel, max(0.5 * p.width * at.scale, 0.5));
     float density = 1.0 - 0.35 * p.grain * paper + 0.5 * p.pigment * clouds + p.edges * edge;
     density = max(density, 0.05) * (1.0 - p.thinness);
