@@ -6,6 +6,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "measure/eval/library_call.h"
+
 namespace patina {
 namespace {
 
@@ -36,21 +38,12 @@ std::optional<std::size_t> offsetOf(const BlockPlace& place, std::string_view ro
                : std::optional(found->offset);
 }
 
-template <std::size_t Results, std::size_t Arguments>
-std::array<double, Results> libraryCall(std::string_view name,
-                                        const std::array<double, Arguments>& arguments) {
-    std::array<double, Results> results{};
-    reference::findFunction(name)->call(arguments.data(), results.data());
-    return results;
-}
-
 } // namespace
 
 PolarisedTerm::PolarisedTerm(const BlockPlace& place, const reference::Block& code)
-    : code_(&code),
-      at_{offsetOf(place, roles::indexOutside), offsetOf(place, roles::indexInside),
-          offsetOf(place, roles::index),        offsetOf(place, roles::extinction),
-          offsetOf(place, roles::f0),           offsetOf(place, roles::polarisation)},
+    : code_(&code), at_{offsetOf(place, roles::indexOutside), offsetOf(place, roles::indexInside),
+                        offsetOf(place, roles::index),        offsetOf(place, roles::extinction),
+                        offsetOf(place, roles::f0),           offsetOf(place, roles::polarisation)},
       block_(code) {
     block_.calls = polarisedCalls;
     if (place.block->withRole(roles::wavelengths) != nullptr) {
@@ -92,8 +85,8 @@ double PolarisedTerm::share(int channel, const std::array<double, 2>& incidence,
     } else if (at_.f0) {
         const double f0 = std::clamp(values[*at_.f0 + in], 0.0, 1.0);
         const double index = std::min(libraryCall<1, 1>("indexFromF0", {f0})[0], 1e4);
-        both = libraryCall<2, 4>("dielectricReflectances",
-                                 {incidence[0], incidence[1], 1.0, index});
+        both =
+            libraryCall<2, 4>("dielectricReflectances", {incidence[0], incidence[1], 1.0, index});
     }
     const double sum = both[0] + both[1];
     return sum > 1e-30 ? 2.0 * glm::mix(both[1], both[0], fieldAcross) / sum : 1.0;

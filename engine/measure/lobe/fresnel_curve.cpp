@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "catalog/index_trend.h"
+#include "measure/eval/library_call.h"
 #include "measure/lobe/fresnel_block.h"
 #include "shading/program/compiled_block.h"
 
@@ -14,15 +15,6 @@ namespace patina {
 namespace {
 
 constexpr int termSteps = 180;
-
-/// Calls a function of the shader library, which must be there.
-template <std::size_t Results, std::size_t Arguments>
-std::array<double, Results> called(std::string_view name,
-                                   const std::array<double, Arguments>& arguments) {
-    std::array<double, Results> results{};
-    reference::findFunction(name)->call(arguments.data(), results.data());
-    return results;
-}
 
 double versine(double angle) {
     const double s = std::sin(0.5 * angle);
@@ -60,8 +52,8 @@ InterfaceSide sideOf(const OpticalInterface& media, bool fromInside) {
     for (int channel = 0; channel < 3; ++channel) {
         const double ratio = fromInside ? media.outside / media.index[channel]
                                         : media.index[channel] / media.outside;
-        side.brewster[channel] = called<1, 1>("brewsterAngle", {ratio})[0];
-        side.critical[channel] = called<1, 1>("criticalAngle", {ratio})[0];
+        side.brewster[channel] = libraryCall<1, 1>("brewsterAngle", {ratio})[0];
+        side.critical[channel] = libraryCall<1, 1>("criticalAngle", {ratio})[0];
     }
     for (const double angle : anglesOf(media.isClear() ? side : InterfaceSide())) {
         side.points.push_back(reflectedAt(media, angle, fromInside));
@@ -106,7 +98,7 @@ std::optional<OpticalInterface> interfaceOf(const Block& fresnel, const Values& 
     if (const auto f0 = of.vector(roles::f0)) {
         for (int channel = 0; channel < 3; ++channel) {
             media.index[channel] =
-                called<1, 1>("indexFromF0", {std::clamp((*f0)[channel], 0.0, 1.0)})[0];
+                libraryCall<1, 1>("indexFromF0", {std::clamp((*f0)[channel], 0.0, 1.0)})[0];
         }
         media.isFromReflectance = true;
         return media;
@@ -122,10 +114,11 @@ PolarisedPoint reflectedAt(const OpticalInterface& media, double angle, bool fro
         const double index = media.index[channel];
         const std::array<double, 2> both =
             media.isClear()
-                ? called<2, 4>("dielectricReflectances", {c, v, fromInside ? index : media.outside,
-                                                          fromInside ? media.outside : index})
-                : called<2, 5>("conductorReflectances",
-                               {c, v, media.outside, index, media.extinction[channel]});
+                ? libraryCall<2, 4>("dielectricReflectances",
+                                    {c, v, fromInside ? index : media.outside,
+                                     fromInside ? media.outside : index})
+                : libraryCall<2, 5>("conductorReflectances",
+                                    {c, v, media.outside, index, media.extinction[channel]});
         point.s[channel] = both[0];
         point.p[channel] = both[1];
     }
