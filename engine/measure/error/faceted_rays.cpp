@@ -76,11 +76,14 @@ glm::dvec3 limitedLight(const glm::dvec3& x) {
     return light;
 }
 
-/// Returns the offset of the number with a role in a block's values.
-std::size_t placeWithRole(const BlockPlace& place, std::string_view role) {
-    const auto found = std::ranges::find(place.layout.fields, place.block->withRole(role),
-                                         &ParameterField::parameter);
-    return found->offset;
+/// Returns the number with a role among a block's values; null where the block has none.
+double* numberWithRole(const BlockPlace& place, std::string_view role,
+                       std::vector<double>& values) {
+    const Parameter* parameter = place.block->withRole(role);
+    const auto found =
+        std::ranges::find(place.layout.fields, parameter, &ParameterField::parameter);
+    return parameter == nullptr || found == place.layout.fields.end() ? nullptr
+                                                                      : &values[found->offset];
 }
 
 } // namespace
@@ -160,18 +163,19 @@ void FacetedRays::takeLights(const BufferedObject& object, const Material& mater
         const std::size_t at = static_cast<std::size_t>(place.first) + i / 4;
         all.values.push_back(double(data[at][static_cast<int>(i % 4)]));
     }
-    const std::size_t index = placeWithRole(place, roles::index);
-    const std::size_t dispersion = placeWithRole(place, roles::dispersion);
+    const double* dispersion = numberWithRole(place, roles::dispersion, all.values);
     if (const auto wavelengths = wavelengthPlace(layout)) {
         for (int i = 0; i < wavelengths->count; ++i) {
             const glm::dvec4 each(data[static_cast<std::size_t>(wavelengths->first + i)]);
             Light light = all;
-            light.values[index] = each.w;
-            light.values[dispersion] = 0.0;
+            *numberWithRole(place, roles::index, light.values) = each.w; // which it must have
+            if (double* own = numberWithRole(place, roles::dispersion, light.values)) {
+                *own = 0.0;
+            }
             light.shares = glm::dvec3(each);
             lights_.push_back(light);
         }
-    } else if (all.values[dispersion] == 0.0) {
+    } else if (dispersion == nullptr || *dispersion == 0.0) {
         lights_.push_back(all);
     } else {
         for (int channel = 0; channel < 3; ++channel) {
