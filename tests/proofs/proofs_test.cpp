@@ -5,7 +5,11 @@
 //   // uses FILE FUNCTION [as NAME]; "OLD" is "NEW"; ...
 //
 // of a script makes a function of a shader known to it, with what is said of its text on the
-// proof's interval replaced, and
+// proof's interval replaced,
+//
+//   // uses FILE.json
+//
+// makes the metals of a descriptor known, and
 //
 //   // states FILE: SENTENCE
 //
@@ -21,8 +25,10 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "catalog/catalog.h"
+#include "catalog/fills.h"
+#include "catalog/spectrum.h"
 #include "support/program.h"
 
 namespace patina::tests::proofs_test {
@@ -100,14 +106,35 @@ std::vector<std::string> argumentsOf(const std::string& list) {
     return names;
 }
 
-/// Reads a function of straight-line code; throws what is wrong with it.
+/// Writes out mix() as the GLSL specification has it: x (1 - a) + y a.
+void writeOutMeans(std::string& text) {
+    const std::string call = "mix(";
+    for (std::size_t at = text.find(call); at != std::string::npos; at = text.find(call)) {
+        std::vector<std::string> arguments(1);
+        std::size_t end = at + call.size();
+        for (int depth = 1; depth > 0; ++end) {
+            depth += text.at(end) == '(' ? 1 : text[end] == ')' ? -1 : 0;
+            if (depth == 1 && text[end] == ',') {
+                arguments.emplace_back();
+            } else if (depth > 0) {
+                arguments.back() += text[end];
+            }
+        }
+        text.replace(at, end - at,
+                     fmt::format("(({0}) * (1.0 - ({2})) + ({1}) * ({2}))", arguments.at(0),
+                                 arguments.at(1), arguments.at(2)));
+    }
+}
+
+/// Reads a function of straight-line code whose numbers are floats, or colours of which each
+/// channel is computed alike; throws what is wrong with it.
 ShippedFunction shippedFunction(const Use& use) {
     const std::string text = inOneLine(readFile(shaderFile(use.file)), false);
-    const std::string head = "float " + use.function + "(";
-    const std::size_t first = text.find(head);
-    if (first == std::string::npos) {
+    std::smatch head;
+    if (!std::regex_search(text, head, std::regex("\\b(float|vec3) " + use.function + "\\("))) {
         throw std::runtime_error(use.file + " has no function " + use.function);
     }
+    const auto first = static_cast<std::size_t>(head.position() + head.length());
     const std::size_t close = text.find(')', first);
     const std::size_t open = text.find('{', close);
     std::size_t last = open + 1;
@@ -116,17 +143,19 @@ ShippedFunction shippedFunction(const Use& use) {
     }
     std::string body = text.substr(open + 1, last - open - 2);
     for (const auto& [from, to] : use.replaced) {
-        const std::size_t at = body.find(from);
+        std::size_t at = body.find(from);
         if (at == std::string::npos) {
             throw std::runtime_error(use.function + " has no " + from);
         }
-        body.replace(at, from.size(), to);
+        for (; at != std::string::npos; at = body.find(from, at + to.size())) {
+            body.replace(at, from.size(), to);
+        }
     }
+    writeOutMeans(body);
     static const std::regex field(R"(\b(i)\.(c|versine)\b)");
     body = std::regex_replace(body, field, "$1_$2");
-    static const std::regex statement(R"(^\s*(?:float (\w+) =|return) (.*)$)");
-    ShippedFunction function{
-        argumentsOf(text.substr(first + head.size(), close - first - head.size())), {}};
+    static const std::regex statement(R"(^\s*(?:(?:float|vec3) (\w+) =|return) (.*)$)");
+    ShippedFunction function{argumentsOf(text.substr(first, close - first)), {}};
     std::istringstream statements(body);
     for (std::string part; std::getline(statements, part, ';');) {
         if (part.find_first_not_of(' ') == std::string::npos) {
@@ -219,17 +248,26 @@ std::string gappaText(const Use& use, std::set<std::string>& exact) {
 }
 
 /// Returns the metals of a descriptor, a number or a name per channel.
-std::string metalsText(const std::string& file) {
-    const auto descriptor = nlohmann::json::parse(readFile(shaderFile(file)));
+std::string metalsText(const fs::path& file) {
+    const Catalog catalog =
+        loadCatalog(std::vector<BlockRoot>{{fs::path(PATINA_SOURCE_DIR) / "shaders", true}});
+    const Block* block = catalog.find(file.parent_path().string(), file.stem().string());
+    if (block == nullptr) {
+        throw std::runtime_error("there is no block of " + file.string());
+    }
     std::string names;
     std::string eta;
     std::string k;
-    for (const auto& value : descriptor.at("parameters").at(0).at("values")) {
-        for (std::size_t i = 0; value.contains("fills") && i < 3; ++i) {
+    const auto shorthand = std::ranges::find_if(block->parameters, isShorthand);
+    for (const EnumValue& metal : shorthand->values) {
+        for (int i = 0; !metal.fills.empty() && i < 3; ++i) {
+            const auto channel = [&](const std::string& id) {
+                return std::get<glm::dvec3>(atSrgbWavelengths(metal.fills.at(id)))[i];
+            };
             const std::string comma = names.empty() ? "" : ", ";
-            names += comma + '"' + value.at("id").get<std::string>() + '"';
-            eta += comma + value.at("fills").at("eta").at(i).dump();
-            k += comma + value.at("fills").at("k").at(i).dump();
+            names += fmt::format("{}\"{}\"", comma, metal.id);
+            eta += fmt::format("{}{}", comma, channel("eta"));
+            k += fmt::format("{}{}", comma, channel("k"));
         }
     }
     return fmt::format("names = [|{}|];\neta = [|{}|];\nk = [|{}|];\n", names, eta, k);
@@ -249,7 +287,7 @@ std::string completed(const fs::path& script) {
         if (const std::optional<Use> use = useIn(line)) {
             text += isGappa ? gappaText(*use, exact) : sollyaText(*use);
         } else if (std::regex_match(line, found, metals)) {
-            text += metalsText(found[1]);
+            text += metalsText(found[1].str());
         } else if (std::regex_match(line, found, states)) {
             const std::string file = inOneLine(readFile(shaderFile(found[1])), true);
             if (file.find(found[2].str()) == std::string::npos) {
@@ -277,7 +315,7 @@ Outcome outcomeOf(const fs::path& script, const std::string& text) {
     writeFile(folder / "script", text + (program == "sollya" ? "quit;\n" : ""));
     Start start;
     start.arguments = {(folder / "script").string()};
-    start.timeLimitSeconds = 600.0;  // the longest takes half a minute where nothing else runs
+    start.timeLimitSeconds = 600.0; // the longest takes half a minute where nothing else runs
     return run(*installed(program), start);
 }
 
