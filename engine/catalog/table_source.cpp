@@ -14,9 +14,8 @@ std::string signature(const Block& block, const BlockTable& table) {
 
 /// Is the source of one coordinate's position among the entries: {0} is x or y, {1} the last
 /// entry's index, {2} the last but one's.
-constexpr const char* placeSource =
-    "    float {0}At = clamp(x.{0}, 0.0, 1.0) * {1}.0;\n"
-    "    float {0}Low = min(floor({0}At), {2}.0);\n";
+constexpr const char* placeSource = "    float {0}At = clamp(x.{0}, 0.0, 1.0) * {1}.0;\n"
+                                    "    float {0}Low = min(floor({0}At), {2}.0);\n";
 
 std::string place(const char* axis, int entries) {
     return fmt::format(fmt::runtime(placeSource), axis, entries - 1, entries - 2);
@@ -28,10 +27,9 @@ constexpr const char* rowSource =
     "    vec3 {3} = mix({0}(vec2(xLow / {1}.0, {2}), p),\n"
     "                   {0}(vec2((xLow + 1.0) / {1}.0, {2}), p), xAt - xLow);\n";
 
-std::string row(const Block& block, const BlockTable& table, const std::string& second,
+std::string row(const std::string& entry, const BlockTable& table, const std::string& second,
                 const char* result) {
-    return fmt::format(fmt::runtime(rowSource), entryFunction(block, table), table.size.x - 1,
-                       second, result);
+    return fmt::format(fmt::runtime(rowSource), entry, table.size.x - 1, second, result);
 }
 
 template <class Make>
@@ -61,16 +59,20 @@ std::string tableDeclaration(const Block& block, const BlockTable& table) {
     return signature(block, table) + ";\n";
 }
 
-std::string computedTable(const Block& block, const BlockTable& table) {
+std::string computedTable(const Block& block, const BlockTable& table, const std::string& entry) {
     std::string text = signature(block, table) + " {\n" + place("x", table.size.x);
     if (table.size.y < 2) {
-        return text + row(block, table, "0.0", "entry") + "    return entry;\n}\n";
+        return text + row(entry, table, "0.0", "entry") + "    return entry;\n}\n";
     }
     const int last = table.size.y - 1;
     return text + place("y", table.size.y) +
-           row(block, table, fmt::format("yLow / {}.0", last), "below") +
-           row(block, table, fmt::format("(yLow + 1.0) / {}.0", last), "above") +
+           row(entry, table, fmt::format("yLow / {}.0", last), "below") +
+           row(entry, table, fmt::format("(yLow + 1.0) / {}.0", last), "above") +
            "    return mix(below, above, yAt - yLow);\n}\n";
+}
+
+std::string computedTable(const Block& block, const BlockTable& table) {
+    return computedTable(block, table, entryFunction(block, table));
 }
 
 std::string tableDeclarations(const Block& block) {
@@ -78,7 +80,8 @@ std::string tableDeclarations(const Block& block) {
 }
 
 std::string computedTables(const Block& block) {
-    return ofAll(block, computedTable);
+    return ofAll(
+        block, [](const Block& its, const BlockTable& table) { return computedTable(its, table); });
 }
 
 } // namespace patina

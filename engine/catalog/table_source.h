@@ -18,8 +18,10 @@ std::string tableDeclaration(const Block& block, const BlockTable& table);
 
 /// Returns the function as it is computed on demand, without any table: the mean of the entries
 /// around x, linear along each axis, so that its error is that of the table. It is GLSL that is
-/// also C++ where float means double; it follows the block's text.
+/// also C++ where float means double; it follows the block's text. `entry` is called for entries in
+/// place of the block's own function.
 std::string computedTable(const Block& block, const BlockTable& table);
+std::string computedTable(const Block& block, const BlockTable& table, const std::string& entry);
 
 /// Returns the declarations, or the functions, of all tables of a block.
 std::string tableDeclarations(const Block& block);

@@ -230,6 +230,47 @@ std::vector<std::string_view> factorsOf(const Block& block, const Declarations& 
     return found;
 }
 
+/// Returns C++ that lists a field of the struct p number by number.
+std::string numbersOf(const ParameterField& field) {
+    if (field.components == 1) {
+        return fmt::format("double(p.{})", field.name);
+    }
+    std::string text;
+    for (int i = 0; i < field.components; ++i) {
+        text += fmt::format("{}p.{}[{}]", i == 0 ? "" : ", ", field.name, i);
+    }
+    return text;
+}
+
+/// Returns the look-up of a table, before it the entries that it takes: cached, since the cases of
+/// one set of values look near the same ones.
+std::string cachedTable(const Block& block, const BlockTable& table,
+                        const ParameterLayout& layout) {
+    std::string numbers;
+    int count = 0;
+    for (const ParameterField& field : layout.fields) {
+        if (field.parameter != nullptr && std::ranges::count(table.of, field.parameter->id) != 0) {
+            numbers += fmt::format("{}{}", count == 0 ? "" : ", ", numbersOf(field));
+            count += field.components;
+        }
+    }
+    const std::string computed = entryFunction(block, table);
+    const std::string cached = tableFunction(block, table) + "CachedEntry";
+    return fmt::format("vec3 {0}(vec2 x, {1} p) {{\n"
+                       "    static thread_local EntryCache<{2}> cache({3}, {4});\n"
+                       "    return cache.at(x, {{{5}}}, [&] {{ return {6}(x, p); }});\n}}\n{7}",
+                       cached, structName(block), count, table.size.x, table.size.y, numbers,
+                       computed, asCpp(computedTable(block, table, cached)));
+}
+
+std::string cachedTables(const Block& block, const ParameterLayout& layout) {
+    std::string code;
+    for (const BlockTable& table : block.tables) {
+        code += cachedTable(block, table, layout);
+    }
+    return code;
+}
+
 /// Returns the functions to which the block's table points.
 std::string entryFunctions(const Block& block, const Declarations& declarations,
                            const std::vector<BlockFunction>& functions,
@@ -324,7 +365,8 @@ std::string blockSource(const Block& block, const GlslLines& lines) {
     const Declarations ownDeclarations = declarationsOf(ownText);
     const auto functions = functionsOf(block, ownDeclarations);
     const auto factors = factorsOf(block, ownDeclarations);
-    return fmt::format("#include \"reference/elementary.h\"\n#include \"reference/glsl.h\"\n\n"
+    return fmt::format("#include \"reference/elementary.h\"\n#include \"reference/entry_cache.h\"\n"
+                       "#include \"reference/glsl.h\"\n\n"
                        "namespace patina::reference::{0} {{\n\n{1}\n#line 1 \"generated\"\n"
                        "{2}{3}\n{7}{4}\n#line 1 \"generated\"\n{8}{5}\n{6}\n"
                        "}} // namespace patina::reference::{0}\n",
@@ -332,7 +374,7 @@ std::string blockSource(const Block& block, const GlslLines& lines) {
                        structCode(block, layout), asCpp(code),
                        entryFunctions(block, declarations, functions, factors),
                        entry(block, layout, declarations, functions, factors),
-                       tableDeclarations(block), asCpp(computedTables(block)));
+                       tableDeclarations(block), cachedTables(block, layout));
 }
 
 std::string emptyUnit(const Block& block) {
