@@ -16,6 +16,7 @@
 #include "measure/stability/edge_case_directions.h"
 #include "measure/stability/edge_case_fields.h"
 #include "measure/stability/sweep_cases.h"
+#include "support/long_form.h"
 
 namespace patina::tests::approximate_test {
 namespace {
@@ -43,8 +44,10 @@ struct Paper {
     std::string glsl;
     std::string parameters;
     /// Is how many cases a stated error is held on, those of the program and as many of the test.
-    /// What takes long to judge has fewer.
-    std::size_t cases = 10000;
+    /// What takes long to judge has fewer in the long form, too.
+    std::size_t casesInLongForm = 10000;
+
+    std::size_t cases() const { return casesOf<std::size_t>(10000, casesInLongForm); }
 };
 
 // J. Kajiya and T. Kay, Rendering Fur with Three Dimensional Textures, SIGGRAPH 1989.
@@ -124,12 +127,12 @@ TEST_P(OfAPaper, FrontHasTwoUsefulWaysThatKeepTheirErrorOnUnseenCases) {
     writePaper(paper, folder / "before");
     const Outcome outcome = approximated(
         {(folder / "before/models" / (paper.id + ".glsl")).string(), "--seconds", "30", "--cases",
-         std::to_string(paper.cases), "--json", "-o", (folder / "after/models").string()});
+         std::to_string(paper.cases()), "--json", "-o", (folder / "after/models").string()});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     const auto json = nlohmann::json::parse(outcome.out);
     const auto& ways = json.at("ways");
     ASSERT_GE(ways.size(), 2u) << outcome.out;
-    EXPECT_EQ(json.at("unseenCases"), paper.cases);
+    EXPECT_EQ(json.at("unseenCases"), paper.cases());
 
     const Catalog before = catalogWith(folder / "before");
     const Catalog after = catalogWith(folder / "after");
@@ -138,7 +141,7 @@ TEST_P(OfAPaper, FrontHasTwoUsefulWaysThatKeepTheirErrorOnUnseenCases) {
     const auto text = MeasuredText::of(exact, shipped("shaders"));
     ASSERT_TRUE(text) << patina::text(text.error());
     const auto unseen = commonCases(
-        exact, {.count = paper.cases, .seed = 77, .firstRow = 9000, .rows = paper.cases / 33});
+        exact, {.count = paper.cases(), .seed = 77, .firstRow = 9000, .rows = paper.cases() / 33});
     const JudgedCases judged = text->judged(texelsOfCases(unseen));
     double costBefore = json.at("exact").at("cost");
     double errorBefore = 0.0;
@@ -203,8 +206,8 @@ TEST(Approximate, WrittenBlock_IsValidAndPassesTheSweep) {
     const TemporaryFolder folder;
     writePaper(banks, folder / "before");
     const Outcome outcome =
-        approximated({(folder / "before/models/banks.glsl").string(), "--seconds", "20", "-o",
-                      (folder / "data/patina/shaders").string()});
+        approximated({(folder / "before/models/banks.glsl").string(), "--seconds", "20", "--cases",
+                      "1000", "-o", (folder / "data/patina/shaders").string()});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_NE(outcome.err.find("shaders/models/banks.glsl"), std::string::npos)
         << "the folder of its kind: " << outcome.err;
@@ -271,7 +274,8 @@ TEST(Approximate, ShippedBlock_GetsAnIdOfItsOwnAndItsTables) {
 }
 
 TEST(Approximate, Preset_HasItsValuesFolded) {
-    const Outcome outcome = approximated({gold, "--seconds", "25", "--cases", "1000", "--json"});
+    const Outcome outcome = approximated({shipped("presets/minnaert/velvet.patina.json"),
+                                          "--seconds", "25", "--cases", "1000", "--json"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     const auto ways = nlohmann::json::parse(outcome.out).at("ways");
     EXPECT_TRUE(std::ranges::any_of(ways, [](const auto& way) { return way.at("forValues"); }))

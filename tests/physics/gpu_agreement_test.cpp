@@ -6,6 +6,7 @@
 #include "measure/stability/error_bound.h"
 #include "random_cases.h"
 #include "reference_codes.h"
+#include "support/long_form.h"
 
 namespace patina::physics::gpu_agreement_test {
 namespace {
@@ -13,12 +14,11 @@ namespace {
 /// What the project promises: ordinary values agree to 1e-4 of themselves where they exceed 1e-4.
 constexpr double relativeBound = 1e-4;
 constexpr double smallestJudged = 1e-4;
-constexpr int casesPerFunction = 100000;
 
 /// So many cases may be so close to a critical angle or the edge of a cone that the rounding of
 /// their own input moves the exact answer by more than that: one in 5000. They are held to what it
 /// moves by.
-constexpr int maxUnsettled = casesPerFunction / 5000;
+constexpr int settledPerUnsettled = 5000;
 
 /// The largest relative difference where it counts; infinite where a result is not finite. A ray's
 /// direction is judged as a whole.
@@ -74,6 +74,7 @@ class GpuAgreement : public testing::TestWithParam<Called> {};
 TEST_P(GpuAgreement, RandomOrdinaryCases_MatchTheReference) {
     OrdinaryCases random(*GetParam().first, *GetParam().second);
     std::vector<EvalCase> cases;
+    const int casesPerFunction = tests::casesOf(20000, 100000);
     for (int i = 0; i < casesPerFunction; ++i) {
         cases.push_back(random.next());
     }
@@ -100,7 +101,7 @@ TEST_P(GpuAgreement, RandomOrdinaryCases_MatchTheReference) {
         }
     }
     RecordProperty("worst", std::to_string(worst));
-    EXPECT_LE(unsettled, maxUnsettled);
+    EXPECT_LE(unsettled, casesPerFunction / settledPerUnsettled);
     EXPECT_EQ(differing, 0) << "worst " << worst << " in " << example;
 }
 

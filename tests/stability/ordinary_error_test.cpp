@@ -12,6 +12,7 @@
 #include "measure/stability/edge_case_directions.h"
 #include "measure/stability/sweep_cases.h"
 #include "stability_cases.h"
+#include "support/long_form.h"
 
 namespace patina::stability::ordinary_error_test {
 namespace {
@@ -19,7 +20,6 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::size_t placesPerRow = 250;
-constexpr std::size_t casesPerBlock = 100000;
 constexpr double smallestJudged = 1e-6;
 
 const Json& bounds() {
@@ -188,6 +188,7 @@ class OrdinaryError : public testing::TestWithParam<const Block*> {};
 
 TEST_P(OrdinaryError, NinetyNineOfAHundred_KeepTheirBound) {
     const std::vector<EvalCase> variants = sweepVariants(catalog(), *GetParam());
+    const auto casesPerBlock = tests::casesOf<std::size_t>(20000, 100000);
     const std::size_t rows =
         std::clamp<std::size_t>(casesPerBlock / placesPerRow / variants.size(), 8, 100);
     EvalGpu gpu;
