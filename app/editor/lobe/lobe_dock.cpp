@@ -3,36 +3,24 @@
 
 #include <algorithm>
 #include <initializer_list>
-#include <iterator>
 #include <numbers>
 
 #include <QAction>
 #include <QComboBox>
 #include <QDragEnterEvent>
-#include <QFileInfo>
 #include <QMenu>
-#include <QTabWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "accuracy/chart_export.h"
-#include "accuracy/cost_subject.h"
-#include "core/atomic_file.h"
-#include "docks/effect_label.h"
 #include "docks/elided_label.h"
 #include "docks/panel.h"
-#include "lobe/energy_bar.h"
-#include "lobe/polar_plot.h"
-#include "lobe/share_plot.h"
-#include "lobe/slice_plot.h"
-#include "lobe/solid_plot.h"
+#include "lobe/lobe_plots.h"
 #include "material/preset_file.h"
 #include "measure/error/parallel.h"
 #include "measure/eval/eval_gpu.h"
 #include "parameters/dropped_files.h"
 #include "session/message_log.h"
-#include "session/session.h"
-#include "shading/effects/effect_set.h"
 #include "shading/effects/key_light.h"
 #include "text/as_text.h"
 #include "text/display_number.h"
@@ -82,77 +70,30 @@ Found completed(std::vector<SharedAnswer> answers, const std::vector<LobeMateria
     return {std::move(answers), isWanted()};
 }
 
-/// Returns a plot for each material, so that all keep their colours; one without an answer has its
-/// name alone.
-template <class Plot>
-std::vector<Plot> plotsOf(const std::vector<SharedAnswer>& answers) {
-    std::vector<Plot> plots;
-    for (const SharedAnswer& each : answers) {
-        const Plot* plot = each->plot ? std::get_if<Plot>(&*each->plot) : nullptr;
-        plots.push_back(plot != nullptr ? *plot : Plot{each->material.name, {}});
-    }
-    return plots;
-}
-
 } // namespace
-
-std::vector<DockPage> LobeDock::pages() {
-    return {
-        {tr("Lobe"), tr("Reflectance in the plane of incidence; drag to turn the light")},
-        {tr("3D"), tr("Reflectance over all viewers; drag to turn it")},
-        {tr("Albedo"), tr("What is reflected in all, over the angle of the light")},
-        {tr("Fresnel"), tr("What the surface mirrors, by polarisation and side")},
-        {tr("Spectrum"), tr("The index of refraction over the wavelength")},
-        {tr("Half angle"), tr("A slice over half and difference angle")},
-        {tr("Float32"), tr("How far the device is from double precision")},
-        {tr("Float16"), tr("How far floats of 16 bits are from double precision")},
-    };
-}
 
 LobeDock::LobeDock(const DockContext& context)
     : document_(context.document), tried_(context.tried), messages_(context.messages),
-      views_(context.views), meshes_(context.meshes), textures_(context.textures),
-      environments_(context.environments), pages_(new QTabWidget(this)),
-      polar_(new PolarPlot(this)), solid_(new SolidPlot(this)),
-      albedo_(new SharePlot(LobePlot::Albedo, this)),
-      fresnel_(new SharePlot(LobePlot::Fresnel, this)),
-      spectrum_(new SharePlot(LobePlot::Spectrum, this)), slice_(new SlicePlot(this)),
-      float32_(new SharePlot(LobePlot::Float32, this)),
-      float16_(new SharePlot(LobePlot::Float16, this)), energy_(new EnergyBar(this)),
+      views_(context.views), plots_(new LobePlots(context.document, this)),
       scale_(new QComboBox(this)), term_(new QComboBox(this)), snapshots_(new QAction(this)),
       forget_(textButton(tr("Without Presets"), tr("Take the presets that were dropped here away"),
                          this)),
-      note_(new ElidedLabel(this)), worker_({.name = tr("Plotting the reflectance")}),
-      timer_({.name = tr("Timing materials"), .canCancel = true}) {
+      note_(new ElidedLabel(this)), times_(new LobeTimes(context, this)),
+      worker_({.name = tr("Plotting the reflectance")}) {
     setAcceptDrops(true);
     forget_->setObjectName("forget presets");
     forget_->hide();
     settle_.setSingleShot(true);
     settle_.setInterval(restMs);
-    addPages();
     note_->setObjectName("note");
     note_->setMaxLines(maxNoteLines);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 4, 6, 2);
     layout->setSpacing(4);
     layout->addWidget(makeControls());
-    layout->addWidget(pages_, 1);
+    layout->addWidget(plots_, 1);
     layout->addWidget(note_);
     connectParts(context);
-}
-
-void LobeDock::addPages() {
-    auto* energy = new QWidget(this);
-    auto* rows = new QVBoxLayout(energy);
-    rows->setContentsMargins(0, 4, 0, 0);
-    rows->addWidget(energy_);
-    rows->addWidget(albedo_, 1);
-    pages_->setDocumentMode(true);
-    for (QWidget* page : std::initializer_list<QWidget*>{polar_, solid_, energy, fresnel_,
-                                                         spectrum_, slice_, float32_, float16_}) {
-        const DockPage words = pages().at(static_cast<std::size_t>(pages_->count()));
-        pages_->setTabToolTip(pages_->addTab(page, words.title), words.what);
-    }
 }
 
 QWidget* LobeDock::makeControls() {
@@ -191,8 +132,8 @@ QWidget* LobeDock::makeControls() {
     auto* row = new QWidget(this);
     auto* widgets = new QHBoxLayout(row);
     widgets->setContentsMargins(0, 0, 0, 0);
-    for (QWidget* widget :
-         std::initializer_list<QWidget*>{scale_, term_, makePick(), makeTime(), overlay, forget_}) {
+    for (QWidget* widget : std::initializer_list<QWidget*>{scale_, term_, makePick(),
+                                                           times_->button(), overlay, forget_}) {
         widgets->addWidget(widget);
     }
     widgets->addStretch(1);
@@ -231,76 +172,14 @@ void LobeDock::takePick(SideView& view, const Hit& hit) {
         say(&Note::event, tr("No light reaches that place."));
         return;
     }
-    polar_->setLight(picked_->incoming().angle * 180.0 / std::numbers::pi);
-    polar_->setViewer(picked_->viewerDegrees());
-    solid_->setViewer(picked_->viewer);
+    plots_->setPicked(picked_);
     isStale_ = true;
     follow();
 }
 
 void LobeDock::forgetPick() {
     picked_.reset();
-    polar_->setViewer(std::nullopt);
-    solid_->setViewer(std::nullopt);
-}
-
-QToolButton* LobeDock::makeTime() {
-    time_ = textButton(tr("Time"),
-                       tr("Measure what a pixel of each takes, and say what is not in its program"),
-                       this);
-    time_->setObjectName("time");
-    connect(time_, &QToolButton::clicked, this, &LobeDock::measureTimes);
-    return time_;
-}
-
-void LobeDock::measureTimes() {
-    if (isTiming() || materials_.empty() || document_.selection().object() < 0) {
-        return;
-    }
-    time_->setEnabled(false);
-    CostSweep::Options options;
-    options.programCache = programFolder();
-    timer_.ask(
-        [subject = costSubject(document_, meshes_, textures_, environments_), options,
-         materials = materials_](Worker::Control& control) -> Result<std::vector<MaterialTime>> {
-            if (const auto opened = control.openContext(); !opened) {
-                return tl::unexpected(opened.error());
-            }
-            std::vector<Material> timed;
-            for (const LobeMaterial& each : materials) {
-                timed.push_back(each.material);
-            }
-            return materialTimes(subject, timed, options,
-                                 [&control] { return !control.isCancelled(); });
-        },
-        [this, materials = materials_](const Result<std::vector<MaterialTime>>& times) {
-            takeTimes(materials, times);
-        });
-}
-
-void LobeDock::takeTimes(const std::vector<LobeMaterial>& materials,
-                         const Result<std::vector<MaterialTime>>& times) {
-    time_->setEnabled(true);
-    if (!times) {
-        messages_.add(times.error());
-        return;
-    }
-    if (materials != materials_) {
-        return; // they have changed meanwhile
-    }
-    times_.clear();
-    for (const MaterialTime& each : *times) {
-        times_ << (each.isBelowNoise ? tr("too quick to measure")
-                                     : tr("%1 ns/pixel").arg(roundText(each.nanoseconds)));
-    }
-    showTimes();
-    QStringList notes;
-    for (std::size_t i = 0; i < materials.size(); ++i) {
-        notes << tr("%1: %2; %3.")
-                     .arg(asText(materials[i].name), times_[static_cast<qsizetype>(i)],
-                          leftOutText(materials[i]));
-    }
-    say(&Note::times, notes.join(' '));
+    plots_->setPicked(std::nullopt);
 }
 
 void LobeDock::say(QString Note::*part, const QString& text) {
@@ -309,36 +188,6 @@ void LobeDock::say(QString Note::*part, const QString& text) {
     all.removeAll(QString());
     note_->setElidedText(all.join(' '));
     note_->setAccessibleDescription(all.join(' '));
-}
-
-QString LobeDock::leftOutText(const LobeMaterial& material) const {
-    const Scene& scene = document_.scene();
-    const EffectView view;
-    const EffectSet set = effectSet(material.material, scene, document_.catalog(), view);
-    QStringList names;
-    for (const EffectLine& line :
-         leftOut(set, {&material.material, scene, document_.catalog(), view})) {
-        names << effectLabel(line.effect, &material.material, scene, document_.catalog());
-    }
-    return names.isEmpty() ? tr("all it has is in its program")
-                           : tr("not in its program: %1").arg(names.join(QStringLiteral(", ")));
-}
-
-void LobeDock::forgetTimes() {
-    if (times_.isEmpty()) {
-        return;
-    }
-    times_.clear();
-    say(&Note::times, {});
-    showTimes();
-}
-
-/// Shows the times beside the names of the curves.
-void LobeDock::showTimes() {
-    for (LobePlotWidget* plot : findChildren<LobePlotWidget*>()) {
-        plot->setDetails(times_);
-    }
-    solid_->setDetails(times_);
 }
 
 void LobeDock::connectParts(const DockContext& context) {
@@ -354,8 +203,6 @@ void LobeDock::connectParts(const DockContext& context) {
     };
     onChange(document_, DocumentChange::Drawn | DocumentChange::Current | DocumentChange::Snapshots,
              this, follow);
-    onChange(document_, DocumentChange::Lights | DocumentChange::Objects | DocumentChange::Scene,
-             this, [this] { forgetTimes(); }); // they are of the object in its scene
     onChange(document_, DocumentChange::Catalog, this, anew);
     connect(&context.tried, &TriedMaterial::changed, this, follow);
     connect(snapshots_, &QAction::toggled, this, follow);
@@ -364,17 +211,17 @@ void LobeDock::connectParts(const DockContext& context) {
         forget_->hide();
         this->follow();
     });
-    connect(pages_, &QTabWidget::currentChanged, this, again);
+    connect(plots_, &QTabWidget::currentChanged, this, again);
     connect(term_, &QComboBox::currentIndexChanged, this, again);
-    connect(scale_, &QComboBox::currentIndexChanged, this, [this] {
-        const auto scale = static_cast<LobeScale>(scale_->currentData().toInt());
-        polar_->setScale(scale);
-        solid_->setScale(scale);
-        slice_->setScale(scale);
-    });
-    connect(polar_, &PolarPlot::lightTurned, this, [this, again] {
+    connect(scale_, &QComboBox::currentIndexChanged, this,
+            [this] { plots_->setScale(static_cast<LobeScale>(scale_->currentData().toInt())); });
+    connect(plots_, &LobePlots::lightTurned, this, [this, again] {
         forgetPick();
         again();
+    });
+    connect(times_, &LobeTimes::changed, this, [this] {
+        plots_->setDetails(times_->times());
+        say(&Note::times, times_->note());
     });
     connect(&settle_, &QTimer::timeout, this, [this] { ask(false); });
 }
@@ -425,8 +272,7 @@ void LobeDock::hideEvent(QHideEvent* event) {
     QWidget::hideEvent(event);
     settle_.stop();
     worker_.forget();
-    timer_.forget();
-    time_->setEnabled(true);
+    times_->cancel();
     isStale_ = true;
 }
 
@@ -449,51 +295,20 @@ void LobeDock::follow() {
     if (!isStale_ && now == materials_) {
         return;
     }
-    if (now != materials_) {
-        forgetTimes();
-    }
     materials_ = std::move(now);
+    times_->setMaterials(materials_);
     isStale_ = false;
     say(&Note::event, {});
     ask(true);
     settle_.start();
 }
 
-LobePage LobeDock::shownPage() const {
-    return static_cast<LobePage>(std::max(pages_->currentIndex(), 0));
-}
-
-LobePlotWidget* LobeDock::linePlot() const {
-    switch (shownPage()) {
-    case LobePage::Polar:
-        return polar_;
-    case LobePage::Albedo:
-        return albedo_;
-    case LobePage::Fresnel:
-        return fresnel_;
-    case LobePage::Spectrum:
-        return spectrum_;
-    case LobePage::Float32:
-        return float32_;
-    case LobePage::Float16:
-        return float16_;
-    default:
-        return nullptr;
-    }
-}
-
-PaintedPlot* LobeDock::paintedPlot() const {
-    return shownPage() == LobePage::Solid   ? static_cast<PaintedPlot*>(solid_)
-           : shownPage() == LobePage::Slice ? static_cast<PaintedPlot*>(slice_)
-                                            : nullptr;
-}
-
 void LobeDock::ask(bool isSketch) {
-    const LobePage page = shownPage();
+    const LobePage page = plots_->page();
     LobeQuestion question{page, {}};
     question.lines.plot = linesOf(page);
     question.lines.incoming =
-        picked_ ? picked_->incoming() : Incoming{polar_->light() * std::numbers::pi / 180.0, 0.0};
+        picked_ ? picked_->incoming() : Incoming{plots_->light() * std::numbers::pi / 180.0, 0.0};
     question.lines.term = static_cast<LobeTerm>(term_->currentData().toInt());
     question.lines.isSketch = isSketch;
     scale_->setEnabled(page == LobePage::Polar || page == LobePage::Solid ||
@@ -520,7 +335,7 @@ void LobeDock::show(const LobeQuestion& question, const std::vector<SharedAnswer
     answers_.keep(answers);
     const auto hasPlot = [](const SharedAnswer& each) { return each->plot.has_value(); };
     const bool isWhole = !question.lines.isSketch || std::ranges::all_of(answers, hasPlot);
-    if (question.page != shownPage() || answers.empty() ||
+    if (question.page != plots_->page() || answers.empty() ||
         (!isWhole && std::ranges::none_of(answers, hasPlot))) {
         return; // another one is on its way
     }
@@ -528,7 +343,7 @@ void LobeDock::show(const LobeQuestion& question, const std::vector<SharedAnswer
         say(&Note::answers, noteOf(answers));
     }
     shown_ = isWhole ? answers : withEarlier(answers);
-    showPlots(question, shown_);
+    plots_->showAnswers(question, shown_);
 }
 
 /// Returns the answers, with what is shown of a material in place of a sketch that there is not:
@@ -554,10 +369,10 @@ QString LobeDock::noteOf(const std::vector<SharedAnswer>& answers) const {
                                        asText(each->plot.error().problem));
         }
     }
-    if (picked_ && (shownPage() == LobePage::Polar || shownPage() == LobePage::Solid)) {
+    if (picked_ && (plots_->page() == LobePage::Polar || plots_->page() == LobePage::Solid)) {
         notes << tr("Picked: light %1° and viewer %2° from the normal, the viewer %3° out of the "
                     "plane of incidence.")
-                     .arg(roundText(polar_->light()), roundText(std::abs(picked_->viewerDegrees())),
+                     .arg(roundText(plots_->light()), roundText(std::abs(picked_->viewerDegrees())),
                           roundText(picked_->outOfPlane()));
     }
     for (const SharedAnswer& each : answers) {
@@ -570,61 +385,8 @@ QString LobeDock::noteOf(const std::vector<SharedAnswer>& answers) const {
     return notes.join(' ');
 }
 
-void LobeDock::showPlots(const LobeQuestion& question, const std::vector<SharedAnswer>& answers) {
-    if (LobePlotWidget* plot = linePlot()) {
-        if (question.page == LobePage::Albedo) {
-            showEnergy(*answers.front(), answers.size() > 1);
-        }
-        plot->setSubjects(plotsOf<LobeSubject>(answers));
-    } else if (question.page == LobePage::Solid) {
-        solid_->setSolids(plotsOf<NamedSolid>(answers), question.lines.incoming);
-    } else {
-        slice_->setSlices(plotsOf<NamedSlice>(answers));
-    }
-}
-
-void LobeDock::showEnergy(const LobeAnswer& answer, bool isOneOfSeveral) {
-    energy_->setName(isOneOfSeveral ? asText(answer.material.name) : QString());
-    if (!answer.plot) {
-        energy_->setNothing(asText(answer.plot.error().problem));
-        return;
-    }
-    const Block* model = document_.catalog().find(kinds::models, answer.material.material.model.id);
-    const bool isIsotropic = model != nullptr && model->hasClaim("isotropic");
-    std::vector<LobeLine> albedos{std::get<LobeSubject>(*answer.plot).lines.lines.front()};
-    constexpr std::size_t enoughAngles = 8;
-    if (answer.question.lines.isSketch &&
-        (!isIsotropic || albedos.front().values.size() < enoughAngles)) {
-        return; // it knows too few angles, or nothing of light from other azimuths
-    }
-    std::ranges::copy(answer.turned, std::back_inserter(albedos));
-    std::erase_if(albedos, [](const LobeLine& line) { return line.values.size() < 2; });
-    if (!albedos.empty()) {
-        const bool areLuminances = isOneOfSeveral && !isGrey(albedos.front());
-        energy_->setRange(energyRange(albedos),
-                          areLuminances ? std::optional(luminanceRange(albedos)) : std::nullopt);
-    } else {
-        energy_->setNothing({});
-    }
-}
-
-std::string LobeDock::csv() const {
-    const LobePlotWidget* plot = linePlot();
-    return plot != nullptr                  ? linesCsv(plot->subjects(), linesOf(shownPage()))
-           : shownPage() == LobePage::Solid ? solidsCsv(solid_->solids())
-                                            : slicesCsv(slice_->slices());
-}
-
 void LobeDock::exportTo(const QString& file) {
-    const QString ending = QFileInfo(file).suffix().toLower();
-    const auto bytesOf = [&ending](const auto& plot) {
-        return (ending == "svg" ? plot.svg() : plot.png()).toStdString();
-    };
-    const LobePlotWidget* plot = linePlot();
-    const std::string bytes = ending == "csv"   ? csv()
-                              : plot != nullptr ? bytesOf(*plot)
-                                                : bytesOf(*paintedPlot());
-    if (const auto written = writeFileAtomically(file.toStdString(), bytes); !written) {
+    if (const auto written = plots_->exportTo(file); !written) {
         messages_.add(written.error());
     }
 }

@@ -9,26 +9,19 @@
 
 #include "background/worker.h"
 #include "docks/dock_context.h"
-#include "docks/dock_page.h"
 #include "lobe/lobe_answer.h"
+#include "lobe/lobe_times.h"
 #include "lobe/picked_incidence.h"
-#include "measure/cost/material_times.h"
 
 class QAction;
 class QComboBox;
-class QTabWidget;
 class QToolButton;
 
 namespace patina {
 
-class EnergyBar;
-class LobePlotWidget;
 class ElidedLabel;
-class PaintedPlot;
-class PolarPlot;
+class LobePlots;
 class SideView;
-class SlicePlot;
-class SolidPlot;
 
 /// Plots the reflectance of the materials on screen, in double precision. Only the plot that is
 /// seen is computed: a sketch of it while values move, and all of it when they rest.
@@ -38,12 +31,9 @@ class LobeDock : public QWidget {
   public:
     explicit LobeDock(const DockContext& context);
 
-    /// Returns its tabs in the order of LobePage, which also commands open by their names.
-    static std::vector<DockPage> pages();
-
     /// Says that what is shown is what is on screen, and no sketch.
     bool isUpToDate() const { return !isComputing() && !isStale_; }
-    bool isTiming() const { return !timer_.isIdle(); }
+    bool isTiming() const { return times_->isMeasuring(); }
     bool isComputing() const { return !worker_.isIdle() || settle_.isActive(); }
 
     /// Counts the plots of materials that were computed since the dock was made.
@@ -59,7 +49,6 @@ class LobeDock : public QWidget {
     void dropEvent(QDropEvent* event) override;
 
   private:
-    void addPages();
     /// Overlays a preset; returns its name where there is no room for it.
     QString addPreset(const std::filesystem::path& file);
     /// Returns what is on screen and what is overlaid, as many as there is room for.
@@ -70,23 +59,11 @@ class LobeDock : public QWidget {
     /// Takes the light and the viewer of a place on an object.
     void takePick(SideView& view, const Hit& hit);
     void forgetPick();
-    QToolButton* makeTime();
-    /// Measures the time of each material on the current object.
-    void measureTimes();
-    void takeTimes(const std::vector<LobeMaterial>& materials,
-                   const Result<std::vector<MaterialTime>>& times);
-    void forgetTimes();
-    void showTimes();
-    /// Says what of the document a material's program does not have.
-    QString leftOutText(const LobeMaterial& material) const;
     void connectParts(const DockContext& context);
     void follow();
     void ask(bool isSketch);
     /// Shows answers to the question, one for each material, and keeps them.
     void show(const LobeQuestion& question, const std::vector<SharedAnswer>& answers);
-    void showPlots(const LobeQuestion& question, const std::vector<SharedAnswer>& answers);
-    /// Shows in the energy bar what was found of the first material.
-    void showEnergy(const LobeAnswer& answer, bool isOneOfSeveral);
     QString noteOf(const std::vector<SharedAnswer>& answers) const;
     std::vector<SharedAnswer> withEarlier(std::vector<SharedAnswer> answers) const;
 
@@ -99,37 +76,18 @@ class LobeDock : public QWidget {
     /// Changes a part of the note and writes it, all of it for a screen reader, too.
     void say(QString Note::*part, const QString& text);
 
-    LobePage shownPage() const;
-    /// Return the widget of the tab that is seen: one of lines or a painted one.
-    LobePlotWidget* linePlot() const;
-    PaintedPlot* paintedPlot() const;
-    std::string csv() const;
-
     Document& document_;
     TriedMaterial& tried_;
     MessageLog& messages_;
     CompareArea& views_;
-    MeshLibrary& meshes_;
-    TextureLibrary& textures_;
-    EnvironmentLibrary& environments_;
-    QTabWidget* pages_;
-    PolarPlot* polar_;
-    SolidPlot* solid_;
-    LobePlotWidget* albedo_;
-    LobePlotWidget* fresnel_;
-    LobePlotWidget* spectrum_;
-    SlicePlot* slice_;
-    LobePlotWidget* float32_;
-    LobePlotWidget* float16_;
-    EnergyBar* energy_;
+    LobePlots* plots_;
     QComboBox* scale_;
     QComboBox* term_;
     QAction* snapshots_;
     QToolButton* forget_;               ///< takes the dropped presets away
     std::vector<LobeMaterial> dropped_; ///< are presets that were dropped on the dock
     ElidedLabel* note_;
-    QToolButton* time_ = nullptr;
-    QStringList times_; ///< say the time of each material; empty where nobody measured them
+    LobeTimes* times_;
     std::optional<PickedIncidence> picked_; ///< is empty where the light was turned by hand
     std::vector<LobeMaterial> materials_;   ///< are those that were asked for last
     LobeAnswers answers_;                   ///< are what is known of them
@@ -139,7 +97,6 @@ class LobeDock : public QWidget {
     bool isStale_ = true;
     QTimer settle_;
     Worker worker_;
-    Worker timer_;
 };
 
 } // namespace patina

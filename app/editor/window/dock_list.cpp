@@ -20,6 +20,7 @@
 #include "docks/snapshots_dock.h"
 #include "docks/stability_dock.h"
 #include "lobe/lobe_dock.h"
+#include "lobe/lobe_plots.h"
 #include "sheets/sheets_dock.h"
 
 namespace patina {
@@ -63,7 +64,7 @@ std::vector<DockEntry> dockList() {
         {"accuracy", tr("Accuracy"), DockPlace::Bottom, make<AccuracyDock>,
          tr("cost, error, predicted times"), AccuracyDock::pages()},
         {"lobe", tr("Lobe"), DockPlace::Bottom, make<LobeDock>, tr("reflectance, plots"),
-         LobeDock::pages()},
+         LobePlots::pages()},
         {"histogram", tr("Histogram"), DockPlace::Bottom, make<HistogramDock>},
         {"sheets", tr("Contact Sheet"), DockPlace::Bottom, make<SheetsDock>},
     };
