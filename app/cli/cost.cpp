@@ -251,6 +251,10 @@ int cost(const CLI::App& command, const CostRequest& options) {
         report(wrong);
         return 1;
     }
+    if (options.card && options.card->standsForFamily) {
+        std::cerr << fmt::format("{} stands for {}; --card takes another one\n",
+                                 options.card->card->name, options.card->family->label);
+    }
     bool isStopped = false;
     Checked<bool> done = false;
     {
@@ -274,7 +278,10 @@ void addCost(CLI::App& program, int& status) {
         "cost", "Measure what every accuracy choice of a preset costs and how wrong it is");
     auto options = std::make_shared<CostRequest>();
     addCostOptions(*command, *options);
-    command->callback([command, options, &status] { status = cost(*command, *options); });
+    command->callback([command, options, &status] {
+        takeCardOfFamily(*options);
+        status = cost(*command, *options);
+    });
 }
 
 } // namespace patina

@@ -63,9 +63,7 @@ bool isOneOf(const std::string& ending, std::initializer_list<std::string_view> 
 /// Returns the wrong combinations of options and the files that could not be written.
 Errors checkCombinations(const CostRequest& request) {
     const bool isOther = request.allModels || request.scaling;
-    const bool isChart = request.hasBudget() || !request.plot.empty() ||
-                         !request.errorMap.empty() || !request.errorMapOf.empty() ||
-                         request.ofPicture || request.singles;
+    const bool isChart = request.hasChartOptions();
     const glm::ivec2 size = request.picture.size;
     const bool isPredicted = !request.families.empty() || request.card;
     const bool isPlot = request.plot.empty() || isOneOf(endingOf(request.plot), {".svg", ".png"});
@@ -76,8 +74,8 @@ Errors checkCombinations(const CostRequest& request) {
     const char* place = "a file in a folder that exists and may be written to";
     const std::array wrong{
         Combination{isOther && isChart,
-                    "budgets, --plot, --error-map, --error-map-of, --picture and --singles are of "
-                    "charts of presets",
+                    "budgets, --plot, --error-map, --error-map-of, --picture, --singles and --at "
+                    "are of charts of presets",
                     "--all-models or --scaling without them"},
         Combination{
             request.allModels && (!request.presets.empty() || !request.picture.model.empty()),
@@ -92,7 +90,10 @@ Errors checkCombinations(const CostRequest& request) {
         Combination{request.card && request.allModels,
                     "--card predicts the ways to compute one material", "--gpu for all models"},
         Combination{request.isPredictedOnly() && isChart,
-                    "a budget and a chart are for one graphics card", "--card NAME, such as 6600"},
+                    "a budget and a chart are for one graphics card",
+                    "--card NAME, such as 6600, or one family after --gpu"},
+        Combination{request.shown && !request.card,
+                    "--at is the size of a picture whose times are predicted", "--card beside it"},
         Combination{request.card && request.asItIs, "a chart has all levels",
                     "--as-it-is without --card"},
         Combination{request.job.isWanted() &&
@@ -181,7 +182,7 @@ glm::ivec2 pictureIn(const std::string& text) {
 
 /// Adds the graphics card that a chart's times are predicted for.
 void addCard(CLI::App& command, CostRequest& request) {
-    auto* card = command.add_option_function<std::string>(
+    command.add_option_function<std::string>(
         "--card",
         [&request](const std::string& name) {
             auto found = graphicsCardIn(name);
@@ -191,13 +192,12 @@ void addCard(CLI::App& command, CostRequest& request) {
             request.card = *found;
         },
         "Predict the times of a chart for this graphics card, which need not be here: a part of "
-        "its name, such as \"6600\" or \"steam deck\"; errors are measured here");
-    command
-        .add_option_function<std::string>(
-            "--at", [&request](const std::string& text) { request.shown = pictureIn(text); },
-            "With --card: for pictures of so many pixels that the object fills, 1440p or WxH; "
-            "1080p without this")
-        ->needs(card);
+        "its name, such as \"6600\" or \"steam deck\", or a family, \"RDNA 2\", whose middle card "
+        "stands for it; errors are measured here. A budget with --gpu and one family is the same");
+    command.add_option_function<std::string>(
+        "--at", [&request](const std::string& text) { request.shown = pictureIn(text); },
+        "With --card: for pictures of so many pixels that the object fills, 1440p or WxH; "
+        "1080p without this");
 }
 
 } // namespace
@@ -244,6 +244,14 @@ void addCostOptions(CLI::App& command, CostRequest& request) {
     auto* csv = command.add_flag("--csv", request.csv, "Print comma-separated values");
     csv->excludes(json);
     addJobOptions(command, request.job)->excludes(json)->excludes(csv);
+}
+
+void takeCardOfFamily(CostRequest& request) {
+    if (!request.card && request.families.size() == 1 && request.hasChartOptions()) {
+        const GpuFamily* family = request.families.front();
+        request.card = CardOfFamily{family, &family->middleCard(), true};
+        request.families.clear();
+    }
 }
 
 Errors checkRequest(const CostRequest& request) {

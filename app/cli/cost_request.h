@@ -30,8 +30,9 @@ struct CostRequest {
     /// Is the one that a chart's times are predicted for; none: they are measured, or --gpu alone
     /// is given.
     std::optional<CardOfFamily> card;
-    glm::ivec2 shown{1920, 1080}; ///< are the pixels of the picture that they are predicted for
-    bool asItIs = false;          ///< predicts no level but those that the material has
+    /// Are the pixels of the picture that they are predicted for; none: those of 1080p.
+    std::optional<glm::ivec2> shown;
+    bool asItIs = false; ///< predicts no level but those that the material has
     std::string plot;
     std::string errorMap;
     std::string errorMapOf; ///< names levels as levelsText() does; empty where not given
@@ -40,6 +41,11 @@ struct CostRequest {
     JobOptions job;
 
     bool hasBudget() const { return budgetMilliseconds || budgetError; }
+    /// Tells whether something is asked for that only a chart of presets has.
+    bool hasChartOptions() const {
+        return hasBudget() || !plot.empty() || !errorMap.empty() || !errorMapOf.empty() ||
+               ofPicture || singles || shown;
+    }
     /// Tells whether costs of ways and models are predicted and nothing is drawn.
     bool isPredictedOnly() const { return !families.empty() && !card; }
 };
@@ -50,6 +56,9 @@ void addCostOptions(CLI::App& command, CostRequest& request);
 /// Returns the extension of a file's name in small letters, as ".png" of "Errors.PNG"; empty where
 /// it has none.
 std::string endingOf(const std::string& file);
+
+/// Takes the middle card of a family for a budget or chart that is asked for with --gpu.
+void takeCardOfFamily(CostRequest& request);
 
 /// Returns what is wrong with the request, before anything is measured: options that would have no
 /// effect, and files that could not be written afterwards.

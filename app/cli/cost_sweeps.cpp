@@ -21,6 +21,7 @@ namespace {
 /// Lists the edges of a scaling's pictures, in 24ths of the largest one's.
 constexpr std::array partsOfEdge{3, 4, 6, 8, 12, 16, 24};
 constexpr int wholeEdge = 24;
+constexpr glm::ivec2 fullHd{1920, 1080};
 
 CostSweep::Options sweepOptions(const CostRequest& options) {
     CostSweep::Options wanted;
@@ -161,8 +162,8 @@ Checked<Sweep> swept(CostSweep::Subject subject, const CostRequest& options, Lon
         return nothingYet();
     }
     if (compiler) {
-        auto predicted =
-            predictedChart(made.chart, compiler->points(), *options.card, options.shown);
+        auto predicted = predictedChart(made.chart, compiler->points(), *options.card,
+                                        options.shown.value_or(fullHd));
         if (!predicted) {
             return tl::unexpected(oneError(predicted.error()));
         }

@@ -55,6 +55,11 @@ std::vector<GpuFamily> makeFamilies() {
     return families;
 }
 
+bool isAlike(char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) ==
+           std::tolower(static_cast<unsigned char>(b));
+}
+
 std::string knownNames() {
     std::string names;
     for (const GpuFamily& family : gpuFamilies()) {
@@ -106,14 +111,16 @@ std::vector<CardOfFamily> graphicsCards() {
 }
 
 Result<CardOfFamily> graphicsCardIn(std::string_view name) {
+    for (const GpuFamily& family : gpuFamilies()) {
+        if (std::ranges::equal(name, family.id, isAlike) ||
+            std::ranges::equal(name, family.label, isAlike)) {
+            return CardOfFamily{&family, &family.middleCard(), true};
+        }
+    }
     std::vector<CardOfFamily> found;
     std::string names;
     for (const CardOfFamily& each : graphicsCards()) {
         const std::string& card = each.card->name;
-        const auto isAlike = [](char a, char b) {
-            return std::tolower(static_cast<unsigned char>(a)) ==
-                   std::tolower(static_cast<unsigned char>(b));
-        };
         const auto part = std::search(card.begin(), card.end(), name.begin(), name.end(), isAlike);
         if (!name.empty() && part != card.end()) {
             found.push_back(each);
@@ -124,7 +131,7 @@ Result<CardOfFamily> graphicsCardIn(std::string_view name) {
         return failure((found.empty() ? "there is no graphics card \""
                                       : "there is more than one graphics card \"") +
                            std::string(name) + '"',
-                       "one of " + names);
+                       "one of " + names + ", or a family: " + knownNames());
     }
     return found.front();
 }

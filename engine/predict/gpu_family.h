@@ -24,15 +24,21 @@ struct GpuFamily {
     std::string label;
     /// Are names that RADV has for a chip of it; older drivers know another one than newer ones.
     std::vector<std::string> chips;
-    int simdsPerUnit = 0; ///< counts the SIMD units of a compute unit; 1 of a Mali
-    std::vector<GraphicsCard> cards;
+    int simdsPerUnit = 0;            ///< counts the SIMD units of a compute unit; 1 of a Mali
+    std::vector<GraphicsCard> cards; ///< are one or more
     bool isMali = false; ///< is compiled for by ARM's `malioc`, the others by Mesa's RADV
+
+    /// Returns the card that stands for all where none is named: the middle one, as they are listed
+    /// from the slowest on.
+    const GraphicsCard& middleCard() const { return cards.at((cards.size() - 1) / 2); }
 };
 
 /// Is one graphics card with the family that it belongs to.
 struct CardOfFamily {
     const GpuFamily* family = nullptr;
     const GraphicsCard* card = nullptr;
+
+    bool standsForFamily = false; ///< is GpuFamily::middleCard(), as the family alone was named
 
     /// Returns "Steam Deck (RDNA 2)".
     std::string text() const;
@@ -56,8 +62,8 @@ Result<std::vector<const GpuFamily*>> gpuFamiliesIn(std::string_view list);
 /// Returns the cards of all families.
 std::vector<CardOfFamily> graphicsCards();
 
-/// Returns the card of a part of its name, such as "6600" or "steam deck". It is an error where
-/// none has it, or more than one.
+/// Returns the card of a part of its name, such as "6600" or "steam deck", or the middle card of a
+/// family, such as "RDNA 2" or "rdna2". It is an error where none has the name, or more than one.
 Result<CardOfFamily> graphicsCardIn(std::string_view name);
 
 /// Returns the milliseconds in which a card runs a fragment stage on each of `pixels`, when all its

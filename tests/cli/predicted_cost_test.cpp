@@ -111,13 +111,13 @@ TEST(PredictedCost, Milliseconds_FollowFromCyclesUnitsAndClock) {
 /// here, and a budget is of both.
 nlohmann::json chartFor(std::vector<std::string> more) {
     std::vector<std::string> command{"cost",   "--model", "phong",     "--scene", threeLights,
-                                     "--size", "32x32",   "--seconds", "2",       "--card"};
+                                     "--size", "32x32",   "--seconds", "2"};
     command.insert(command.end(), more.begin(), more.end());
     return predicted(command).at(0);
 }
 
 TEST(PredictedCost, ChartOfACard_HasItsMillisecondsAndMeasuredErrors) {
-    const nlohmann::json chart = chartFor({"6800 xt", "--at", "1440p"});
+    const nlohmann::json chart = chartFor({"--card", "6800 xt", "--at", "1440p"});
     EXPECT_EQ(chart.at("predictedFor"), "Radeon RX 6800 XT (RDNA 2)");
     EXPECT_EQ(chart.at("size"), (nlohmann::json{2560, 1440}));
     const nlohmann::json at1080p = stageOf("phong", "rdna2").at("milliseconds");
@@ -133,14 +133,19 @@ TEST(PredictedCost, ChartOfACard_HasItsMillisecondsAndMeasuredErrors) {
     }
 }
 
-TEST(PredictedCost, BudgetOfACard_PicksWhatKeepsTimeAndErrorThere) {
-    const nlohmann::json free = chartFor({"6600"});
+/// The middle card stands for a family that is named in its place.
+TEST(PredictedCost, BudgetOfACardOrAFamily_PicksWhatKeepsTimeAndErrorThere) {
+    const nlohmann::json free = chartFor({"--card", "RDNA 2"});
+    EXPECT_EQ(free.at("predictedFor"), "Radeon RX 6600 (RDNA 2)");
     const double exact = free.at("points").at(0).at("milliseconds").at("median");
     const std::string all = std::to_string(1.01 * exact);
-    const nlohmann::json roomy = chartFor({"6600", "--budget-ms", all, "--budget-error", "1/255"});
+    const nlohmann::json roomy =
+        chartFor({"--gpu", "rdna2", "--budget-ms", all, "--budget-error", "1/255"});
+    EXPECT_EQ(roomy.at("predictedFor"), "Radeon RX 6600 (RDNA 2)");
     EXPECT_EQ(roomy.at("budget"), (nlohmann::json{{"fits", true}, {"index", 0}}));
     const std::string less = std::to_string(0.99 * exact);
-    const nlohmann::json tight = chartFor({"6600", "--budget-ms", less, "--budget-error", "1/255"});
+    const nlohmann::json tight =
+        chartFor({"--card", "6600", "--budget-ms", less, "--budget-error", "1/255"});
     EXPECT_EQ(tight.at("budget").at("fits"), true);
     const auto& bought = tight.at("points").at(tight.at("budget").at("index").get<std::size_t>());
     EXPECT_LE(bought.at("milliseconds").at("median").get<double>(), 0.99 * exact);
@@ -191,6 +196,8 @@ TEST(PredictedCost, RoundsThatNobodyKnows_AreSaidToBeGuessed) {
 /// He-Torrance's series has as many terms as the directions call for.
 TEST(VaryingLoops, RoundsOfASeries_AreFewerWhereItIsShortened) {
     const Catalog catalog = loadCatalog(std::vector<BlockRoot>{{shipped("shaders"), true}});
+    const Outcome several = patina({"cost", gold, "--gpu", "rdna2,gcn", "--budget-ms", "1"});
+    EXPECT_NE(several.err.find("for one graphics card"), std::string::npos) << several.err;
     Material material = defaultMaterial(*catalog.find(kinds::models, "he-torrance"));
     const auto roundsOf = [&](const std::string& series) {
         material.accuracy["series"] = series;
