@@ -120,8 +120,26 @@ Checked<std::vector<EvalCase>> halfSubjects(const Catalog& catalog, const std::s
     return blocks;
 }
 
-/// Prints which lines of the subjects survive floats of 16 bits; returns the exit status.
+/// Returns which lines survive floats of 16 bits; nothing where it is stopped meanwhile.
+Checked<std::optional<HalfReport>> halfReportOf(const EvalCase& subject, bool hasOwnValues,
+                                                const Catalog& catalog, double limit,
+                                                LongWork& work) {
+    const auto progress = [&work](double share) {
+        work.report(fmt::format("{:3.0f} %  of the lines ", 100.0 * share));
+        return !work.isStopped();
+    };
+    auto made = halfReport(subject, catalog.roots.front().folder, hasOwnValues, limit, progress);
+    work.report({});
+    if (!made && !work.isStopped()) {
+        return tl::unexpected(made.error());
+    }
+    return made ? std::optional(std::move(*made)) : std::nullopt;
+}
+
+/// Prints which lines of the subjects survive floats of 16 bits, or of those before it is stopped;
+/// returns the exit status.
 Checked<int> checkInHalf(const Catalog& catalog, const CheckOptions& options) {
+    LongWork work;
     nlohmann::json all = nlohmann::json::array();
     std::unique_ptr<gl::HeadlessContext> context;
     if (options.half.isTimed) {
@@ -132,29 +150,37 @@ Checked<int> checkInHalf(const Catalog& catalog, const CheckOptions& options) {
         context = std::move(*made);
     }
     for (const std::string& subject : options.subjects) {
+        if (work.isStopped()) {
+            break;
+        }
         const auto cases = halfSubjects(catalog, subject);
         if (!cases) {
             return tl::unexpected(cases.error());
         }
         for (const EvalCase& each : *cases) {
-            const auto made =
-                halfReport(each, catalog.roots.front().folder, isFile(subject), options.halfLimit);
+            const auto made = halfReportOf(each, isFile(subject), catalog, options.halfLimit, work);
             if (!made) {
                 return tl::unexpected(made.error());
             }
+            if (!*made) {
+                break; // it was stopped
+            }
             const std::string name = each.block.block->kind + '/' + each.block.block->id;
-            const MixedForm mixed = mixedForm(each, *made, options.half);
+            const MixedForm mixed = mixedForm(each, **made, options.half, work);
             if (options.json) {
-                all.push_back(halfJson(*made, name, mixed));
+                all.push_back(halfJson(**made, name, mixed));
             } else {
-                std::cout << halfText(*made, name, mixed);
+                std::cout << halfText(**made, name, mixed);
             }
         }
     }
     if (options.json) {
         std::cout << writeJson(all);
     }
-    return 0;
+    if (work.isStopped()) {
+        std::cerr << "stopped: this is what was found so far\n";
+    }
+    return work.isStopped() ? LongWork::stoppedStatus : 0;
 }
 
 /// Says how many cases are left out of a sweep that was asked for fewer than there are.

@@ -137,12 +137,22 @@ void addTo(nlohmann::json& json, const MixedForm& mixed) {
 
 } // namespace
 
-MixedForm mixedForm(const EvalCase& subject, const HalfReport& report, const HalfCheckWish& wish) {
+MixedForm mixedForm(const EvalCase& subject, const HalfReport& report, const HalfCheckWish& wish,
+                    LongWork& work) {
     MixedForm form;
     for (const GpuFamily* family : wish.families) {
-        form.prices.push_back(halfPrice(subject, report, *family, [] { return false; }));
+        const auto progress = [&](double share) {
+            work.report(fmt::format("{:3.0f} %  for {} ", 100.0 * share, family->label));
+            return !work.isStopped();
+        };
+        HalfPrice price = halfPrice(subject, report, *family, progress);
+        if (work.isStopped()) {
+            break;
+        }
+        form.prices.push_back(std::move(price));
     }
-    if (wish.isTimed) {
+    work.report({});
+    if (wish.isTimed && !work.isStopped()) {
         form.timing = halfTiming(subject, report, report.together);
     }
     if (wish.hasText) {

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/long_work.h"
 #include "measure/approximation/half_price.h"
 #include "measure/approximation/half_terms.h"
 #include "measure/approximation/half_timing.h"
@@ -28,8 +29,9 @@ struct MixedForm {
     std::string text;                         ///< of its fragment stage
 };
 
-/// Predicts, times and writes what is wished for.
-MixedForm mixedForm(const EvalCase& subject, const HalfReport& report, const HalfCheckWish& wish);
+/// Predicts, times and writes what is wished for. Where it is stopped, what is not done is missing.
+MixedForm mixedForm(const EvalCase& subject, const HalfReport& report, const HalfCheckWish& wish,
+                    LongWork& work);
 
 /// Returns which lines of a block survive floats of 16 bits and which break, as a table.
 std::string halfText(const HalfReport& report, const std::string& name, const MixedForm& mixed);

@@ -90,6 +90,14 @@ TEST(HalfPrecision, PriceWithoutTheDriver_SaysWhatToInstall) {
     EXPECT_NE(outcome.out.find("mesa-vulkan-drivers"), std::string::npos) << outcome.out;
 }
 
+TEST(HalfPrecision, Interrupted_PrintsTheLinesAndEndsAsAShellExpects) {
+    const Outcome outcome =
+        interrupted({"check", "strauss", "--precision", "half", "--gpu", "rdna2,rdna3", "--json"});
+    EXPECT_EQ(outcome.exitCode, 130) << outcome.err;
+    EXPECT_NE(outcome.err.find("stopped"), std::string::npos) << outcome.err;
+    EXPECT_TRUE(nlohmann::json::parse(outcome.out).is_array());
+}
+
 // IEEE 754-2019, binary16: 11 digits, emin -14, ties to even.
 TEST(RoundedToHalf, TableOfBinary16_IsKept) {
     const double infinite = std::numeric_limits<double>::infinity();

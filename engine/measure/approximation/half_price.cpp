@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measure/approximation/half_price.h"
 
+#include <algorithm>
+
 #include "measure/approximation/half_text.h"
 #include "measure/approximation/shader_price.h"
 
@@ -13,8 +15,8 @@ using Lines = std::vector<std::size_t>;
 class LinePrices {
   public:
     LinePrices(const EvalCase& subject, const HalfReport& report, const GpuFamily& family,
-               const std::function<bool()>& isStopped)
-        : report_(report), isStopped_(isStopped),
+               const HalfProgress& progress)
+        : report_(report), progress_(progress),
           price_(subject, report.text->source(), report.text->syntax(), family) {}
 
     /// Returns nothing where the family's compiler does not tell.
@@ -25,15 +27,23 @@ class LinePrices {
                                ? std::vector<ShaderEdit>()
                                : halfEdits(*report_.text, report_.halvedBy(lines), vulkanHalf));
         }
-        auto prices = price_.of(ways, isStopped_);
+        auto prices = price_.of(ways, [this] { return isEnded(); });
+        priced_ += sets.size();
         return price_.note().empty() ? prices : std::vector<std::optional<double>>(sets.size());
+    }
+
+    /// Tells how much of all is priced, as if lines were left out one after the other to the last.
+    bool isEnded() const {
+        const double lines = double(report_.together.size());
+        return !progress_(std::min(double(priced_) / (2.0 + lines * (lines + 1.0) / 2.0), 1.0));
     }
 
     const std::string& note() const { return price_.note(); }
 
   private:
     const HalfReport& report_;
-    const std::function<bool()>& isStopped_;
+    const HalfProgress& progress_;
+    std::size_t priced_ = 0;
     ShaderPrice price_;
 };
 
@@ -50,8 +60,8 @@ std::vector<Lines> setsWithoutOne(const Lines& lines) {
 } // namespace
 
 HalfPrice halfPrice(const EvalCase& subject, const HalfReport& report, const GpuFamily& family,
-                    const std::function<bool()>& isStopped) {
-    LinePrices prices(subject, report, family, isStopped);
+                    const HalfProgress& progress) {
+    LinePrices prices(subject, report, family, progress);
     HalfPrice found;
     found.family = &family;
     const auto first = prices.of({{}, report.together});
@@ -61,7 +71,7 @@ HalfPrice halfPrice(const EvalCase& subject, const HalfReport& report, const Gpu
     found.cheapest = found.inFloat;
     Lines lines = report.together;
     std::optional<double> cost = found.together;
-    while (cost && found.cheapest && !isStopped()) {
+    while (cost && found.cheapest && !prices.isEnded()) {
         if (*cost < *found.cheapest) {
             found.cheapest = cost;
             found.lines = lines;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,8 +25,8 @@ struct HalfPrice {
 
 /// Predicts that for a family: beginning with all lines that hold at once, the one without which
 /// the rest is cheapest is left out again and again. Prices are empty where the family's compiler
-/// has no floats of 16 bits or is missing.
+/// has no floats of 16 bits or is missing; where it is ended they are those found so far.
 HalfPrice halfPrice(const EvalCase& subject, const HalfReport& report, const GpuFamily& family,
-                    const std::function<bool()>& isStopped);
+                    const HalfProgress& progress);
 
 } // namespace patina

@@ -2,9 +2,11 @@
 #include "measure/approximation/half_terms.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -35,8 +37,8 @@ using Mask = std::vector<bool>;
 class HalfSearch {
   public:
     HalfSearch(const EvalCase& subject, bool hasOwnValues, double limit,
-               std::shared_ptr<const MeasuredText> text)
-        : text_(*text), masks_(report_.marks) {
+               std::shared_ptr<const MeasuredText> text, const HalfProgress& progress)
+        : text_(*text), masks_(report_.marks), progress_(progress) {
         report_.limit = limit;
         report_.common = std::make_shared<const JudgedCases>(text_.judged(texelsOfCases(
             commonCases(subject, {.count = commonCount, .hasOwnValues = hasOwnValues}))));
@@ -45,24 +47,42 @@ class HalfSearch {
         report_.text = std::move(text);
     }
 
-    HalfReport run() {
+    /// Returns nothing where it is ended.
+    std::optional<HalfReport> run() {
         findLines();
         report_.cases = report_.common->texels.size() + report_.edge->texels.size();
-        inParallel(masks_.size(), [this](std::size_t, std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
-                report_.lines[i].error = report_.errorOf(masks_[i]);
-            }
-        });
+        judgeLines();
         std::vector<std::size_t> all(masks_.size());
         for (std::size_t i = 0; i < all.size(); ++i) {
             all[i] = i;
         }
-        report_.whole = report_.errorOf(report_.halvedBy(all));
-        join();
-        return std::move(report_);
+        if (!isEnded_) {
+            report_.whole = report_.errorOf(report_.halvedBy(all));
+            join();
+        }
+        return isEnded_ ? std::nullopt : std::optional(std::move(report_));
     }
 
   private:
+    /// Tells how many lines are judged, out of all and those that join() tries to leave out.
+    void tell(std::size_t judged) {
+        const double share = double(judged) / double(masks_.size() + 2);
+        isEnded_ = isEnded_ || !progress_(std::min(share, 1.0));
+    }
+
+    void judgeLines() {
+        std::atomic<std::size_t> judged{0};
+        inParallel(masks_.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end && !isEnded_; ++i) {
+                report_.lines[i].error = report_.errorOf(masks_[i]);
+                ++judged;
+                if (part == 0) {
+                    tell(judged);
+                }
+            }
+        });
+    }
+
     void findLines() {
         const ShaderSyntax& syntax = text_.syntax();
         const TextPlaces places(syntax.text);
@@ -133,7 +153,8 @@ class HalfSearch {
         std::ranges::stable_sort(
             held, {}, [this](std::size_t line) { return report_.lines[line].error.worst; });
         report_.mixed = report_.errorOf(report_.halvedBy(held));
-        while (!held.empty() && !report_.mixed.isWithin(report_.limit)) {
+        while (!held.empty() && !report_.mixed.isWithin(report_.limit) && !isEnded_) {
+            tell(masks_.size() + 1);
             held.pop_back();
             report_.mixed = report_.errorOf(report_.halvedBy(held));
         }
@@ -144,6 +165,8 @@ class HalfSearch {
     HalfReport report_;
     const MeasuredText& text_;
     std::vector<Mask>& masks_; ///< are the report's
+    const HalfProgress& progress_;
+    std::atomic<bool> isEnded_{false};
 };
 
 } // namespace
@@ -165,14 +188,16 @@ TextError HalfReport::errorOf(const std::vector<bool>& halved) const {
 }
 
 Checked<HalfReport> halfReport(const EvalCase& subject, const std::filesystem::path& shaders,
-                               bool hasOwnValues, double limit) {
+                               bool hasOwnValues, double limit, const HalfProgress& progress) {
     auto text = MeasuredText::of(subject, shaders);
     if (!text) {
         return tl::unexpected(text.error());
     }
-    return HalfSearch(subject, hasOwnValues, limit,
-                      std::make_shared<const MeasuredText>(std::move(*text)))
-        .run();
+    auto report = HalfSearch(subject, hasOwnValues, limit,
+                             std::make_shared<const MeasuredText>(std::move(*text)), progress)
+                      .run();
+    return report ? Checked<HalfReport>(std::move(*report))
+                  : tl::unexpected(oneError(Error{{}, 0, 0, "it was stopped", {}}));
 }
 
 } // namespace patina

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -43,11 +44,14 @@ struct HalfReport {
     TextError errorOf(const std::vector<bool>& halved) const;
 };
 
+/// Is told which share of the work is done, by one thread at a time; it returns false to end it.
+using HalfProgress = std::function<bool(double share)>;
+
 /// Evaluates a block's function on the CPU, each operation of some lines rounded to 16 bits and the
 /// others to float, in common cases and in edge cases. A line holds where the value stays finite
 /// and as far from double precision as `limit`, in any channel where white is 1, relative above.
-/// It is an error where the text does not compile or cannot be evaluated.
+/// It is an error where the text does not compile or cannot be evaluated, or it is ended.
 Checked<HalfReport> halfReport(const EvalCase& subject, const std::filesystem::path& shaders,
-                               bool hasOwnValues, double limit);
+                               bool hasOwnValues, double limit, const HalfProgress& progress);
 
 } // namespace patina
