@@ -27,6 +27,12 @@ QPointF discPlace(double degrees, double length) {
     return {length * std::sin(angle), length * std::cos(angle)};
 }
 
+/// Returns where a ray has its name: above its end, but not beyond the plot.
+QPointF namePlace(double degrees) {
+    const double slope = std::abs(std::sin(degrees * std::numbers::pi / 180.0));
+    return discPlace(degrees, 1.06) + QPointF(0.0, 0.04 * slope);
+}
+
 } // namespace
 
 PolarPlot::PolarPlot(QWidget* parent) : LobePlotWidget(LobePlot::Polar, parent) {
@@ -103,8 +109,10 @@ void PolarPlot::addDisc(double largest) {
         const QPointF end = discPlace(degrees, 1.0);
         spoke->addData(0.0, 0.0, 0.0);
         spoke->addData(1.0, end.x(), end.y());
-        constexpr double labelWidth = 14.0; // degrees that the light's label takes
-        if (std::abs(degrees) < 90 && std::abs(degrees + light_) > labelWidth) {
+        constexpr double labelWidth = 14.0; // degrees that the light's or the viewer's label takes
+        const bool isFree = std::abs(degrees + light_) > labelWidth &&
+                            (!viewer_ || std::abs(degrees - *viewer_) > labelWidth);
+        if (std::abs(degrees) < 90 && isFree) {
             addText(discPlace(degrees, 1.06), QStringLiteral("%1°").arg(std::abs(degrees)),
                     Qt::AlignCenter);
         }
@@ -115,8 +123,7 @@ void PolarPlot::addDisc(double largest) {
     ray->end->setCoords(0.0, 0.0);
     ray->setHead(QCPLineEnding::esSpikeArrow);
     ray->setPen(QPen(mixed(base, text, 0.6), 1.2, Qt::DashLine));
-    addText(discPlace(-light_, 1.06) + QPointF(0.0, 0.04), tr("light %1°").arg(roundText(light_)),
-            Qt::AlignCenter);
+    addText(namePlace(-light_), tr("light %1°").arg(roundText(light_)), Qt::AlignCenter);
 }
 
 void PolarPlot::addViewer() {
@@ -130,7 +137,7 @@ void PolarPlot::addViewer() {
     ray->end->setCoords(discPlace(*viewer_, 1.0));
     ray->setPen(QPen(color, 1.2, Qt::DotLine));
     auto* label = new QCPItemText(&plot());
-    label->position->setCoords(discPlace(*viewer_, 1.06) + QPointF(0.0, 0.04));
+    label->position->setCoords(namePlace(*viewer_));
     label->setText(tr("viewer"));
     label->setFont(plot().font());
     label->setColor(color);
