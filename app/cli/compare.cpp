@@ -71,6 +71,7 @@ Checked<void> draw(std::vector<Side>& sides, const CompareOptions& options,
     if (!maker) {
         return tl::unexpected(oneError(maker.error()));
     }
+    maker->setPixelRatio(options.picture.pixelRatio);
     AssetClient client;
     TextureLoader textures(client);
     maker->setTextures(textures, filesIn(options.picture.textures, options.picture.sets));
@@ -218,6 +219,7 @@ void addCompare(CLI::App& program, int& status) {
         ->option_text("FILE FILE [FILE [FILE]] REQUIRED");
     addSceneOptions(*command, options->picture);
     addSizeOption(*command, options->picture);
+    addPixelRatioOption(*command, options->picture);
     command->add_option("--mode", options->mode, "How they are shown: side by side, with letters")
         ->check(CLI::IsMember({"side"}))
         ->capture_default_str();

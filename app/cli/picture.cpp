@@ -56,6 +56,7 @@ View PictureMaker::viewOf(const Scene& scene, glm::ivec2 size) const {
     View view;
     view.size = size;
     view.camera = scene.camera;
+    view.pixelRatio = pixelRatio_;
     view.environmentImage = environment_;
     view.environmentSamples = samples_;
     return view;

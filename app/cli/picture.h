@@ -28,6 +28,9 @@ class PictureMaker {
     /// summed.
     void setEnvironment(std::shared_ptr<const EnvironmentImage> image, int samples);
 
+    /// Sets how many pixels a unit of lengths has that keep their size on the screen.
+    void setPixelRatio(double ratio) { pixelRatio_ = ratio; }
+
     /// Draws a scene: with `display` the 8-bit display values / 255, else linear floats. Fails when
     /// the picture is not what was asked for; anything that was merely left out is a warning on
     /// standard error, given once.
@@ -53,6 +56,7 @@ class PictureMaker {
     std::vector<std::string> neededTextures_;
     std::shared_ptr<const EnvironmentImage> environment_;
     int samples_ = 0;
+    double pixelRatio_ = 1.0;
     Errors reported_; ///< holds the warnings that were given
 };
 

@@ -135,4 +135,12 @@ void addSizeOption(CLI::App& command, PictureOptions& options) {
         "Pixels, as WIDTHxHEIGHT");
 }
 
+void addPixelRatioOption(CLI::App& command, PictureOptions& options) {
+    command
+        .add_option("--pixel-ratio", options.pixelRatio,
+                    "How many pixels of the picture a pixel of drawn lines, dots and outlines has: "
+                    "2 for a screen of twice the density, or a picture of twice the size")
+        ->check(CLI::Range(0.125, 16.0));
+}
+
 } // namespace patina

@@ -33,6 +33,7 @@ struct PictureOptions {
     int samples = 0;
     std::optional<double> exposure;
     glm::ivec2 size{512, 512};
+    double pixelRatio = 1.0; ///< is View::pixelRatio
 
     /// Returns the id that is chosen of a kind; empty where the preset or the scene decides.
     const std::string& part(std::string_view kind) const;
@@ -50,5 +51,8 @@ void addSceneOptions(CLI::App& command, PictureOptions& options);
 
 /// Adds --size.
 void addSizeOption(CLI::App& command, PictureOptions& options);
+
+/// Adds --pixel-ratio.
+void addPixelRatioOption(CLI::App& command, PictureOptions& options);
 
 } // namespace patina

@@ -102,6 +102,7 @@ class RequestDrawer {
             return tl::unexpected(oneError(environment.error()));
         }
         maker_->setEnvironment(*environment, directionsFor(scene, options_.picture, *catalog_));
+        maker_->setPixelRatio(options_.picture.pixelRatio);
         meshes_.emplace(std::move(*loaded));
         return {};
     }
@@ -327,6 +328,7 @@ void addRender(CLI::App& program, int& status) {
     command->add_option("presets", options->presets, "Presets (*.patina.json)");
     addSceneOptions(*command, options->picture);
     addSizeOption(*command, options->picture);
+    addPixelRatioOption(*command, options->picture);
     command->add_flag("--auto-exposure", options->autoExposure,
                       "Set the exposure so that the mean brightness of the picture (of the "
                       "logarithms) is middle grey");

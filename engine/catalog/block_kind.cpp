@@ -113,6 +113,7 @@ constexpr auto inModels = std::to_array<ParameterRole>(
 constexpr auto inPass = std::to_array<ParameterRole>(
     {{.word = roles::blend, .type = ParameterType::Enum, .choices = blends},
      {roles::blendAmount},
+     {.word = roles::screenLength, .mayRepeat = true},
      {roles::threshold, ParameterType::Texture},
      {.word = roles::depthTest, .type = ParameterType::Enum, .choices = depthTests}});
 constexpr auto inFresnel = std::to_array<ParameterRole>(

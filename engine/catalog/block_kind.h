@@ -109,6 +109,9 @@ inline constexpr std::string_view wavelengths = "wavelengths";
 inline constexpr std::string_view thickness = "thickness"; ///< is the thickness of a pane
 inline constexpr std::string_view filter = "filter";       ///< multiplies the transmitted light
 inline constexpr std::string_view width = "width";         ///< is the width of lines
+/// Are lengths of a drawing that keep their size on the screen, in pixels of the picture times the
+/// device pixel ratio.
+inline constexpr std::string_view screenLength = "screenLength";
 inline constexpr std::string_view length = "length";       ///< is how far strands reach, in metres
 inline constexpr std::string_view density = "density";     ///< counts strands along a metre
 inline constexpr std::string_view lighting = "lighting";   ///< "surface" or "strand"

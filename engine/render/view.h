@@ -22,6 +22,9 @@ struct EnvironmentImage;
 struct View {
     glm::ivec2 size{512, 512}; ///< pixels, at least 1
     Camera camera;
+    /// Is how many pixels a unit of those lengths has that keep their size on a screen: its device
+    /// pixel ratio.
+    double pixelRatio = 1.0;
     int samples = 0; ///< is the samples per pixel (MSAA), lowered to what the driver offers; 0 for
                      ///< the scene's own number
     HdrNumbers numbers = HdrNumbers::Half; ///< are those of the linear picture

@@ -94,6 +94,7 @@ DifferenceWorker::Request ComparisonMeter::request() {
     view.size = {std::max(1, static_cast<int>(shrink * pixels.width())),
                  std::max(1, static_cast<int>(shrink * pixels.height()))};
     view.camera = first_.camera();
+    view.pixelRatio = shrink * first_.devicePixelRatioF();
     return {sideOf(Side::A),
             sideOf(other()),
             view,

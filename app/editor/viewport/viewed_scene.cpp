@@ -18,6 +18,7 @@ View ViewedScene::view() const {
     View view;
     view.size = pixelsOf(widget_, widget_.size());
     view.camera = camera_;
+    view.pixelRatio = widget_.devicePixelRatioF();
     view.effects = sources_.effects ? sources_.effects() : nullptr;
     view.environmentImage = sources_.environment ? sources_.environment() : nullptr;
     view.maxSamples = wantedSamples();

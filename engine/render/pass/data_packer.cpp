@@ -149,11 +149,29 @@ void packTemperature(std::span<glm::vec4> out, const BlockPlace& place, const Va
     }
 }
 
+/// Tells whether a length keeps its size on the screen. Strokes have widths in other units.
+bool isOnScreen(const Block& block, const Parameter& parameter) {
+    return parameter.role == roles::screenLength ||
+           (block.kind == kinds::outline && parameter.role == roles::width);
+}
+
+/// Multiplies such lengths by the device pixel ratio. The shader has them in pixels, so that edges
+/// stay one pixel wide.
+void packScreenLengths(std::span<glm::vec4> out, const BlockPlace& place, double pixelRatio) {
+    for (const ParameterField& field : place.layout.fields) {
+        if (field.parameter != nullptr && isOnScreen(*place.block, *field.parameter)) {
+            out[field.offset / 4][static_cast<int>(field.offset % 4)] *=
+                static_cast<float>(pixelRatio);
+        }
+    }
+}
+
 void packPlace(std::span<glm::vec4> out, const BlockPlace& place, const Values& values,
                const AccuracyLevels& levels, const PackedAround& around) {
     const std::span<glm::vec4> own = out.subspan(static_cast<std::size_t>(place.first));
     packInto(own, place.layout, values, levels, around);
     packTemperature(own, place, values);
+    packScreenLengths(own, place, around.pixelRatio);
     if (around.wavelengths == srgbWavelengths) {
         return; // of which documents hold the numbers
     }
@@ -214,6 +232,14 @@ void packMaterial(std::span<glm::vec4> out, const Pipeline& pipeline, const Mate
         }
     }
     packOwn(out, pipeline.object, material, pipeline.effects);
+}
+
+void packLines(std::span<glm::vec4> out, const OutlineLayout& layout, const Material& material,
+               const PackedAround& around) {
+    const std::span<glm::vec4> own = out.subspan(OutlineLayout::fixed);
+    packInto(own, layout.block.layout, partValues(layout.block, material.parts), material.accuracy,
+             around);
+    packScreenLengths(own, layout.block, around.pixelRatio);
 }
 
 void packLayers(std::span<glm::vec4> out, const Pipeline& pipeline, const LayersToPack& packing,

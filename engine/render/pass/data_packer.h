@@ -43,6 +43,10 @@ PackedScene packScene(std::span<glm::vec4> out, const Pipeline& pipeline,
 void packMaterial(std::span<glm::vec4> out, const Pipeline& pipeline, const Material& material,
                   const PackedAround& around);
 
+/// Fills `objectData` of the program of outlines, but for its fixed part.
+void packLines(std::span<glm::vec4> out, const OutlineLayout& layout, const Material& material,
+               const PackedAround& around);
+
 /// Holds the values of the block that composes transparent surfaces, and the range of their depths
 /// in metres.
 struct LayersToPack {

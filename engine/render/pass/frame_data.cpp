@@ -27,7 +27,7 @@ glm::vec4 pixelInClipOf(const glm::dmat4& worldToClip, const glm::dvec3& eye, gl
 }
 
 PackedAround around(const FramePlan& plan) {
-    return {plan.cameraToWorld, plan.scene->wavelengths};
+    return {plan.cameraToWorld, plan.scene->wavelengths, plan.view->pixelRatio};
 }
 
 } // namespace
@@ -167,18 +167,12 @@ SharedTable FrameData::bindMeasured(const Pipeline& pipeline, const Material& ma
 }
 
 void FrameData::feedLines(const PreparedFrame& frame, const DrawBatch& batch) {
-    static const Values none;
     const DrawMaterial& material = frame.materials[batch.material];
     const Pipeline& pipeline = *material.pipeline;
-    const OutlineLayout& layout = *pipeline.outline;
-    const Material& values = frame.plan.material(batch.material);
-    const BlockValues* part = values.part(layout.block.block->kind);
-    const bool isOfBlock = part != nullptr && part->id == layout.block.block->id;
     feedScene(frame.plan, pipeline, batch.lights);
     const std::span<glm::vec4> data = materials_.staging(material.outlineData);
     data[OutlineLayout::line] = pixelInClip_;
-    packInto(data.subspan(OutlineLayout::fixed), layout.block.layout,
-             isOfBlock ? part->parameters : none, values.accuracy, frame.plan.cameraToWorld);
+    packLines(data, *pipeline.outline, frame.plan.material(batch.material), around(frame.plan));
     note(materials_.upload(material.outlineData));
     materials_.bind(binding::object, material.outlineData);
     pipeline.outlineProgram->use();

@@ -54,7 +54,7 @@ void SurfaceItems::prepare(const Scene& scene, const View& view, const MeshSourc
 }
 
 FogReach SurfaceItems::fogReach(const Scene& scene) const {
-    FogReach fog(scene, *catalog_, glm::dvec3(cameraToWorld_[3]));
+    FogReach fog(scene, *catalog_, glm::dvec3(around_.cameraToWorld[3]));
     for (const Item& item : items_) {
         fog.add(item.bounds, item.world);
     }
@@ -69,8 +69,7 @@ void SurfaceItems::end() {
 
 void SurfaceItems::collect(const Scene& scene, const View& view, const MeshSource& meshes) {
     const glm::dmat4 worldToCamera = viewMatrix(view.camera);
-    cameraToWorld_ = glm::inverse(worldToCamera);
-    wavelengths_ = scene.wavelengths;
+    around_ = {glm::inverse(worldToCamera), scene.wavelengths, view.pixelRatio};
     depths_ = DepthRange();
     items_.clear();
     instances_.clear();
@@ -130,7 +129,8 @@ void SurfaceItems::drawShadows(const Scene& scene) {
         }
     }
     ProgramCache& programs = pipelines_.programs();
-    const auto planned = shadows_.plan(scene, scene, cameraToWorld_, programs, shared_.textures);
+    const auto planned =
+        shadows_.plan(scene, scene, around_.cameraToWorld, programs, shared_.textures);
     const auto held = planned ? shadows_.hold(true, programs) : tl::unexpected(planned.error());
     if (!held) {
         report_.messages.push_back(held.error());
@@ -144,7 +144,7 @@ void SurfaceItems::drawShadows(const Scene& scene) {
 void SurfaceItems::feed(const Scene& scene, const View& view) {
     const double aspect = double(view.size.x) / double(view.size.y);
     const glm::dmat4 worldToClip =
-        projection(view.camera, aspect, depths_) * glm::inverse(cameraToWorld_);
+        projection(view.camera, aspect, depths_) * glm::inverse(around_.cameraToWorld);
     packView(viewData_.staging(), worldToClip, eye(view.camera), 1.0);
     report_.uploadedBuffers += viewData_.upload(ViewLayout::vec4s) ? 1 : 0;
     viewData_.bind(binding::view);
@@ -152,8 +152,9 @@ void SurfaceItems::feed(const Scene& scene, const View& view) {
     const auto fed =
         std::ranges::find_if(items_, [](const Item& item) { return item.pipeline != nullptr; });
     if (fed != items_.end()) {
-        const PackedScene packed = packScene(sceneData_.staging(), *fed->pipeline,
-                                             {scene, scene, shadows_.views()}, cameraToWorld_);
+        const PackedScene packed =
+            packScene(sceneData_.staging(), *fed->pipeline, {scene, scene, shadows_.views()},
+                      around_.cameraToWorld);
         report_.uploadedBuffers += sceneData_.upload(packed.vec4s) ? 1 : 0;
     }
     for (Item& item : items_) {
@@ -166,7 +167,7 @@ void SurfaceItems::feed(const Scene& scene, const View& view) {
 void SurfaceItems::feedMaterial(const Material& material, Item& item) {
     const auto size = static_cast<std::size_t>(item.pipeline->object.vec4s);
     item.data->reserve(size);
-    packMaterial(item.data->staging(), *item.pipeline, material, {cameraToWorld_, wavelengths_});
+    packMaterial(item.data->staging(), *item.pipeline, material, around_);
     bindImages(material, item);
     item.isNew = item.data->upload(size);
     report_.uploadedBuffers += item.isNew ? 1 : 0;

@@ -15,6 +15,7 @@
 #include "render/pass/render_resources.h"
 #include "render/view.h"
 #include "shading/effects/effect_key.h"
+#include "shading/program/parameter_packer.h"
 
 namespace patina {
 
@@ -84,8 +85,7 @@ class SurfaceItems {
     std::vector<std::unique_ptr<UniformBuffer>> data_; ///< has one for each object
     std::vector<Item> items_;
     InstanceBuffer instances_; ///< has one for each item
-    glm::dmat4 cameraToWorld_{1.0};
-    glm::dvec3 wavelengths_ = srgbWavelengths; ///< nm, of red, green and blue
+    PackedAround around_{glm::dmat4(1.0)};
     DepthRange depths_;
     FrameReport report_;
 };

@@ -15,10 +15,12 @@ namespace patina {
 struct PackedAround {
     glm::dmat4 cameraToWorld{1.0}; ///< is a rigid transform
     glm::dvec3 wavelengths = srgbWavelengths; ///< nm, of red, green and blue
+    double pixelRatio = 1.0; ///< is that of the view (View::pixelRatio)
 
     // NOLINTNEXTLINE(google-explicit-constructor): most blocks know only the camera
-    PackedAround(const glm::dmat4& camera, const glm::dvec3& ofScene = srgbWavelengths)
-        : cameraToWorld(camera), wavelengths(ofScene) {}
+    PackedAround(const glm::dmat4& camera, const glm::dvec3& ofScene = srgbWavelengths,
+                 double ofView = 1.0)
+        : cameraToWorld(camera), wavelengths(ofScene), pixelRatio(ofView) {}
 };
 
 /// Writes the values of a block as packed() does, but as floats, without allocating, and with
