@@ -7,11 +7,12 @@
 
 namespace patina {
 
-/// Tells whether a glTF extension is about geometry and read.
+/// Tells whether a glTF extension is read.
 inline bool isReadExtension(std::string_view name) {
-    constexpr std::array<std::string_view, 3> geometry{
-        "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_mesh_quantization"};
-    return std::ranges::find(geometry, name) != geometry.end();
+    constexpr std::array<std::string_view, 6> read{
+        "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_mesh_quantization",
+        "KHR_materials_ior",          "KHR_materials_specular",  "KHR_materials_emissive_strength"};
+    return std::ranges::find(read, name) != read.end();
 }
 
 /// Tells whether a glTF extension says how materials or their textures are.

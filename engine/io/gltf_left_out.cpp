@@ -67,15 +67,33 @@ void addTexture(LeftOut& left, const tinygltf::Model& model, const char* use, in
     }
 }
 
-void addImages(LeftOut& left, const tinygltf::Model& model) {
+/// Adds an image that KHR_materials_specular has, under a key.
+void addExtensionTexture(LeftOut& left, const tinygltf::Model& model,
+                         const tinygltf::Material& material, const char* key) {
+    const auto found = material.extensions.find("KHR_materials_specular");
+    if (found != material.extensions.end() && found->second.IsObject() && found->second.Has(key)) {
+        const tinygltf::Value& texture = found->second.Get(key);
+        if (texture.IsObject() && texture.Has("index") && texture.Get("index").IsInt()) {
+            addTexture(left, model, "reflectance", texture.Get("index").GetNumberAsInt(), false);
+        }
+    }
+}
+
+/// Adds what materials have that is not read.
+void addMaterials(LeftOut& left, const tinygltf::Model& model) {
     for (const tinygltf::Material& material : model.materials) {
         const tinygltf::PbrMetallicRoughness& look = material.pbrMetallicRoughness;
+        if (material.extras.Type() != tinygltf::NULL_TYPE) {
+            left.add(What::MaterialExtras, material.name);
+        }
         addTexture(left, model, "colour", look.baseColorTexture.index, true);
         addTexture(left, model, "roughness and metalness", look.metallicRoughnessTexture.index,
                    false);
         addTexture(left, model, "normals", material.normalTexture.index, true);
         addTexture(left, model, "occlusion", material.occlusionTexture.index, false);
         addTexture(left, model, "glow", material.emissiveTexture.index, true);
+        addExtensionTexture(left, model, material, "specularTexture");
+        addExtensionTexture(left, model, material, "specularColorTexture");
     }
 }
 
@@ -89,7 +107,7 @@ LeftOut leftOutOf(const tinygltf::Model& model) {
     addAll(left, What::Light, model.lights);
     addMeshes(left, model);
     addExtensions(left, model);
-    addImages(left, model);
+    addMaterials(left, model);
     return left;
 }
 

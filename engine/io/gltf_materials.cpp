@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/gltf_materials.h"
 
+#include <algorithm>
+
 #include <glm/common.hpp>
 
 #include "io/material_images.h"
@@ -9,6 +11,8 @@
 
 namespace patina {
 namespace {
+
+constexpr double usualIndex = 1.5; // of glTF's dielectrics
 
 glm::dvec3 colorOf(const std::vector<double>& numbers, double missing) {
     return numbers.size() < 3 ? glm::dvec3(missing)
@@ -31,6 +35,47 @@ void addTexture(MeshMaterial& material, const char* word, int index, const tinyg
     }
 }
 
+/// Returns a value of an extension of a material; null where it has none.
+const tinygltf::Value* valueIn(const tinygltf::Material& material, const char* extension,
+                               const char* key) {
+    const auto found = material.extensions.find(extension);
+    return found != material.extensions.end() && found->second.IsObject() && found->second.Has(key)
+               ? &found->second.Get(key)
+               : nullptr;
+}
+
+double numberIn(const tinygltf::Material& material, const char* extension, const char* key,
+                double missing) {
+    const tinygltf::Value* value = valueIn(material, extension, key);
+    return value != nullptr && value->IsNumber() ? value->GetNumberAsDouble() : missing;
+}
+
+glm::dvec3 colorIn(const tinygltf::Material& material, const char* extension, const char* key) {
+    const tinygltf::Value* value = valueIn(material, extension, key);
+    glm::dvec3 color(1.0);
+    for (int i = 0; value != nullptr && value->IsArray() && value->ArrayLen() == 3 && i < 3; ++i) {
+        color[i] = value->Get(i).IsNumber() ? value->Get(i).GetNumberAsDouble() : 1.0;
+    }
+    return color;
+}
+
+/// Gives a dielectric the reflectance that KHR_materials_ior and KHR_materials_specular say; one
+/// without any is matte.
+void setReflectance(MeshMaterial& material, const tinygltf::Material& from) {
+    const double factor = numberIn(from, "KHR_materials_specular", "specularFactor", 1.0);
+    if (factor <= 0.0) {
+        material.look = "matte";
+        material.values.erase("f0");
+        material.values.erase("alpha");
+        return;
+    }
+    const glm::dvec3 tint = colorIn(from, "KHR_materials_specular", "specularColorFactor");
+    const double ior = numberIn(from, "KHR_materials_ior", "ior", usualIndex);
+    const double root = (ior - 1.0) / (ior + 1.0);
+    material.values["f0"] =
+        glm::clamp(factor * glm::min(root * root * tint, glm::dvec3(1.0)), 0.0, 1.0);
+}
+
 MeshMaterial materialFrom(const tinygltf::Material& from, const tinygltf::Model& model,
                           MeshFolder& folder) {
     MeshMaterial material;
@@ -38,11 +83,18 @@ MeshMaterial materialFrom(const tinygltf::Material& from, const tinygltf::Model&
     const tinygltf::PbrMetallicRoughness& look = from.pbrMetallicRoughness;
     lookMetallicRough(material, colorOf(look.baseColorFactor, 1.0), look.metallicFactor,
                       look.roughnessFactor);
+    if (material.look == "dielectric" && (from.extensions.contains("KHR_materials_ior") ||
+                                          from.extensions.contains("KHR_materials_specular"))) {
+        setReflectance(material, from);
+    }
     addTexture(material, material.look == "metal" ? "f0" : "diffuse", look.baseColorTexture.index,
                model, folder);
     addTexture(material, "normal", from.normalTexture.index, model, folder);
     addTexture(material, "emissive", from.emissiveTexture.index, model, folder);
-    material.values["emissive"] = glm::clamp(colorOf(from.emissiveFactor, 0.0), 0.0, 1.0);
+    const double strength =
+        numberIn(from, "KHR_materials_emissive_strength", "emissiveStrength", 1.0);
+    material.values["emissive"] =
+        glm::clamp(colorOf(from.emissiveFactor, 0.0), 0.0, 1.0) * std::max(strength, 0.0);
     if (from.alphaMode == "BLEND" && look.baseColorFactor.size() == 4) {
         material.values["opacity"] = glm::dvec3(glm::clamp(look.baseColorFactor[3], 0.0, 1.0));
     }

@@ -179,6 +179,37 @@ class Gatherer {
     std::map<std::pair<int, std::size_t>, RawMesh> decoded_;
 };
 
+/// Returns whether each material has a triangle with a vertex that is not white.
+std::vector<bool> haveColors(const RawMesh& mesh) {
+    std::vector<bool> have(mesh.materials.size(), false);
+    for (std::size_t i = 0; i < mesh.indices.size() && i / 3 < mesh.materialOf.size(); ++i) {
+        const std::uint32_t material = mesh.materialOf[i / 3];
+        if (material < have.size() && mesh.colors[mesh.indices[i]] != glm::vec4(1.0f)) {
+            have[material] = true;
+        }
+    }
+    return have;
+}
+
+/// Multiplies vertex colours with the base colour of each material, unless an image is there: then
+/// they are left out.
+void layVertexColors(RawMesh& mesh) {
+    if (mesh.colors.empty()) {
+        return;
+    }
+    const std::vector<bool> have = haveColors(mesh);
+    for (std::size_t i = 0; i < mesh.materials.size(); ++i) {
+        MeshMaterial& material = mesh.materials[i];
+        const bool isFree =
+            material.images
+                .try_emplace(material.look == "metal" ? "f0" : "diffuse", vertexColorsName)
+                .second;
+        if (!isFree && have[i]) {
+            mesh.leftOut.add(LeftOut::What::VertexColors, material.name);
+        }
+    }
+}
+
 } // namespace
 
 Result<std::optional<RawMesh>> readGltf(MeshFolder& folder, const ReportProgress& report) {
@@ -194,13 +225,8 @@ Result<std::optional<RawMesh>> readGltf(MeshFolder& folder, const ReportProgress
         return tl::unexpected(mesh.error());
     }
     mesh->materials = materialsFrom(**model, folder);
-    for (MeshMaterial& material : mesh->materials) {
-        if (!mesh->colors.empty()) { // they are multiplied with the base colour, unless an image is
-            material.images.try_emplace(material.look == "metal" ? "f0" : "diffuse",
-                                        vertexColorsName);
-        }
-    }
     mesh->leftOut = leftOutOf(**model);
+    layVertexColors(*mesh);
     return std::optional(std::move(*mesh));
 }
 

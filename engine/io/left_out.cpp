@@ -25,7 +25,9 @@ constexpr std::array<Words, LeftOut::whats> words{{
     {"mesh of points or lines", "meshes of points or lines"},
     {"extension", "extensions"},
     {"image", "images"},
+    {"set of vertex colours under an image", "sets of vertex colours under images"},
     {"extension of materials", "extensions of materials"},
+    {"material's extras", "materials' extras"},
 }};
 
 /// Returns a name that fits into a sentence: cut between two letters of UTF-8, on one line.

@@ -20,10 +20,12 @@ class LeftOut {
         Light,
         PointsAndLines,
         Extension,
-        Image, ///< is of a material, as is the next one
-        MaterialExtension
+        Image, ///< is of a material, as are the next ones
+        VertexColors,
+        MaterialExtension,
+        MaterialExtras ///< are what another program keeps for itself
     };
-    static constexpr std::size_t whats = 9;
+    static constexpr std::size_t whats = 11;
 
     /// Adds one. A name may be empty, and is cut where it is long.
     void add(What what, std::string_view name);

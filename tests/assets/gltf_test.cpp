@@ -69,7 +69,9 @@ TEST(Gltf, WhatIsNotRead_IsToldByName) {
     glb.document["extensionsUsed"] = {"KHR_materials_sheen", "EXT_mesh_gpu_instancing"};
     glb.document["images"] = {{{"uri", "ao.png"}, {"name", "Occlusion"}}};
     glb.document["textures"] = {{{"source", 0}}};
-    glb.document["materials"] = {{{"occlusionTexture", {{"index", 0}}}}};
+    glb.document["materials"] = {{{"name", "Wall"},
+                                  {"occlusionTexture", {{"index", 0}}},
+                                  {"extras", {{"shader", "of another program"}}}}};
     EXPECT_EQ((*loadedGlb(glb))->remarks(),
               "not read: 1 camera (Front), 1 extension (EXT_mesh_gpu_instancing)");
     const TemporaryFolder folder;
@@ -79,7 +81,7 @@ TEST(Gltf, WhatIsNotRead_IsToldByName) {
     EXPECT_TRUE((*AssetClient().loadMesh(apart))
                     ->remarks()
                     .ends_with(", 1 image (occlusion of ao.png), 1 extension of materials "
-                               "(KHR_materials_sheen)"));
+                               "(KHR_materials_sheen), 1 material's extras (Wall)"));
 }
 
 TEST(Gltf, BinaryOfVersionOne_SaysSo) {

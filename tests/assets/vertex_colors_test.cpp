@@ -136,6 +136,28 @@ TEST(VertexColors, GltfMaterialOfWhiteVertices_HasNone) {
     EXPECT_TRUE((*mesh)->parts().front().material.images.empty());
 }
 
+TEST(VertexColors, GltfMaterialWithAnImage_LeavesThemOutAndSaysSo) {
+    const TemporaryFolder folder;
+    GlbWriter glb = triangleGlb();
+    const std::vector<float> colors{1, 0, 0, 0, 1, 0, 0, 0, 1};
+    glb.primitive()["attributes"]["COLOR_0"] =
+        glb.addAccessor(glb.addView(colors), 5126, "VEC3", 3);
+    glb.document["images"].push_back({{"uri", "paint.png"}});
+    glb.document["textures"].push_back({{"source", 0}});
+    glb.document["materials"] = {
+        {{"name", "Paint"}, {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
+    glb.primitive()["material"] = 0;
+    writeFile(folder / "paint.png", "only its name matters");
+    writeFile(folder / "colors.glb", glb.bytes());
+    MeshRequest apart;
+    apart.file = folder / "colors.glb";
+    apart.byMaterial = true;
+    AssetClient client;
+    const auto mesh = client.loadMesh(apart);
+    ASSERT_TRUE(mesh) << mesh.error().text();
+    EXPECT_EQ((*mesh)->remarks(), "not read: 1 set of vertex colours under an image (Paint)");
+}
+
 TEST(VertexColors, WhiteMesh_HasNone) {
     const auto plain = loaded("plain.obj", squareObj);
     ASSERT_TRUE(plain) << plain.error().text();
