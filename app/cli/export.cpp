@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/command.h"
 
+#include <iostream>
 #include <memory>
 #include <optional>
 
@@ -16,6 +17,8 @@
 #include "cli/preset_folder.h"
 #include "cli/scene_meshes.h"
 #include "cli/scene_setup.h"
+#include "exchange/material_export.h"
+#include "material/preset_file.h"
 
 namespace patina {
 namespace {
@@ -182,8 +185,39 @@ Checked<int> exportTogether(const ExportOptions& options,
     return tellOutcomes(*outcomes, options.output) && isAllRead ? 0 : 1;
 }
 
+/// Writes presets as materials of another program, and says what becomes of each value; returns the
+/// exit status.
+Checked<int> exportForOthers(const ExportOptions& options, const Catalog& catalog) {
+    std::vector<Material> materials;
+    bool isAllRead = true;
+    for (const std::string& file : options.presets) {
+        const auto reading = readPreset(file, catalog, {.everything = options.allowOutside});
+        if (reading) {
+            report(reading->notes);
+            materials.push_back(reading->material);
+        } else {
+            report(reading.error());
+            isAllRead = false;
+        }
+    }
+    if (materials.empty()) {
+        return 1;
+    }
+    const auto exported = exportMaterials(options.output, materials, catalog, Progress());
+    if (!exported) {
+        return tl::unexpected(oneError(exported.error()));
+    }
+    for (std::size_t i = 0; i < exported->names.size(); ++i) {
+        std::cout << exported->names[i] << '\n' << exportText(exported->lines[i]);
+    }
+    return isAllRead ? 0 : 1;
+}
+
 Checked<int> exportPresets(const CLI::App& command, const ExportOptions& options) {
     const auto catalog = std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()));
+    if (exchangeFormatOf(options.output) != nullptr && !options.job.isWanted()) {
+        return exportForOthers(options, *catalog);
+    }
     if (options.job.isWanted() && !isFolder(options.output)) {
         return tl::unexpected(oneError(
             failure("--results are of one zip file for each preset", "-o FOLDER/").value()));
@@ -197,12 +231,14 @@ Checked<int> exportPresets(const CLI::App& command, const ExportOptions& options
 void addExport(CLI::App& program, int& status) {
     CLI::App* command = program.add_subcommand(
         "export", "Put presets into a zip file, or into one for each, with their images and a "
-                  "picture of each");
+                  "picture of each; or write them as materials of other programs");
     auto options = std::make_shared<ExportOptions>();
     command->add_option("presets", options->presets, "Presets (*.patina.json)")->required();
     command
-        ->add_option("-o,--output", options->output,
-                     "The zip file, or a folder (FOLDER/) for a zip file of each preset")
+        ->add_option(
+            "-o,--output", options->output,
+            "The zip file, or a folder (FOLDER/) for a zip file of each preset; or a .gltf, "
+            ".glb, .mtlx or .mtl file of materials, with what becomes of each value told")
         ->required();
     command->add_flag("--allow-outside", options->allowOutside,
                       "Read what the presets name outside their folders");

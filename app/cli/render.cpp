@@ -45,7 +45,6 @@ struct RenderOptions {
 };
 
 constexpr int maxPictures = 3600;
-constexpr int digits = 4; ///< counts the digits of a picture's number in a series
 
 Checked<void> checkRequest(const RenderOptions& options) {
     if (options.presets.empty() && options.picture.model.empty() && options.picture.scene.empty()) {
@@ -173,14 +172,6 @@ Checked<void> write(const PictureFile& file, const Image& image, AssetClient& cl
     return {};
 }
 
-/// Returns the name of a picture in a series: "turn.0001.png" of "turn.png".
-PictureFile numbered(const PictureFile& file, int number) {
-    const std::filesystem::path path(file.name);
-    const std::string name =
-        fmt::format("{}.{:0{}}{}", path.stem().string(), number, digits, path.extension().string());
-    return {(path.parent_path() / name).string()};
-}
-
 /// Draws a whole turn in even steps; the picture after the last one would equal the first.
 Checked<void> renderSeries(const RenderOptions& options, const Catalog& catalog, const Scene& scene,
                            RequestDrawer& drawer, AssetClient& files) {
@@ -194,7 +185,8 @@ Checked<void> renderSeries(const RenderOptions& options, const Catalog& catalog,
         if (!image) {
             return tl::unexpected(image.error());
         }
-        if (auto written = write(numbered(options.output, i + 1), *image, files); !written) {
+        if (auto written = write({seriesFile(options.output.name, i + 1).string()}, *image, files);
+            !written) {
             return written;
         }
     }

@@ -15,6 +15,7 @@
 #include "catalog/descriptor_checker.h"
 #include "catalog/expression.h"
 #include "catalog/fill_checks.h"
+#include "catalog/look_checks.h"
 #include "catalog/neutral_checks.h"
 #include "catalog/reserved_words.h"
 #include "catalog/role_checks.h"
@@ -342,7 +343,7 @@ class Checker : DescriptorChecker {
         } else if (!isComparable(*left, comparison.right)) {
             add(pointer, fmt::format("'{}' is nothing '{}' can be", comparison.right, left->id),
                 infoOf(left->type).isChoice ? oneOf(comparison.right, idsOf(left->values))
-                                                  : "a number, true, false or a parameter");
+                                            : "a number, true, false or a parameter");
         }
     }
 
@@ -389,7 +390,8 @@ Errors descriptorMistakes(const Descriptor& descriptor) {
     }
     for (const Errors& more :
          {fillMistakes(descriptor), shadowMistakes(descriptor), boundMistakes(descriptor),
-          neutralMistakes(descriptor), tableMistakes(descriptor), roleMistakes(descriptor)}) {
+          neutralMistakes(descriptor), tableMistakes(descriptor), roleMistakes(descriptor),
+          lookMistakes(descriptor)}) {
         errors.insert(errors.end(), more.begin(), more.end());
     }
     return errors;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "material/mesh_look.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
+#include <glm/common.hpp>
 
 #include "catalog/json_text.h"
 #include "core/number_text.h"
@@ -13,47 +16,26 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Is how a material of one look becomes a preset.
-struct Recipe {
-    std::string model;
-    std::vector<std::string> assignments;      ///< are made before those of the material's values
-    std::map<std::string, std::string> values; ///< maps a word of MeshMaterial to a parameter's id
-};
-
-Result<Recipe> recipeFor(const std::string& look) {
-    const auto file = dataFolder() / "presets" / "mesh-looks.json";
-    const auto document = readJson(file);
-    if (!document) {
-        return tl::unexpected(document.error());
-    }
-    const Json& all = document->value;
-    if (!all.is_object() || !all.contains(look)) {
-        return failure(fmt::format("there is no recipe for the look \"{}\"", look));
-    }
-    try {
-        const Json& found = all.at(look);
-        return Recipe{found.at("model").get<std::string>(),
-                      found.value("set", std::vector<std::string>()),
-                      found.at("values").get<std::map<std::string, std::string>>()};
-    } catch (const Json::exception& problem) {
-        return failure(fmt::format("{}: the recipe for \"{}\" is damaged: {}", file.string(), look,
-                                   problem.what()));
-    }
+MeshLook lookFrom(const Json& json) {
+    return {json.at("look").get<std::string>(), json.value("set", std::vector<std::string>()),
+            json.at("values").get<std::map<std::string, std::string>>()};
 }
 
+/// Returns the assignment of a value, brought into the range of its parameter.
 std::string assignmentOf(const std::string& id, const glm::dvec3& value, const Parameter& to) {
-    return to.type == ParameterType::Color ? fmt::format("{}={},{},{}", id, fullText(value.x),
-                                                         fullText(value.y), fullText(value.z))
-                                           : fmt::format("{}={}", id, fullText(value.x));
+    const glm::dvec3 held = glm::clamp(value, to.min, to.max);
+    return to.type == ParameterType::Color ? fmt::format("{}={},{},{}", id, fullText(held.x),
+                                                         fullText(held.y), fullText(held.z))
+                                           : fmt::format("{}={}", id, fullText(held.x));
 }
 
 /// Lays the images on the surface and on the parameters that have the values of the same words. An
 /// image on a colour is multiplied with it, as all formats do, unless nothing would be left.
-void layImages(Material& material, const MeshMaterial& from, const Recipe& recipe) {
+void layImages(Material& material, const MeshMaterial& from, const MeshLook& look) {
     for (const auto& [word, file] : from.images) {
-        const auto parameter = recipe.values.find(word);
-        const std::string key = parameter == recipe.values.end() ? word : parameter->second;
-        if (parameter == recipe.values.end() && textureRole(key) == TextureRole::Input) {
+        const auto parameter = look.values.find(word);
+        const std::string key = parameter == look.values.end() ? word : parameter->second;
+        if (parameter == look.values.end() && textureRole(key) == TextureRole::Input) {
             continue;
         }
         TextureUse use = textureUse(key, file);
@@ -68,22 +50,72 @@ void layImages(Material& material, const MeshMaterial& from, const Recipe& recip
 
 } // namespace
 
-Result<Material> materialOf(const MeshMaterial& from, const Catalog& catalog) {
-    const auto recipe = recipeFor(from.look);
-    if (!recipe) {
-        return tl::unexpected(recipe.error());
+Result<std::vector<MeshLook>> meshLooksOf(const Block& model) {
+    const auto document = readJson(model.descriptorFile);
+    if (!document) {
+        return tl::unexpected(document.error());
     }
-    const auto model = knownBlock(catalog, kinds::models, recipe->model);
+    std::vector<MeshLook> looks;
+    try {
+        for (const Json& look : document->value.value("looks", Json::array())) {
+            looks.push_back(lookFrom(look));
+        }
+    } catch (const Json::exception& problem) {
+        return tl::unexpected(document->error("/looks", problem.what()));
+    }
+    return looks;
+}
+
+Result<Material> ModelLook::start(const Catalog& catalog) const {
+    Material material = defaultMaterial(*model);
+    for (const std::string& assignment : look.assignments) {
+        if (const auto done = assignInMaterial(material, assignment, catalog); !done) {
+            return tl::unexpected(done.error());
+        }
+    }
+    return material;
+}
+
+Result<ModelLook> importedLook(const std::string& look, const Catalog& catalog) {
+    const auto document = readJson(dataFolder() / "presets" / "mesh-looks.json");
+    if (!document) {
+        return tl::unexpected(document.error());
+    }
+    const Json& all = document->value;
+    const auto id = all.is_object() ? all.find(look) : all.end();
+    if (id == all.end() || !id->is_string()) {
+        return tl::unexpected(
+            document->error("", fmt::format("there is no model for the look \"{}\"", look)));
+    }
+    const auto model = knownBlock(catalog, kinds::models, id->get<std::string>());
     if (!model) {
         return tl::unexpected(model.error());
     }
-    Material material = defaultMaterial(**model);
+    const auto looks = meshLooksOf(**model);
+    if (!looks) {
+        return tl::unexpected(looks.error());
+    }
+    const auto stated = std::ranges::find(*looks, look, &MeshLook::look);
+    if (stated == looks->end()) {
+        return failure(
+            fmt::format("the model \"{}\" does not state the look \"{}\"", (*model)->id, look));
+    }
+    return ModelLook{*model, *stated};
+}
+
+Result<Material> materialOf(const MeshMaterial& from, const Catalog& catalog) {
+    const auto imported = importedLook(from.look, catalog);
+    if (!imported) {
+        return tl::unexpected(imported.error());
+    }
+    auto started = imported->start(catalog);
+    if (!started) {
+        return started;
+    }
+    Material material = std::move(*started);
     material.name = from.name;
     Result<void> done;
-    for (const std::string& assignment : recipe->assignments) {
-        done = done.and_then([&] { return assignInMaterial(material, assignment, catalog); });
-    }
-    for (const auto& [word, id] : recipe->values) {
+    for (const auto& [word, id] : imported->look.values) {
         const auto value = from.values.find(word);
         const Parameter* parameter = parameterIn(material, id, catalog);
         if (value != from.values.end() && parameter != nullptr) {
@@ -99,7 +131,7 @@ Result<Material> materialOf(const MeshMaterial& from, const Catalog& catalog) {
     if (const auto opacity = from.values.find("opacity"); opacity != from.values.end()) {
         material.opacity = opacity->second.x;
     }
-    layImages(material, from, *recipe);
+    layImages(material, from, imported->look);
     return material;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -118,6 +119,11 @@ Result<Scene> onTurntable(const Scene& scene, const Catalog& catalog, TurntableO
         return turned;
     }
     return turned;
+}
+
+std::filesystem::path seriesFile(const std::filesystem::path& file, int number) {
+    return file.parent_path() /
+           fmt::format("{}.{:04}{}", file.stem().string(), number, file.extension().string());
 }
 
 } // namespace patina

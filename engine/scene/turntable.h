@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <string_view>
 
 #include "catalog/catalog.h"
@@ -31,5 +32,9 @@ glm::dvec3 rotationTurnedAbout(const glm::dvec3& rotation, const glm::dvec3& axi
 /// no light or no environment can be turned.
 Result<Scene> onTurntable(const Scene& scene, const Catalog& catalog, TurntableOf what,
                           double degrees);
+
+/// Returns the file of a picture in a turntable's series, of which the first is 1: "turn.0001.png"
+/// of "turn.png".
+std::filesystem::path seriesFile(const std::filesystem::path& file, int number);
 
 } // namespace patina

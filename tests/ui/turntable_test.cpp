@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A turntable turns what is seen and nothing else.
 #include <QAction>
+#include <QFile>
+#include <QSignalSpy>
 #include <QTest>
 
+#include "background/long_tasks.h"
 #include "document/scene_edits.h"
 #include "ui/window_fixture.h"
 
@@ -44,6 +47,58 @@ TEST_F(TurntableView, OfAnEnvironmentThatIsNotThere_SaysSo) {
     trigger("Turn the &Environment");
     EXPECT_FALSE(window().views().turntable().turning());
     EXPECT_GT(window().messages().count(), before);
+}
+
+/// A series of pictures of the first view.
+class TurntableSeries : public WindowFixture {
+  protected:
+    TurntableExport::Source source() {
+        return {
+            [this](bool display, PictureCapture::SceneChange change, PictureCapture::Taken taken) {
+                ++asked_;
+                view().capture().start(display, std::move(taken), std::move(change));
+            },
+            [this] { view().capture().cancel(); }};
+    }
+    QString file(const char* name) { return QString::fromStdString(home(name).string()); }
+
+    int asked_ = 0;
+};
+
+TEST_F(TurntableSeries, OfObjects_IsAWholeTurnInNumberedFilesAndNoEdit) {
+    Object cube = document().scene().objects[0];
+    cube.mesh = "builtin:cube";
+    setObject(document(), 0, cube);
+    newFrames();
+    const QImage shown = view().grabFramebuffer().convertToFormat(QImage::Format_RGB888);
+    const DocumentState state = document().state();
+    QSignalSpy saved(&window().turntables(), &TurntableExport::saved);
+    window().turntables().start({TurntableOf::Object, 3, file("turn.png")}, source());
+    EXPECT_EQ(LongTasks::all().running().back().name, "Writing a turntable");
+    ASSERT_TRUE(saved.wait(20000));
+    const QImage first = QImage(file("turn.0001.png")).convertToFormat(QImage::Format_RGB888);
+    EXPECT_EQ(first, shown) << "the first picture is not turned";
+    EXPECT_NE(QImage(file("turn.0002.png")), QImage(file("turn.0003.png")));
+    EXPECT_FALSE(QFile::exists(file("turn.0004.png")));
+    EXPECT_EQ(document().state(), state);
+    newFrames();
+    EXPECT_EQ(view().grabFramebuffer().convertToFormat(QImage::Format_RGB888), shown);
+}
+
+TEST_F(TurntableSeries, Cancelled_DrawsNoMore) {
+    window().turntables().start({TurntableOf::Object, 3600, file("turn.png")}, source());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return QFile::exists(file("turn.0001.png")); }, 20000));
+    LongTasks::all().cancel(LongTasks::all().running().back().number);
+    const int asked = asked_;
+    settle();
+    EXPECT_EQ(asked_, asked);
+}
+
+TEST_F(TurntableSeries, OfAnEnvironmentThatIsNotThere_SaysSo) {
+    QSignalSpy failed(&window().turntables(), &TurntableExport::failed);
+    window().turntables().start({TurntableOf::Environment, 2, file("turn.png")}, source());
+    EXPECT_EQ(failed.count(), 1);
+    EXPECT_EQ(asked_, 0);
 }
 
 } // namespace

@@ -34,8 +34,19 @@ TEST_P(EveryMeshLook, Material_HasTheColoursAndTheOpacityOfTheFile) {
     ASSERT_TRUE(material) << material.error().text();
     EXPECT_EQ(material->name, "paint");
     EXPECT_EQ(material->opacity, 0.5);
-    EXPECT_EQ(material->model.parameters.at("diffuse.color"), Value(glm::dvec3(0.25, 0.5, 0.75)));
-    EXPECT_EQ(material->model.parameters.at("emissive.color"), Value(glm::dvec3(0.25, 0.5, 0.75)));
+    const glm::dvec3 base(0.25, 0.5, 0.75);
+    const bool isMetal = std::string(GetParam()) == "metal";
+    EXPECT_EQ(material->model.parameters.at("diffuse.color"),
+              Value(isMetal ? glm::dvec3(0.0) : base));
+    EXPECT_EQ(material->model.parameters.at("emissive.color"), Value(base));
+}
+
+TEST_P(EveryMeshLook, Value_BeyondItsRange_IsBroughtIntoIt) {
+    MeshMaterial bright = everyValue(GetParam());
+    bright.values["emissive"] = glm::dvec3(1e9, -1.0, 0.5);
+    const auto material = materialOf(bright, shipped());
+    ASSERT_TRUE(material) << material.error().text();
+    EXPECT_EQ(material->model.parameters.at("emissive.color"), Value(glm::dvec3(1000.0, 0.0, 0.5)));
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, EveryMeshLook,
@@ -67,7 +78,7 @@ TEST(MeshLook, Images_LieOnTheParametersOfTheirWords) {
 TEST(MeshLook, Unknown_SaysSo) {
     const auto material = materialOf(everyValue("velvet"), shipped());
     ASSERT_FALSE(material);
-    EXPECT_EQ(material.error().problem, "there is no recipe for the look \"velvet\"");
+    EXPECT_EQ(material.error().problem, "there is no model for the look \"velvet\"");
 }
 
 } // namespace

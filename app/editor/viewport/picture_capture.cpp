@@ -41,11 +41,11 @@ Image PictureCapture::picture(bool display) {
     return image;
 }
 
-void PictureCapture::start(bool display, Taken taken) {
+void PictureCapture::start(bool display, Taken taken, SceneChange change) {
     if (order_) {
         finish({}); // a second order ends the first
     }
-    order_ = Order{display, std::move(taken)};
+    order_ = Order{display, std::move(taken), false, std::move(change)};
     begin();
 }
 
@@ -60,17 +60,23 @@ void PictureCapture::begin() {
     const Scene& whole = viewed_.sources().whole();
     const bool isWhole = &whole == &viewed_.sources().scene();
     const bool hasSamples = frames_.samples() > 0;
-    if (!frames_.canDraw() || (hasSamples && isWhole && frames_.isUpToDate())) {
-        finish(picture(order_->display)); // none can be drawn, or it is there
+    const bool isChanged = bool(order_->change);
+    if (!frames_.canDraw() || (hasSamples && isWhole && !isChanged && frames_.isUpToDate())) {
+        finish(isChanged ? Image() : picture(order_->display)); // none can be drawn, or it is there
         return;
     }
-    order_->isAnother = !isWhole || hasSamples || !frames_.isUpToDate();
+    order_->isAnother = isChanged || !isWhole || hasSamples || !frames_.isUpToDate();
+    if (isChanged) {
+        order_->changed = order_->change(whole);
+    }
     lent_ = &frames_.lend();
     View wanted = frames_.view();
     wanted.effects = isWhole ? wanted.effects : nullptr;
     {
         const ViewContext::Current current(viewed_.sources().context);
-        lent_->begin(whole, wanted, viewed_.sources().meshes, FramePurpose::Capture)
+        lent_
+            ->begin(isChanged ? order_->changed : whole, wanted, viewed_.sources().meshes,
+                    FramePurpose::Capture)
             .step(FrameJob::Clock::now());
     }
     isBegun_ = true;

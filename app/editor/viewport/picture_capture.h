@@ -18,6 +18,8 @@ class PictureCapture : public QObject {
 
   public:
     using Taken = std::function<void(Image)>;
+    /// Returns what is drawn in place of the view's scene.
+    using SceneChange = std::function<Scene(const Scene&)>;
 
     /// Both references outlive it.
     PictureCapture(FrameLoop& frames, const ViewedScene& viewed);
@@ -32,8 +34,8 @@ class PictureCapture : public QObject {
 
     /// Takes picture() over as many turns of the event loop as it takes, while the last frame stays
     /// on the screen. A second call ends the first without a picture. What changes meanwhile may or
-    /// may not be in it.
-    void start(bool display, Taken taken);
+    /// may not be in it. With a `change` another scene is drawn.
+    void start(bool display, Taken taken, SceneChange change = {});
 
     /// Ends a picture that was started; `taken` gets an empty one.
     void cancel();
@@ -45,6 +47,8 @@ class PictureCapture : public QObject {
         Taken taken;
         /// The picture is not the one on the screen, to which more samples may be added.
         bool isAnother = false;
+        SceneChange change{};
+        Scene changed{}; ///< is what `change` made of the scene
     };
 
     void begin();

@@ -112,26 +112,31 @@ Image inAColumn(const std::vector<Image>& pictures) {
 
 ViewsCapture::ViewsCapture(CompareArea& views) : QObject(&views), views_(views) {}
 
-void ViewsCapture::start(bool display, PictureCapture::Taken taken) {
+void ViewsCapture::start(bool display, PictureCapture::Taken taken,
+                         const PictureCapture::SceneChange& change) {
     const CompareMode mode = views_.look().mode;
     const bool isOne = mode == CompareMode::Wipe || mode == CompareMode::Onion;
-    if (display && isOne && views_.composed() && !views_.composed()->isHidden()) {
+    if (!change && display && isOne && views_.composed() && !views_.composed()->isHidden()) {
         taken(asImage(views_.composed()->grab().toImage()));
         return;
     }
-    startEach(display,
-              [this, display, taken = std::move(taken)](std::vector<SidePictureTaken> pictures) {
-                  if (pictures.empty()) {
-                      taken({});
-                  } else if (pictures.size() == 1) {
-                      taken(std::move(pictures.front().picture));
-                  } else {
-                      taken(asTheyStand(std::move(pictures), display));
-                  }
-              });
+    startEach(
+        display,
+        [this, display, taken = std::move(taken),
+         isShown = !change](std::vector<SidePictureTaken> pictures) {
+            if (pictures.empty()) {
+                taken({});
+            } else if (pictures.size() == 1) {
+                taken(std::move(pictures.front().picture));
+            } else {
+                taken(asTheyStand(std::move(pictures), display, isShown));
+            }
+        },
+        change);
 }
 
-void ViewsCapture::startEach(bool display, const EachTaken& taken) {
+void ViewsCapture::startEach(bool display, const EachTaken& taken,
+                             const PictureCapture::SceneChange& change) {
     std::vector<SideView*> shown;
     for (SideView* view : views_.views()) {
         if (!view->isHidden()) {
@@ -141,27 +146,30 @@ void ViewsCapture::startEach(bool display, const EachTaken& taken) {
     if (shown.empty()) {
         shown.push_back(&views_.first()); // only the difference is shown
     }
-    goOn(std::move(shown), {}, display, taken);
+    goOn(std::move(shown), {}, display, taken, change);
 }
 
 void ViewsCapture::goOn(std::vector<SideView*> rest, std::vector<SidePictureTaken> done,
-                        bool display, const EachTaken& taken) {
+                        bool display, const EachTaken& taken,
+                        const PictureCapture::SceneChange& change) {
     if (rest.empty()) {
         taken(std::move(done));
         return;
     }
     SideView* next = rest.front();
     rest.erase(rest.begin());
-    next->viewport().capture().start(display, [this, next, rest = std::move(rest),
-                                               done = std::move(done), display,
-                                               taken](Image picture) mutable {
-        if (picture.pixels.empty()) {
-            taken({});
-            return;
-        }
-        done.push_back({next->side(), next->caption(), std::move(picture)});
-        goOn(std::move(rest), std::move(done), display, taken);
-    });
+    next->viewport().capture().start(
+        display,
+        [this, next, rest = std::move(rest), done = std::move(done), display, taken,
+         change](Image picture) mutable {
+            if (picture.pixels.empty()) {
+                taken({});
+                return;
+            }
+            done.push_back({next->side(), next->caption(), std::move(picture)});
+            goOn(std::move(rest), std::move(done), display, taken, change);
+        },
+        change);
 }
 
 void ViewsCapture::cancel() {
@@ -170,7 +178,8 @@ void ViewsCapture::cancel() {
     }
 }
 
-Image ViewsCapture::asTheyStand(std::vector<SidePictureTaken> pictures, bool display) const {
+Image ViewsCapture::asTheyStand(std::vector<SidePictureTaken> pictures, bool display,
+                                bool hasDifference) const {
     const int height = pictures.front().picture.height;
     std::vector<Image> upper;
     std::vector<Image> lower;
@@ -183,7 +192,8 @@ Image ViewsCapture::asTheyStand(std::vector<SidePictureTaken> pictures, bool dis
                                : std::move(each.picture));
     }
     const DifferenceView* difference = views_.difference();
-    if (display && difference && !difference->isHidden() && !difference->picture().isNull()) {
+    if (hasDifference && display && difference && !difference->isHidden() &&
+        !difference->picture().isNull()) {
         const QImage shown = difference->picture().scaledToHeight(height, Qt::SmoothTransformation);
         upper.push_back(titled(asImage(shown), QStringLiteral("\u0394"), difference->caption(),
                                QColor(0x90, 0x90, 0x90), *difference));

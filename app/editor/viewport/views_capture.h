@@ -20,7 +20,8 @@ struct SidePictureTaken {
 
 /// Takes the picture of the views in the middle of the window: of a single view, or of several as
 /// they are arranged, each below its title, and their difference where it is shown; or of A and B
-/// as one where they are wiped or lie over each other. Pictures of linear floats have no titles and
+/// as one where they are wiped or lie over each other, unless a change draws others than are on the
+/// screen: those stand side by side. Pictures of linear floats have no titles and
 /// no difference, as these are not light.
 class ViewsCapture : public QObject {
     Q_OBJECT
@@ -29,20 +30,23 @@ class ViewsCapture : public QObject {
     explicit ViewsCapture(CompareArea& views);
 
     /// Does what PictureCapture::start() does, for all views.
-    void start(bool display, PictureCapture::Taken taken);
+    void start(bool display, PictureCapture::Taken taken,
+               const PictureCapture::SceneChange& change = {});
 
     /// Takes one picture per view, without titles; `taken` gets an empty list where one of them
     /// cannot be drawn.
     using EachTaken = std::function<void(std::vector<SidePictureTaken>)>;
-    void startEach(bool display, const EachTaken& taken);
+    void startEach(bool display, const EachTaken& taken,
+                   const PictureCapture::SceneChange& change = {});
 
     /// Ends what was started without a picture.
     void cancel();
 
   private:
     void goOn(std::vector<SideView*> rest, std::vector<SidePictureTaken> done, bool display,
-              const EachTaken& taken);
-    Image asTheyStand(std::vector<SidePictureTaken> pictures, bool display) const;
+              const EachTaken& taken, const PictureCapture::SceneChange& change);
+    Image asTheyStand(std::vector<SidePictureTaken> pictures, bool display,
+                      bool hasDifference) const;
 
     CompareArea& views_;
 };

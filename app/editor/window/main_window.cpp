@@ -32,7 +32,8 @@ MainWindow::MainWindow(const std::shared_ptr<const Catalog>& catalog, Theme& the
       autosave_(document_, documentFiles_, stateFolder() / "autosave"),
       files_(new FileActions(document_, documentFiles_, meshes_, textures_, session_, this)),
       material_(new MaterialActions(document_, *files_, tried_, this)),
-      pictures_(new PictureExport(session_, this)),
+      pictures_(new PictureExport(session_, this)), exporter_(new MaterialExporter(session_, this)),
+      turntables_(new TurntableExport(document_, session_, this)),
       views_(new CompareArea({document_, meshes_, textures_, environments_, switches_, effects_,
                               programs_, viewContext_},
                              this)),
@@ -42,9 +43,9 @@ MainWindow::MainWindow(const std::shared_ptr<const Catalog>& catalog, Theme& the
     setCentralWidget(views_);
     setStatusBar(status_);
     layout_ = std::make_unique<WindowLayout>(*this, dockContext());
-    menus_ =
-        new Menus({*this, *layout_, document_, documentFiles_, comparison_, *files_, *pictures_,
-                   presets_, thumbnails_, *views_, session_, messages_, theme_, *material_});
+    menus_ = new Menus({*this, *layout_, document_, documentFiles_, comparison_, *files_,
+                        *pictures_, *exporter_, *turntables_, presets_, thumbnails_, *views_,
+                        session_, messages_, theme_, *material_});
     connectParts();
     messages_.setGroup("catalog", catalog->errors);
     if (const auto& note = gl::driverCacheNote()) {
@@ -65,6 +66,8 @@ MainWindow::~MainWindow() {
     layout_.reset();
     delete status_;
     delete views_;
+    delete turntables_;
+    delete exporter_;
     delete pictures_;
     delete material_;
     delete files_;
@@ -114,6 +117,24 @@ void MainWindow::connectParts() {
     connect(pictures_, &PictureExport::saved, this, [this](const QString& file) {
         status_->showMessage(tr("%1 is written").arg(QFileInfo(file).fileName()), saidMs);
     });
+    connect(turntables_, &TurntableExport::failed, &messages_, &MessageLog::add);
+    connect(turntables_, &TurntableExport::saved, this, [this](const QString& first, int count) {
+        status_->showMessage(tr("%n pictures are written from %1 on", nullptr, count)
+                                 .arg(QFileInfo(first).fileName()),
+                             saidMs);
+    });
+    connect(exporter_, &MaterialExporter::failed, &messages_, &MessageLog::add);
+    connect(exporter_, &MaterialExporter::written, this,
+            [this](const QString& file, const Errors& lost) {
+                for (const Error& note : lost) {
+                    messages_.addNote(note);
+                }
+                const QString name = QFileInfo(file).fileName();
+                status_->showMessage(
+                    lost.empty() ? tr("%1 is written").arg(name)
+                                 : tr("%1 is written; Messages says what it lacks").arg(name),
+                    saidMs);
+            });
     connect(&autosave_, &Autosave::failed, &messages_, &MessageLog::add);
     connect(&presets_, &PresetLibrary::checked, this,
             [this](const Errors& mistakes) { messages_.setGroup("presets", mistakes); });

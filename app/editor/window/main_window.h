@@ -13,8 +13,10 @@
 #include "files/autosave.h"
 #include "files/catalog_watcher.h"
 #include "files/file_actions.h"
+#include "files/material_exporter.h"
 #include "files/picture_export.h"
 #include "files/recovery_offer.h"
+#include "files/turntable_export.h"
 #include "library/preset_library.h"
 #include "library/thumbnail_maker.h"
 #include "library/user_block_trials.h"
@@ -47,6 +49,8 @@ class MainWindow : public QMainWindow {
     ProgramEffects& effects() { return effects_; }
     FileActions& files() { return *files_; }
     PictureExport& pictures() { return *pictures_; }
+    MaterialExporter& exporter() { return *exporter_; }
+    TurntableExport& turntables() { return *turntables_; }
     CompareArea& views() { return *views_; }
     MessageLog& messages() { return messages_; }
     MeshLibrary& meshes() { return meshes_; }
@@ -97,6 +101,8 @@ class MainWindow : public QMainWindow {
     FileActions* files_;
     MaterialActions* material_;
     PictureExport* pictures_;
+    MaterialExporter* exporter_;
+    TurntableExport* turntables_;
     CompareArea* views_;
     StatusLine* status_;
     std::unique_ptr<WindowLayout> layout_;

@@ -23,7 +23,9 @@
 #include "document/comparison.h"
 #include "document/document_files.h"
 #include "files/file_actions.h"
+#include "files/material_exporter.h"
 #include "files/picture_export.h"
+#include "files/turntable_export.h"
 #include "session/session.h"
 #include "text/short_text.h"
 #include "viewport/compare_area.h"
@@ -89,9 +91,16 @@ void Menus::makeFileMenu() {
         [this] { parts_.files.saving().saveAs(); });
     add(menu, tr("&Export Material as Preset…"), QKeySequence("Ctrl+E"),
         [this] { parts_.files.saving().exportPreset(); });
+    add(menu, tr("Export Material for &Other Programs…"), {}, [this] {
+        if (const Material* material =
+                parts_.document.material(parts_.document.selection().side())) {
+            parts_.exporter.ask(*material, parts_.document.sharedCatalog());
+        }
+    });
     add(menu, tr("Export Pict&ure…"), {}, [this] {
         exportPicture();
     })->setShortcuts({QKeySequence("Ctrl+Shift+E"), QKeySequence(Qt::Key_F12)});
+    add(menu, tr("Export &Turntable…"), {}, [this] { exportTurntable(); });
     QAction* parked = menu->addAction(tr("&Keep Values of Other Models in Presets"));
     parked->setObjectName("keepParked");
     menu->setToolTipsVisible(true);
@@ -480,6 +489,21 @@ void Menus::makeToolBar() {
     lighting->setMenu(lighting_);
     lighting->setPopupMode(QToolButton::InstantPopup);
     bar->addWidget(lighting);
+}
+
+void Menus::exportTurntable() {
+    const QPointer views(capture_);
+    const Material* material = parts_.document.material(Side::A);
+    parts_.turntables.ask(
+        SaveActions::asFileName(QString::fromStdString(material ? material->name : "")),
+        {[views](bool display, PictureCapture::SceneChange change, PictureCapture::Taken taken) {
+             views ? views->start(display, std::move(taken), change) : taken({});
+         },
+         [views] {
+             if (views) {
+                 views->cancel();
+             }
+         }});
 }
 
 void Menus::exportPicture() {

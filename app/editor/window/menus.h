@@ -21,12 +21,14 @@ class Document;
 class DocumentFiles;
 class FileActions;
 class MaterialActions;
+class MaterialExporter;
 class MessageLog;
 class PictureExport;
 class PresetLibrary;
 class Session;
 class Theme;
 class ThumbnailMaker;
+class TurntableExport;
 class ViewsCapture;
 class WindowLayout;
 
@@ -45,6 +47,8 @@ class Menus : public QObject {
         Comparison& comparison;
         FileActions& files;
         PictureExport& pictures;
+        MaterialExporter& exporter;
+        TurntableExport& turntables;
         const PresetLibrary& presets;
         ThumbnailMaker& thumbnails;
         CompareArea& views;
@@ -73,6 +77,7 @@ class Menus : public QObject {
     void makeToolBar();
     void fillRecentFiles();
     void exportPicture();
+    void exportTurntable();
     void takeSnapshot();
     void checkStability();
     QAction* add(QMenu* menu, const QString& text, const QKeySequence& key,

@@ -84,16 +84,19 @@ bool counts(const Parameter& parameter, const EvalBlock& block) {
     return condition->evaluate(values);
 }
 
-FreeNumbers::FreeNumbers(const EvalCase& model) {
-    add(model.block, false);
+FreeNumbers::FreeNumbers(const EvalCase& model, const std::vector<std::string>& only) {
+    add(model.block, false, only);
     if (model.slot.block != nullptr) {
-        add(model.slot, true);
+        add(model.slot, true, only);
     }
 }
 
-void FreeNumbers::add(const EvalBlock& block, bool isOfSlot) {
+void FreeNumbers::add(const EvalBlock& block, bool isOfSlot, const std::vector<std::string>& only) {
+    const std::string prefix = isOfSlot ? block.block->kind + '.' : std::string();
     for (const Parameter& parameter : block.block->parameters) {
-        const bool isFree = mayChange(parameter) && counts(parameter, block);
+        const bool isFree =
+            mayChange(parameter) && counts(parameter, block) &&
+            (only.empty() || std::ranges::find(only, prefix + parameter.id) != only.end());
         const int count = isFree ? numbersIn(parameter.defaultValue) : 0;
         for (int component = 0; component < count; ++component) {
             numbers_.push_back({isOfSlot, &parameter, component,

@@ -18,7 +18,8 @@ bool counts(const Parameter& parameter, const EvalBlock& block);
 /// slider's start to 1 at its end, on the slider's scale; typed ranges may go beyond.
 class FreeNumbers {
   public:
-    explicit FreeNumbers(const EvalCase& model);
+    /// With ids in `only`, as FitOptions has them, only those may change.
+    explicit FreeNumbers(const EvalCase& model, const std::vector<std::string>& only = {});
 
     std::size_t size() const { return numbers_.size(); }
     double min(std::size_t index) const { return numbers_[index].min; }
@@ -45,7 +46,7 @@ class FreeNumbers {
         double max = 1.0;
     };
 
-    void add(const EvalBlock& block, bool isOfSlot);
+    void add(const EvalBlock& block, bool isOfSlot, const std::vector<std::string>& only);
 
     std::vector<Number> numbers_;
 };

@@ -91,10 +91,11 @@ double rootMeanSquare(const std::vector<double>& numbers) {
 /// Holds a fit in work: the free numbers of a model against a target.
 class Fit {
   public:
-    Fit(EvalCase model, const MatchTarget& target, MatchError error, const Catalog& catalog)
-        : model_(std::move(model)), values_(ModelValues::of(model_, catalog)), free_(model_),
-          numbers_(free_.of(model_)), target_(target), wanted_(wantedOf(target, error)),
-          error_(error) {}
+    Fit(EvalCase model, const MatchTarget& target, const FitOptions& options,
+        const Catalog& catalog)
+        : model_(std::move(model)), values_(ModelValues::of(model_, catalog)),
+          free_(model_, options.only), numbers_(free_.of(model_)), target_(target),
+          wanted_(wantedOf(target, options.error)), error_(options.error) {}
 
     /// Writes the differences of all directions and channels; they are those of these numbers.
     bool differences(const double* numbers, double* out) const {
@@ -376,7 +377,7 @@ std::vector<EvalCase> scattered(const EvalCase& model, const Targets& targets,
     std::minstd_rand random(1);
     std::vector<std::pair<double, EvalCase>> tried;
     for (std::size_t i = 0; i < triedSets; ++i) {
-        Fit fit(model, targets.few, options.error, catalog);
+        Fit fit(model, targets.few, options, catalog);
         fit.scatter(random);
         tried.emplace_back(fit.error(), fit.model());
     }
@@ -393,7 +394,7 @@ Fit improved(std::vector<EvalCase> starts, const MatchTarget& roughly, const Tar
              const FitOptions& options, const Catalog& catalog, const Progress& progress) {
     std::vector<std::pair<double, EvalCase>> rough;
     for (EvalCase& start : starts) {
-        Fit fit(std::move(start), roughly, options.error, catalog);
+        Fit fit(std::move(start), roughly, options, catalog);
         fit.improve(roughSteps, progress);
         rough.emplace_back(fit.error(), fit.model());
     }
@@ -404,7 +405,7 @@ Fit improved(std::vector<EvalCase> starts, const MatchTarget& roughly, const Tar
         if (i > 0 && rough[i].first > nearest) {
             break;
         }
-        Fit fine(std::move(rough[i].second), targets.many, options.error, catalog);
+        Fit fine(std::move(rough[i].second), targets.many, options, catalog);
         fine.improve(fineSteps, progress);
         if (!best || fine.error() < best->error()) {
             best.emplace(std::move(fine));
@@ -452,7 +453,7 @@ Result<ModelFit> fittedModel(const EvalCase& model, const MatchTarget& target,
     }
     // A narrow highlight may pass between the directions of a fit: all of them decide.
     const auto errorOf = [&](const EvalCase& found) {
-        return Fit(found, target, options.error, catalog).error();
+        return Fit(found, target, options, catalog).error();
     };
     const Targets targets(target);
     std::vector<EvalCase> starts = scattered(model, targets, options, catalog);
@@ -462,7 +463,8 @@ Result<ModelFit> fittedModel(const EvalCase& model, const MatchTarget& target,
     double smallest = errorOf(found);
     // Other choices may look the same with other numbers: they have to be better.
     for (int round = 0; round < maxChoices && smallest > isTheSame; ++round) {
-        std::vector<EvalCase> others = withOtherChoices(found, catalog);
+        std::vector<EvalCase> others =
+            options.only.empty() ? withOtherChoices(found, catalog) : std::vector<EvalCase>();
         if (others.empty() || progress.cancelled) {
             break;
         }
@@ -477,7 +479,7 @@ Result<ModelFit> fittedModel(const EvalCase& model, const MatchTarget& target,
     }
     const MatchTarget nearlyAll = target.first(lastDirections);
     for (int round = 0; round < lastRounds && smallest > isExact; ++round) {
-        Fit last(found, nearlyAll, options.error, catalog);
+        Fit last(found, nearlyAll, options, catalog);
         if (round > 0 && !last.leaveEnds()) {
             break;
         }

@@ -3,7 +3,9 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/progress.h"
 #include "measure/match/match_target.h"
@@ -25,6 +27,9 @@ std::optional<MatchError> matchErrorOf(std::string_view word);
 struct FitOptions {
     MatchError error = MatchError::Log;
     std::size_t starts = 5; ///< counts the random sets of values that are improved
+    /// Are the only parameters that may change, by id, those of the slot's block after its kind and
+    /// a dot; the choices and the slot stay then. Empty: all may.
+    std::vector<std::string> only{};
 };
 
 /// Holds a model with the values that match a target best.

@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
-#include <glm/trigonometric.hpp>
 
 #include "catalog/combing_role.h"
+#include "material/texture_place.h"
 #include "shading/effects/data_layout.h"
 #include "shading/effects/effect_set.h"
 #include "shading/program/given_value.h"
@@ -170,19 +169,13 @@ void listComputedTables(LeftOutListing& listing, const BlockUse& use, const Mate
     }
 }
 
-/// Packs the rows that take (u, v, 1) to a place in the image: turned about the middle, scaled,
-/// moved.
+/// Packs where a texture is, how strong, and from which opacity on it cuts nothing out.
 void packTexture(std::span<glm::vec4> out, const TextureUse& use, TextureRole role) {
-    const double angle = glm::radians(std::fmod(use.rotation, 360.0));
-    const glm::dvec2 turn(std::cos(angle), std::sin(angle));
-    const glm::dvec2 across = use.scale.x * turn;
-    const glm::dvec2 up = use.scale.y * glm::dvec2(-turn.y, turn.x);
-    const glm::dvec2 start =
-        0.5 * use.scale + use.offset - 0.5 * glm::dvec2(across.x + across.y, up.x + up.y);
+    const TexturePlace place = texturePlace(use);
     const bool isShare = role == TextureRole::Input || role == TextureRole::Opacity;
     const double strength = isShare ? std::clamp(use.strength, 0.0, 1.0) : use.strength;
-    out[0] = glm::vec4(across, start.x, strength);
-    out[1] = glm::vec4(up, start.y, use.threshold);
+    out[0] = glm::vec4(place.across, strength);
+    out[1] = glm::vec4(place.up, use.threshold);
 }
 
 void packTextures(std::span<glm::vec4> out, const Material& material, const EffectSet& set) {

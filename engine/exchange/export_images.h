@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/error.h"
+
+namespace patina {
+
+/// Is a file of an export, by its path from the export's folder, with forward slashes.
+struct ExportedFile {
+    std::string path;
+    std::string bytes;
+};
+
+/// Collects the images that go with an export, each once, in a folder beside the exported file.
+class ExportImages {
+  public:
+    /// `folder` is the name of the folder that they lie in.
+    explicit ExportImages(std::string folder) : folder_(std::move(folder)) {}
+
+    /// Takes an image and returns its path from the exported file. It is an error where it cannot
+    /// be read, or where its name has none of the endings that a format can show.
+    Result<std::string> add(const std::string& file, const std::vector<std::string_view>& endings);
+
+    /// Returns the content of an image that was taken, by what add() returned.
+    const std::string& bytes(const std::string& path) const {
+        return files_[places_.at(path)].bytes;
+    }
+
+    const std::vector<ExportedFile>& files() const { return files_; }
+
+  private:
+    std::string folder_;
+    std::vector<ExportedFile> files_;
+    std::map<std::string, std::size_t> places_; ///< maps a path to its place in `files_`
+    std::map<std::string, std::string> paths_;  ///< maps a file to its path in the export
+};
+
+/// Returns the name's ending in lower case, with its dot.
+std::string endingOf(const std::filesystem::path& file);
+
+} // namespace patina

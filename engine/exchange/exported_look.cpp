@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "exchange/exported_look.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "catalog/expression.h"
+#include "exchange/image_settings.h"
+#include "material/material_assignment.h"
+#include "material/mesh_look.h"
+#include "material/model_swap.h"
+#include "measure/match/model_matches.h"
+
+namespace patina {
+namespace {
+
+constexpr std::size_t fittedDirections = 1024;
+/// Is how much less error a later look must have to be taken: the first ones say more.
+constexpr double isNearer = 0.95;
+
+/// Is a material with the look that it has.
+struct Looking {
+    Material material;
+    MeshLook look;
+};
+
+/// Returns the value that an id of a look names ("fresnel.f0" of a part); null for none.
+const Value* valueIn(const Material& material, const std::string& id) {
+    for (const auto& [kind, part] : material.parts) {
+        if (id.starts_with(kind + '.')) {
+            const auto value = part.parameters.find(id.substr(kind.size() + 1));
+            return value == part.parameters.end() ? nullptr : &value->second;
+        }
+    }
+    const auto value = material.model.parameters.find(id);
+    return value == material.model.parameters.end() ? nullptr : &value->second;
+}
+
+glm::dvec3 numbersOf(const Value& value) {
+    if (const auto* color = std::get_if<glm::dvec3>(&value)) {
+        return *color;
+    }
+    const auto* number = std::get_if<double>(&value);
+    return glm::dvec3(number == nullptr ? 0.0 : *number);
+}
+
+bool isSaid(const MeshLook& look, const std::string& id) {
+    return std::ranges::any_of(look.values, [&id](const auto& pair) { return pair.second == id; });
+}
+
+/// Tells whether a block's values are those of another material with the look, but for what the
+/// look says and what does not count as the values stand.
+bool isSame(const Block& block, const BlockValues& values, const BlockValues& others,
+            const std::string& prefix, const MeshLook& look) {
+    Values all = values.parameters;
+    all.merge(defaultValues(block));
+    Values wanted = others.parameters;
+    wanted.merge(defaultValues(block));
+    return std::ranges::all_of(block.parameters, [&](const Parameter& parameter) {
+        const auto condition = Expression::parse(parameter.enabledWhen);
+        return isSaid(look, prefix + parameter.id) ||
+               all.at(parameter.id) == wanted.at(parameter.id) ||
+               (condition && !condition->evaluate(all));
+    });
+}
+
+/// Tells whether the look says all that a material's model and what fills its slots are.
+bool hasLook(const Material& material, const ModelLook& look, const Catalog& catalog) {
+    const auto start = look.start(catalog);
+    if (!start || !isSame(*look.model, material.model, start->model, {}, look.look)) {
+        return false;
+    }
+    return std::ranges::all_of(look.model->slots, [&](const Slot& slot) {
+        const BlockValues* held = material.part(slot.kind);
+        const BlockValues* wanted = start->part(slot.kind);
+        const Block* block = blockOf(material.parts, slot.kind, catalog);
+        if (held == nullptr || wanted == nullptr) {
+            return held == wanted;
+        }
+        return block != nullptr && held->id == wanted->id &&
+               isSame(*block, *held, *wanted, slot.kind + '.', look.look);
+    });
+}
+
+/// Returns the material with its own look, if one of the wanted ones says it.
+Result<std::optional<Looking>> asItIs(const Material& material, const Block& model,
+                                      std::span<const std::string_view> looks,
+                                      const Catalog& catalog) {
+    const auto stated = meshLooksOf(model);
+    if (!stated) {
+        return tl::unexpected(stated.error());
+    }
+    for (const MeshLook& look : *stated) {
+        if (std::ranges::find(looks, look.look) != looks.end() &&
+            hasLook(material, {&model, look}, catalog)) {
+            return Looking{material, look};
+        }
+    }
+    return std::nullopt;
+}
+
+/// Returns what a material is without a fit: the values that have the same ids in another model.
+Looking carriedOver(const Material& material, const ModelLook& to, const Catalog& catalog) {
+    return {swappedModel(material, *to.model, catalog), to.look};
+}
+
+/// Is a look with the values that come nearest to a material.
+struct FittedLook {
+    Looking looking;
+    double relative = 0.0; ///< is that of ModelMatch
+};
+
+/// Returns the nearest of the looks; nothing where the material has no reflectance to be fitted.
+std::optional<FittedLook> fittedLook(const Material& material, const std::vector<ModelLook>& looks,
+                                     const Catalog& catalog, const Progress& progress) {
+    const auto aim = matchAim(material, catalog, fittedDirections);
+    if (!aim) {
+        return std::nullopt;
+    }
+    std::optional<FittedLook> best;
+    for (const ModelLook& look : looks) {
+        const auto start = look.start(catalog);
+        if (!start || progress.cancelled) {
+            continue;
+        }
+        FitOptions options;
+        for (const auto& [word, id] : look.look.values) {
+            options.only.push_back(id);
+        }
+        const ModelMatches matches =
+            fittedMaterials({*start}, aim->target, options, catalog,
+                            [&](double, const auto&) { return !progress.cancelled; });
+        if (!matches.rows.empty() &&
+            (!best || matches.rows.front().relative < isNearer * best->relative)) {
+            const ModelMatch& match = matches.rows.front();
+            best = FittedLook{{match.material, look.look}, match.relative};
+        }
+    }
+    return best;
+}
+
+/// Gives a fitted material what a fit leaves: name, opacity, images, parts without a slot, and
+/// glow.
+Material withTheRest(Material fitted, const Material& from, const Catalog& catalog) {
+    fitted.name = from.name;
+    fitted.opacity = from.opacity;
+    fitted.textures = from.textures;
+    const Block* model = catalog.find(kinds::models, fitted.model.id);
+    const Block* own = catalog.find(kinds::models, from.model.id);
+    for (const auto& [kind, part] : from.parts) {
+        if (model != nullptr && model->slot(kind) == nullptr && own->slot(kind) == nullptr) {
+            setPart(fitted.parts, kind, part);
+        }
+    }
+    for (const Parameter& parameter : own->parameters) {
+        const auto glow = from.model.parameters.find(parameter.id);
+        const Parameter* same = model == nullptr ? nullptr : model->parameter(parameter.id);
+        if (parameter.emission && same != nullptr && same->emission &&
+            glow != from.model.parameters.end()) {
+            fitted.model.parameters[parameter.id] = glow->second;
+        }
+    }
+    return fitted;
+}
+
+/// Finds the look of a material, and tells in `said` where it is not exactly that.
+Result<Looking> lookingOf(const Material& material, std::span<const std::string_view> words,
+                          const Catalog& catalog, const Progress& progress, ExportedLook& said) {
+    const Block* model = catalog.find(kinds::models, material.model.id);
+    if (model == nullptr) {
+        return failure(fmt::format("there is no model \"{}\"", material.model.id));
+    }
+    auto own = asItIs(material, *model, words, catalog);
+    if (!own || *own) {
+        return own.map([](std::optional<Looking>& looking) { return std::move(*looking); });
+    }
+    std::vector<ModelLook> looks;
+    for (const std::string_view word : words) {
+        auto look = importedLook(std::string(word), catalog);
+        if (!look) {
+            return tl::unexpected(look.error());
+        }
+        looks.push_back(std::move(*look));
+    }
+    auto fitted = fittedLook(material, looks, catalog, progress);
+    said.isFitted = true;
+    if (!fitted) {
+        said.tell(
+            Kept::Approximated, model->label,
+            "is no reflectance that could be fitted; its colours are those of a matte surface");
+        Looking carried = carriedOver(material, looks.back(), catalog);
+        carried.material = withTheRest(std::move(carried.material), material, catalog);
+        return carried;
+    }
+    said.tell(Kept::Approximated, model->label,
+              fmt::format("has no counterpart as it is set; {} was fitted to it, {:.2g} % away in "
+                          "the mean",
+                          fitted->looking.look.look, 100.0 * fitted->relative));
+    fitted->looking.material = withTheRest(std::move(fitted->looking.material), material, catalog);
+    return std::move(fitted->looking);
+}
+
+void sayValues(ExportedLook& said, const Looking& looking, const Catalog& catalog) {
+    said.material.look = looking.look.look;
+    for (const auto& [word, id] : looking.look.values) {
+        const Parameter* parameter = parameterIn(looking.material, id, catalog);
+        if (parameter != nullptr) {
+            const Value* value = valueIn(looking.material, id);
+            said.material.values[word] =
+                numbersOf(value != nullptr ? *value : parameter->defaultValue);
+            said.labels[word] = parameter->label;
+        }
+    }
+    if (looking.material.opacity < 1.0) {
+        said.material.values["opacity"] = glm::dvec3(looking.material.opacity);
+        said.labels["opacity"] = "Opacity";
+    }
+}
+
+/// Says the images whose words a look has, and tells of the others.
+void sayImages(ExportedLook& said, const Looking& looking, const Catalog& catalog) {
+    for (const auto& [key, use] : looking.material.textures) {
+        const Parameter* parameter = parameterIn(looking.material, key, catalog);
+        const std::string what = imageTitle(use);
+        const auto word = std::ranges::find_if(
+            looking.look.values, [&key = key](const auto& pair) { return pair.second == key; });
+        if (!use.enabled) {
+            said.tell(Kept::Dropped, what, "is switched off");
+        } else if (isVertexColors(use.file)) {
+            said.tell(Kept::Dropped, "Vertex colours", "belong to a mesh");
+        } else if (use.outside) {
+            said.tell(Kept::Dropped, what, "lies outside its folder and is not read");
+        } else if (textureRole(key) != TextureRole::Input) {
+            said.images[key] = use;
+        } else if (word != looking.look.values.end()) {
+            said.images[word->first] = use;
+        } else {
+            said.tell(Kept::Dropped, what,
+                      fmt::format("drives {}, which is not said",
+                                  parameter == nullptr ? key : parameter->label));
+        }
+    }
+}
+
+/// Tells what lies over the model and has no words: an outline, refraction, fur ...
+void tellParts(ExportedLook& said, const Material& material, const Catalog& catalog) {
+    const Block* model = catalog.find(kinds::models, material.model.id);
+    for (const auto& [kind, part] : material.parts) {
+        const Block* block = catalog.find(kind, part.id);
+        if (model == nullptr || model->slot(kind) == nullptr) {
+            said.tell(Kept::Dropped, block == nullptr ? part.id : block->label, "is not written");
+        }
+    }
+}
+
+} // namespace
+
+std::string_view wordOf(Kept kept) {
+    constexpr std::array<std::string_view, 3> words{"exact", "approximated", "dropped"};
+    return words[static_cast<std::size_t>(kept)];
+}
+
+void ExportedLook::tell(Kept kept, std::string what, std::string how) {
+    lines.push_back({kept, std::move(what), std::move(how)});
+}
+
+void ExportedLook::tellOf(const std::string& word, Kept kept, std::string how) {
+    const auto label = labels.find(word);
+    if (label != labels.end()) {
+        tell(isFitted && kept == Kept::Exact ? Kept::Approximated : kept, label->second,
+             std::move(how));
+    }
+}
+
+glm::dvec3 ExportedLook::value(const std::string& word, const glm::dvec3& missing) const {
+    const auto found = material.values.find(word);
+    return found == material.values.end() ? missing : found->second;
+}
+
+Result<ExportedLook> exportedLook(const Material& material, std::span<const std::string_view> looks,
+                                  const Catalog& catalog, const Progress& progress) {
+    ExportedLook said;
+    said.material.name = material.name;
+    const auto looking = lookingOf(material, looks, catalog, progress, said);
+    if (!looking) {
+        return tl::unexpected(looking.error());
+    }
+    sayValues(said, *looking, catalog);
+    sayImages(said, *looking, catalog);
+    tellParts(said, looking->material, catalog);
+    return said;
+}
+
+} // namespace patina

@@ -1,0 +1,413 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "core/number_text.h"
+#include "exchange/dielectric_index.h"
+#include "exchange/format_writers.h"
+#include "exchange/image_settings.h"
+#include "material/texture_place.h"
+#include "scene/builtin_mesh.h"
+
+namespace patina {
+namespace {
+
+using Json = nlohmann::json;
+
+static_assert(std::endian::native == std::endian::little, "glTF's buffers are so");
+
+constexpr double ballDistance = 2.5;
+constexpr int floatType = 5126;
+constexpr int indexType = 5125;
+constexpr int vertexTarget = 34962;
+constexpr int indexTarget = 34963;
+constexpr int repeatWrap = 10497;
+constexpr int clampWrap = 33071;
+constexpr int mirrorWrap = 33648;
+constexpr int nearestFilter = 9728;
+constexpr int linearFilter = 9729;
+constexpr int mipmapFilter = 9987;
+
+Json colorJson(const glm::dvec3& color) {
+    return Json::array({color.x, color.y, color.z});
+}
+
+/// Gathers a file: materials, images, samplers and a buffer that all share.
+class GltfFile {
+  public:
+    GltfFile(ExportImages& images, bool isBinary) : images_(images), isBinary_(isBinary) {
+        document_["asset"] = {{"version", "2.0"}, {"generator", "Patina"}};
+    }
+
+    void addExtension(const std::string& name) { extensions_.insert(name); }
+
+    /// Returns {"index": n} of an image, with its place; null where it is dropped, which is told.
+    Json texture(ExportedLook& look, const std::string& word) {
+        const auto found = look.images.find(word);
+        if (found == look.images.end()) {
+            return nullptr;
+        }
+        const TextureUse& use = found->second;
+        const auto path = images_.add(use.file, {".png", ".jpg", ".jpeg"});
+        if (!path || isAdded(use)) {
+            look.tell(Kept::Dropped, imageTitle(use),
+                      path ? "is added to the value" : path.error().text());
+            return nullptr;
+        }
+        const Json texture{{"source", imageIndex(*path)}, {"sampler", samplerIndex(use)}};
+        Json json{{"index", indexIn("textures", texture)}};
+        std::string lost = lostSettings(use);
+        if (!isUnplaced(use)) {
+            place(json, use, lost);
+        }
+        look.tell(lost.empty() ? Kept::Exact : Kept::Approximated, imageTitle(use),
+                  lost.empty() ? *path : fmt::format("{}, without {}", *path, lost));
+        return json;
+    }
+
+    void addMaterial(const Json& material) { document_["materials"].push_back(material); }
+
+    /// Adds a ball for each material, one beside the other.
+    Result<void> addBalls() {
+        Object object;
+        object.mesh = "builtin:sphere";
+        const auto ball = builtinMesh(object);
+        if (!ball) {
+            return tl::unexpected(ball.error());
+        }
+        const Json attributes = attributesOf(*ball);
+        const int indices = addAccessor(
+            bytesOf(ball->indices), indexTarget,
+            {{"componentType", indexType}, {"count", ball->indices.size()}, {"type", "SCALAR"}});
+        for (std::size_t i = 0; i < document_["materials"].size(); ++i) {
+            const Json& name = document_["materials"][i]["name"];
+            document_["meshes"].push_back(
+                {{"name", name},
+                 {"primitives",
+                  {{{"attributes", attributes}, {"indices", indices}, {"material", i}}}}});
+            document_["nodes"].push_back({{"name", name},
+                                          {"mesh", i},
+                                          {"translation", {ballDistance * double(i), 0.0, 0.0}}});
+            document_["scenes"][0]["nodes"].push_back(i);
+        }
+        document_["scene"] = 0;
+        return {};
+    }
+
+    /// Returns the text; the buffer lies in a file of this name, or follows where it has none.
+    std::string text(const std::string& bufferName) {
+        if (!extensions_.empty()) {
+            document_["extensionsUsed"] = extensions_;
+        }
+        Json buffer{{"byteLength", buffer_.size()}};
+        if (!bufferName.empty()) {
+            buffer["uri"] = bufferName;
+        }
+        document_["buffers"] = Json::array({buffer});
+        return document_.dump(isBinary_ ? -1 : 2) + (isBinary_ ? "" : "\n");
+    }
+
+    const std::string& buffer() const { return buffer_; }
+
+  private:
+    template <class T>
+    static std::string bytesOf(const std::vector<T>& numbers) {
+        std::string bytes(numbers.size() * sizeof(T), '\0');
+        std::memcpy(bytes.data(), numbers.data(), bytes.size());
+        return bytes;
+    }
+
+    Json attributesOf(const Mesh& ball) {
+        std::vector<glm::vec3> positions;
+        std::vector<glm::vec3> normals;
+        std::vector<glm::vec2> places;
+        for (const Vertex& vertex : ball.vertices) {
+            positions.push_back(vertex.position);
+            normals.push_back(vertex.normal);
+            places.emplace_back(vertex.uv.x, 1.0f - vertex.uv.y); // counted from an image's top
+        }
+        const glm::vec3 lower = ball.bounds.lower;
+        const glm::vec3 upper = ball.bounds.upper;
+        const auto accessor = [&](const char* type) {
+            return Json{
+                {"componentType", floatType}, {"count", ball.vertices.size()}, {"type", type}};
+        };
+        Json bounded = accessor("VEC3");
+        bounded["min"] = {lower.x, lower.y, lower.z};
+        bounded["max"] = {upper.x, upper.y, upper.z};
+        return {{"POSITION", addAccessor(bytesOf(positions), vertexTarget, bounded)},
+                {"NORMAL", addAccessor(bytesOf(normals), vertexTarget, accessor("VEC3"))},
+                {"TEXCOORD_0", addAccessor(bytesOf(places), vertexTarget, accessor("VEC2"))}};
+    }
+
+    int addAccessor(const std::string& bytes, int target, Json accessor) {
+        accessor["bufferView"] = addView(bytes);
+        document_["bufferViews"].back()["target"] = target;
+        document_["accessors"].push_back(std::move(accessor));
+        return static_cast<int>(document_["accessors"].size()) - 1;
+    }
+
+    int addView(const std::string& bytes) {
+        document_["bufferViews"].push_back(
+            {{"buffer", 0}, {"byteOffset", buffer_.size()}, {"byteLength", bytes.size()}});
+        buffer_ += bytes;
+        buffer_.resize((buffer_.size() + 3) / 4 * 4, '\0');
+        return static_cast<int>(document_["bufferViews"].size()) - 1;
+    }
+
+    /// Returns the index of an element of a list, which is added unless it is there.
+    int indexIn(const char* list, const Json& element) {
+        Json& all = document_[list];
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            if (all[i] == element) {
+                return static_cast<int>(i);
+            }
+        }
+        all.push_back(element);
+        return static_cast<int>(all.size()) - 1;
+    }
+
+    int imageIndex(const std::string& path) {
+        if (!isBinary_) {
+            return indexIn("images", {{"uri", path}});
+        }
+        const auto known = inside_.find(path);
+        if (known != inside_.end()) {
+            return known->second;
+        }
+        const bool isPng = path.ends_with(".png");
+        const Json image{{"bufferView", addView(images_.bytes(path))},
+                         {"mimeType", isPng ? "image/png" : "image/jpeg"},
+                         {"name", fileNameOf(path)}};
+        return inside_[path] = indexIn("images", image);
+    }
+
+    int samplerIndex(const TextureUse& use) {
+        const bool isNearest = use.filter == TextureFilter::Nearest;
+        const int wrap = use.wrap == TextureWrap::Repeat  ? repeatWrap
+                         : use.wrap == TextureWrap::Clamp ? clampWrap
+                                                          : mirrorWrap;
+        return indexIn("samplers", {{"magFilter", isNearest ? nearestFilter : linearFilter},
+                                    {"minFilter", isNearest ? nearestFilter : mipmapFilter},
+                                    {"wrapS", wrap},
+                                    {"wrapT", wrap}});
+    }
+
+    /// Writes the place of an image by KHR_texture_transform, whose coordinates begin at the top:
+    /// it scales, then turns, so that a turned image has one scale.
+    void place(Json& json, const TextureUse& use, std::string& lost) {
+        const bool isSheared = use.rotation != 0.0 && use.scale.x != use.scale.y;
+        TextureUse placed = use;
+        placed.rotation = isSheared ? 0.0 : use.rotation;
+        if (isSheared) {
+            lost += (lost.empty() ? "" : ", ") + std::string("its rotation");
+        }
+        const TexturePlace rows = texturePlace(placed);
+        addExtension("KHR_texture_transform");
+        json["extensions"]["KHR_texture_transform"] = {
+            {"offset", {rows.across.y + rows.across.z, 1.0 - rows.up.y - rows.up.z}},
+            {"rotation", std::atan2(rows.up.x, rows.up.y)},
+            {"scale", {placed.scale.x, placed.scale.y}}};
+    }
+
+    ExportImages& images_;
+    bool isBinary_;
+    Json document_ = Json::object();
+    std::string buffer_;
+    std::set<std::string> extensions_;
+    std::map<std::string, int> inside_; ///< maps an image in the buffer to its index
+};
+
+/// Writes one material of a glTF file.
+class GltfMaterial {
+  public:
+    GltfMaterial(ExportedLook& look, GltfFile& file) : look_(look), file_(file) {}
+
+    Json write() {
+        material_["name"] = look_.material.name;
+        Json& base = material_["pbrMetallicRoughness"];
+        const std::string colorWord = look_.material.look == "metal" ? "f0" : "diffuse";
+        base["metallicFactor"] = look_.material.look == "metal" ? 1.0 : 0.0;
+        const glm::dvec3 color = imageFactor(look_, colorWord);
+        const double opacity = look_.value("opacity", glm::dvec3(1.0)).x;
+        base["baseColorFactor"] = {color.x, color.y, color.z, opacity};
+        const bool isDarkened =
+            look_.material.look == "dielectric" && look_.value("f0") != glm::dvec3(0.0);
+        look_.tellOf(colorWord, isDarkened ? Kept::Approximated : Kept::Exact,
+                     isDarkened ? "baseColorFactor, darker where the highlight takes its light"
+                                : "baseColorFactor");
+        if (const Json texture = file_.texture(look_, colorWord); !texture.is_null()) {
+            base["baseColorTexture"] = texture;
+        }
+        writeHighlight(base);
+        writeGlow();
+        writeOpacity(base.contains("baseColorTexture") ? colorWord : std::string());
+        writeNormals();
+        drop("height", "raises the surface");
+        return material_;
+    }
+
+  private:
+    void writeHighlight(Json& base) {
+        if (look_.material.look == "matte") {
+            base["roughnessFactor"] = 1.0;
+            extension("KHR_materials_specular")["specularFactor"] = 0.0;
+            return;
+        }
+        const double roughness = std::sqrt(look_.value("alpha").x);
+        base["roughnessFactor"] = roughness;
+        look_.tellOf("alpha", Kept::Exact,
+                     fmt::format("roughnessFactor {}, its root", shortestFloatText(roughness)));
+        drop("alpha", "drives a width, of which glTF's images have the root");
+        if (look_.material.look == "dielectric") {
+            writeReflectance();
+        }
+    }
+
+    void writeReflectance() {
+        const glm::dvec3 f0 = look_.value("f0");
+        constexpr double usual = 0.04; // of glTF 2.0, appendix B.2.1
+        const bool isUsual = glm::vec3(f0) == glm::vec3(float(usual));
+        std::string how = "that of every dielectric";
+        if (!isUsual) {
+            const DielectricIndex index = dielectricIndexOf(f0);
+            extension("KHR_materials_ior")["ior"] = index.ior;
+            how = fmt::format("KHR_materials_ior {}", shortestFloatText(index.ior));
+            if (index.tint != glm::dvec3(1.0)) {
+                extension("KHR_materials_specular")["specularColorFactor"] = colorJson(index.tint);
+                how += ", KHR_materials_specular";
+            }
+        }
+        look_.tellOf("f0", Kept::Exact, how);
+        drop("f0", "drives the reflectance, which has no image of ours");
+    }
+
+    void writeGlow() {
+        const glm::dvec3 glow = imageFactor(look_, "emissive");
+        const double brightest = std::max({glow.x, glow.y, glow.z, 1.0});
+        if (glow == glm::dvec3(0.0)) {
+            drop("emissive", "drives a glow that is black");
+            return;
+        }
+        material_["emissiveFactor"] = colorJson(glow / brightest);
+        if (brightest > 1.0) {
+            extension("KHR_materials_emissive_strength")["emissiveStrength"] = brightest;
+        }
+        if (const Json texture = file_.texture(look_, "emissive"); !texture.is_null()) {
+            material_["emissiveTexture"] = texture;
+        }
+        look_.tellOf("emissive", Kept::Exact,
+                     brightest > 1.0 ? "emissiveFactor, KHR_materials_emissive_strength"
+                                     : "emissiveFactor");
+    }
+
+    /// Writes the opacity, and its image if it is the alpha of the colour's.
+    void writeOpacity(const std::string& colorWord) {
+        const auto image = look_.images.find("opacity");
+        const bool isInColor = image != look_.images.end() && !colorWord.empty() &&
+                               look_.images.at(colorWord).file == image->second.file;
+        if (look_.material.values.contains("opacity") || isInColor) {
+            const bool isCut = isInColor && image->second.cutOut;
+            material_["alphaMode"] = isCut ? "MASK" : "BLEND";
+            if (isCut) {
+                material_["alphaCutoff"] = image->second.threshold;
+            }
+            look_.tellOf("opacity", Kept::Exact, "the alpha of baseColorFactor");
+        }
+        if (isInColor) {
+            look_.tell(Kept::Exact, "Opacity image", "the alpha of the colour's image");
+        } else {
+            drop("opacity", "is not the alpha of the colour's image");
+        }
+    }
+
+    void writeNormals() {
+        const auto image = look_.images.find("normal");
+        if (image == look_.images.end()) {
+            return;
+        }
+        const double strength = std::exchange(image->second.strength, 1.0);
+        if (Json texture = file_.texture(look_, "normal"); !texture.is_null()) {
+            if (strength != 1.0) {
+                texture["scale"] = strength;
+            }
+            material_["normalTexture"] = std::move(texture);
+        }
+    }
+
+    void drop(const std::string& word, const std::string& why) {
+        const auto image = look_.images.find(word);
+        if (image != look_.images.end()) {
+            look_.tell(Kept::Dropped, imageTitle(image->second), why);
+        }
+    }
+
+    Json& extension(const char* name) {
+        file_.addExtension(name);
+        return material_["extensions"][name];
+    }
+
+    ExportedLook& look_;
+    GltfFile& file_;
+    Json material_ = Json::object();
+};
+
+void addAll(GltfFile& file, std::vector<ExportedLook>& materials) {
+    for (ExportedLook& look : materials) {
+        file.addMaterial(GltfMaterial(look, file).write());
+    }
+    if (const auto added = file.addBalls(); !added) {
+        for (ExportedLook& look : materials) {
+            look.tell(Kept::Dropped, "Ball", added.error().text());
+        }
+    }
+}
+
+void addNumber(std::string& bytes, std::uint32_t number) {
+    for (int shift = 0; shift < 32; shift += 8) {
+        bytes += static_cast<char>(number >> shift & 0xffu);
+    }
+}
+
+void addChunk(std::string& bytes, std::uint32_t type, std::string content, char filler) {
+    content.resize((content.size() + 3) / 4 * 4, filler);
+    addNumber(bytes, static_cast<std::uint32_t>(content.size()));
+    addNumber(bytes, type);
+    bytes += content;
+}
+
+} // namespace
+
+std::string writeGltf(std::vector<ExportedLook>& materials, ExportImages& images,
+                      const std::string& bufferName, std::string& buffer) {
+    GltfFile file(images, false);
+    addAll(file, materials);
+    buffer = file.buffer();
+    return file.text(bufferName);
+}
+
+std::string writeGlb(std::vector<ExportedLook>& materials, ExportImages& images) {
+    constexpr std::uint32_t magic = 0x46546c67;
+    constexpr std::uint32_t jsonChunk = 0x4e4f534a;
+    constexpr std::uint32_t binaryChunk = 0x004e4942;
+    constexpr std::uint32_t headerBytes = 12;
+    GltfFile file(images, true);
+    addAll(file, materials);
+    std::string chunks;
+    addChunk(chunks, jsonChunk, file.text({}), ' ');
+    addChunk(chunks, binaryChunk, file.buffer(), '\0');
+    std::string bytes;
+    addNumber(bytes, magic);
+    addNumber(bytes, 2);
+    addNumber(bytes, headerBytes + static_cast<std::uint32_t>(chunks.size()));
+    return bytes + chunks;
+}
+
+} // namespace patina

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/number_text.h"
+#include "exchange/dielectric_index.h"
+#include "exchange/format_writers.h"
+#include "exchange/image_settings.h"
+#include "material/texture_place.h"
+
+namespace patina {
+namespace {
+
+std::string escaped(std::string_view text) {
+    std::string out;
+    for (const char letter : text) {
+        switch (letter) {
+        case '&':
+            out += "&amp;";
+            break;
+        case '<':
+            out += "&lt;";
+            break;
+        case '"':
+            out += "&quot;";
+            break;
+        default:
+            out += letter;
+        }
+    }
+    return out;
+}
+
+std::string colorText(const glm::dvec3& color) {
+    return fmt::format("{}, {}, {}", shortestFloatText(color.x), shortestFloatText(color.y),
+                       shortestFloatText(color.z));
+}
+
+std::string inputText(std::string_view name, std::string_view type, std::string_view value) {
+    return fmt::format("    <input name=\"{}\" type=\"{}\" value=\"{}\"/>\n", name, type, value);
+}
+
+std::string linkText(std::string_view name, std::string_view type, std::string_view node) {
+    return fmt::format("    <input name=\"{}\" type=\"{}\" nodename=\"{}\"/>\n", name, type, node);
+}
+
+/// Writes one material as an OpenPBR surface and the nodes that its images need.
+class MaterialXMaterial {
+  public:
+    MaterialXMaterial(ExportedLook& look, ExportImages& images) : look_(look), images_(images) {}
+
+    std::string write() {
+        if (look_.material.look == "metal") {
+            writeMetal();
+        } else {
+            color("base_color", "diffuse", Kept::Exact, {});
+            if (look_.material.look == "matte") {
+                inputs_ += inputText("specular_weight", "float", "0");
+            } else {
+                writeDielectric();
+            }
+        }
+        writeGlow();
+        writeOpacity();
+        writeNormals();
+        dropHeight();
+        const std::string& name = look_.material.name;
+        return nodes_ +
+               fmt::format("  <open_pbr_surface name=\"{0}_surface\" type=\"surfaceshader\">\n{1}"
+                           "  </open_pbr_surface>\n"
+                           "  <surfacematerial name=\"{0}\" type=\"material\">\n{2}"
+                           "  </surfacematerial>\n",
+                           name, inputs_,
+                           linkText("surfaceshader", "surfaceshader", name + "_surface"));
+    }
+
+  private:
+    void writeMetal() {
+        color("base_color", "f0", Kept::Exact, {});
+        inputs_ += inputText("base_metalness", "float", "1");
+        writeRoughness();
+    }
+
+    void writeDielectric() {
+        const DielectricIndex index = dielectricIndexOf(look_.value("f0"));
+        inputs_ += inputText("specular_ior", "float", shortestFloatText(index.ior));
+        inputs_ += inputText("specular_color", "color3", colorText(index.tint));
+        look_.tellOf("f0", Kept::Approximated,
+                     fmt::format("specular_ior {} and specular_color: exact facing you, by "
+                                 "Fresnel's formula at other angles",
+                                 shortestFloatText(index.ior)));
+        drop("f0");
+        writeRoughness();
+    }
+
+    /// OpenPBR squares its roughness; an image of widths goes through a root.
+    void writeRoughness() {
+        const auto image = look_.images.find("alpha");
+        if (image != look_.images.end() && image->second.mode == TextureMode::Replace) {
+            const std::string node = imageNode("alpha", "float");
+            if (!node.empty()) {
+                const std::string root = name("alpha_root");
+                nodes_ += fmt::format("  <sqrt name=\"{}\" type=\"float\">\n{}  </sqrt>\n", root,
+                                      linkText("in", "float", node));
+                inputs_ += linkText("specular_roughness", "float", root);
+                look_.tellOf("alpha", Kept::Exact, "specular_roughness, the root of its image");
+                return;
+            }
+        } else {
+            drop("alpha");
+        }
+        const double roughness = std::sqrt(look_.value("alpha").x);
+        inputs_ += inputText("specular_roughness", "float", shortestFloatText(roughness));
+        look_.tellOf("alpha", Kept::Exact,
+                     fmt::format("specular_roughness {}, its root", shortestFloatText(roughness)));
+    }
+
+    void writeGlow() {
+        const glm::dvec3 glow = imageFactor(look_, "emissive");
+        const double brightest = std::max({glow.x, glow.y, glow.z});
+        if (brightest <= 0.0) {
+            drop("emissive");
+            return;
+        }
+        inputs_ += inputText("emission_luminance", "float", shortestFloatText(brightest));
+        look_.material.values["emissive"] = glow / brightest;
+        if (const auto image = look_.images.find("emissive"); image != look_.images.end()) {
+            image->second.mode = TextureMode::Multiply;
+        }
+        color("emission_color", "emissive", Kept::Approximated,
+              ", its brightness taken for candelas per square metre");
+    }
+
+    void writeOpacity() {
+        if (look_.material.values.contains("opacity")) {
+            inputs_ +=
+                inputText("geometry_opacity", "float", shortestFloatText(look_.value("opacity").x));
+            look_.tellOf("opacity", Kept::Exact, "geometry_opacity");
+        }
+        const auto image = look_.images.find("opacity");
+        if (image == look_.images.end()) {
+            return;
+        }
+        const bool isAlpha = image->second.channel == TextureChannel::Auto ||
+                             image->second.channel == TextureChannel::Alpha;
+        if (isAlpha || look_.material.values.contains("opacity")) {
+            drop("opacity");
+            return;
+        }
+        if (const std::string node = imageNode("opacity", "float"); !node.empty()) {
+            inputs_ += linkText("geometry_opacity", "float", node);
+        }
+    }
+
+    void writeNormals() {
+        const auto image = look_.images.find("normal");
+        if (image == look_.images.end()) {
+            return;
+        }
+        const double strength = std::exchange(image->second.strength, 1.0);
+        const std::string node = imageNode("normal", "vector3");
+        if (!node.empty()) {
+            const std::string map = name("normalmap");
+            nodes_ +=
+                fmt::format("  <normalmap name=\"{}\" type=\"vector3\">\n{}{}  </normalmap>\n", map,
+                            linkText("in", "vector3", node),
+                            inputText("scale", "float", shortestFloatText(strength)));
+            inputs_ += linkText("geometry_normal", "vector3", map);
+        }
+    }
+
+    void dropHeight() {
+        const auto image = look_.images.find("height");
+        if (image != look_.images.end()) {
+            look_.tell(Kept::Dropped, imageTitle(image->second), "raises the surface");
+        }
+    }
+
+    void drop(const std::string& word) {
+        const auto image = look_.images.find(word);
+        if (image != look_.images.end()) {
+            look_.tell(Kept::Dropped, imageTitle(image->second),
+                       fmt::format("drives {}, which takes no image here",
+                                   look_.labels.contains(word) ? look_.labels[word] : word));
+        }
+    }
+
+    /// Writes a colour, or its image times the colour.
+    void color(const char* input, const std::string& word, Kept kept, const std::string& note) {
+        const glm::dvec3 factor = imageFactor(look_, word);
+        look_.tellOf(word, kept, input + note);
+        const std::string node =
+            look_.images.contains(word) ? imageNode(word, "color3") : std::string();
+        if (node.empty()) {
+            inputs_ += inputText(input, "color3", colorText(look_.value(word)));
+        } else if (factor == glm::dvec3(1.0)) {
+            inputs_ += linkText(input, "color3", node);
+        } else {
+            const std::string product = name(word + "_product");
+            nodes_ += fmt::format("  <multiply name=\"{}\" type=\"color3\">\n{}{}  </multiply>\n",
+                                  product, linkText("in1", "color3", node),
+                                  inputText("in2", "color3", colorText(factor)));
+            inputs_ += linkText(input, "color3", product);
+        }
+    }
+
+    /// Writes the node of an image and what places it, and returns the node's name; empty where the
+    /// image is dropped.
+    std::string imageNode(const std::string& word, const char* type) {
+        const TextureUse& use = look_.images.at(word);
+        const auto path = images_.add(use.file, {});
+        if (!path || isAdded(use)) {
+            look_.tell(Kept::Dropped, imageTitle(use),
+                       path ? "is added to the value" : path.error().text());
+            return {};
+        }
+        const bool isColor = std::string_view(type) == "color3";
+        const std::string place = isUnplaced(use) ? std::string() : placeNode(word, use);
+        const std::string image = name(word + "_image");
+        nodes_ += fmt::format(
+            "  <image name=\"{}\" type=\"{}\">\n"
+            "    <input name=\"file\" type=\"filename\" value=\"{}\" colorspace=\"{}\"/>\n{}"
+            "  </image>\n",
+            image, type, escaped(*path), isColor ? "srgb_texture" : "lin_rec709",
+            place.empty() ? std::string() : linkText("texcoord", "vector2", place));
+        const std::string lost = lostSettings(use);
+        look_.tell(lost.empty() ? Kept::Exact : Kept::Approximated, imageTitle(use),
+                   lost.empty() ? *path : fmt::format("{}, without {}", *path, lost));
+        return image;
+    }
+
+    /// Writes where an image is as two products with the mesh's coordinates, which leave open no
+    /// question of signs and orders.
+    std::string placeNode(const std::string& word, const TextureUse& use) {
+        const std::string uv = name(word + "_uv");
+        nodes_ += fmt::format("  <texcoord name=\"{}\" type=\"vector2\"/>\n", uv);
+        const TexturePlace place = texturePlace(use);
+        for (const auto& [part, row] : {std::pair("u", place.across), std::pair("v", place.up)}) {
+            const std::string dot = name(fmt::format("{}_{}_dot", word, part));
+            const std::string sum = name(fmt::format("{}_{}", word, part));
+            nodes_ +=
+                fmt::format("  <dotproduct name=\"{}\" type=\"float\">\n{}{}  </dotproduct>\n"
+                            "  <add name=\"{}\" type=\"float\">\n{}{}  </add>\n",
+                            dot, linkText("in1", "vector2", uv),
+                            inputText("in2", "vector2",
+                                      fmt::format("{}, {}", shortestFloatText(row.x + 0.0), // no -0
+                                                  shortestFloatText(row.y + 0.0))),
+                            sum, linkText("in1", "float", dot),
+                            inputText("in2", "float", shortestFloatText(row.z)));
+        }
+        const std::string both = name(word + "_place");
+        nodes_ += fmt::format("  <combine2 name=\"{}\" type=\"vector2\">\n{}{}  </combine2>\n",
+                              both, linkText("in1", "float", name(word + "_u")),
+                              linkText("in2", "float", name(word + "_v")));
+        return both;
+    }
+
+    std::string name(const std::string& part) const { return look_.material.name + '_' + part; }
+
+    ExportedLook& look_;
+    ExportImages& images_;
+    std::string nodes_;
+    std::string inputs_;
+};
+
+} // namespace
+
+std::string writeMaterialX(std::vector<ExportedLook>& materials, ExportImages& images) {
+    std::string text = "<?xml version=\"1.0\"?>\n"
+                       "<materialx version=\"1.39\" colorspace=\"lin_rec709\">\n";
+    for (ExportedLook& look : materials) {
+        text += MaterialXMaterial(look, images).write();
+    }
+    return text + "</materialx>\n";
+}
+
+} // namespace patina

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Materials in files of other programs: what has a counterpart there comes back as it was, and what
+// has none is told.
+#include "exchange/material_export.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "assets/asset_client.h"
+#include "catalog/json_text.h"
+#include "cli/patina_program.h"
+#include "material/material_assignment.h"
+#include "material/mesh_look.h"
+#include "material/preset_file.h"
+
+namespace patina::tests::material_export_test {
+namespace {
+
+const Catalog& blocks() {
+    static const Catalog catalog =
+        loadCatalog(std::vector<BlockRoot>{{dataFolder() / "shaders", true}});
+    return catalog;
+}
+
+/// Returns a material called "paint" that looks as a word says, with these assignments.
+Material looking(const std::string& look, const std::vector<std::string>& assignments) {
+    Material material = importedLook(look, blocks())->start(blocks()).value();
+    material.name = "paint";
+    for (const std::string& assignment : assignments) {
+        const auto done = assignInMaterial(material, assignment, blocks());
+        EXPECT_TRUE(done) << done.error().text();
+    }
+    return material;
+}
+
+std::string textOf(const Material& material) {
+    return writeJson(toJson(material));
+}
+
+class ExportedMaterial : public testing::Test {
+  protected:
+    /// Writes the material, and returns what becomes of it.
+    std::vector<ExportLine> write(const Material& material, const std::string& name) {
+        const Progress progress;
+        const auto exported = exportMaterials(folder_ / name, {material}, blocks(), progress);
+        EXPECT_TRUE(exported) << exported.error().text();
+        return exported ? exported->lines.front() : std::vector<ExportLine>();
+    }
+
+    /// Returns the material as it comes out of a mesh file.
+    Material read(const std::string& name) {
+        MeshRequest request;
+        request.file = folder_ / name;
+        request.byMaterial = true;
+        const auto mesh = client_.loadMesh(request);
+        if (!mesh) {
+            ADD_FAILURE() << mesh.error().text();
+            return {};
+        }
+        EXPECT_EQ((*mesh)->remarks(), "");
+        const auto material = materialOf((*mesh)->parts().front().material, blocks());
+        return material ? *material : Material();
+    }
+
+    TemporaryFolder folder_;
+    AssetClient client_;
+};
+
+bool isAllExact(const std::vector<ExportLine>& lines) {
+    return std::ranges::all_of(lines,
+                               [](const ExportLine& line) { return line.kept == Kept::Exact; });
+}
+
+TEST_F(ExportedMaterial, GltfMetal_ComesBackAsItWas) {
+    const Material gold = looking("metal", {"fresnel.f0=0.9,0.61,0.23", "roughness=0.137",
+                                            "emissive.color=3,0.5,0", "opacity=0.75"});
+    EXPECT_TRUE(isAllExact(write(gold, "gold.gltf")));
+    EXPECT_EQ(textOf(read("gold.gltf")), textOf(gold));
+}
+
+TEST_F(ExportedMaterial, GltfDielectricOfAnyReflectance_ComesBackAsItWas) {
+    for (const char* f0 : {"0.04,0.04,0.04", "0.17,0.17,0.17", "0.02,0.3,0.1", "0,0,0", "1,1,1"}) {
+        const Material paint =
+            looking("dielectric", {std::string("fresnel.f0=") + f0, "diffuse.color=0.5,0.2,0.1",
+                                   "roughness=0.3"});
+        write(paint, "paint.glb");
+        EXPECT_EQ(textOf(read("paint.glb")), textOf(paint)) << f0;
+    }
+}
+
+TEST_F(ExportedMaterial, GltfMatteWithImages_ComesBackAsItWas) {
+    Material wall = looking("matte", {"diffuse.color=0.5,0.25,0.125"});
+    for (const char* name : {"wall.png", "bumps.png"}) {
+        writeFile(folder_ / name, name);
+    }
+    wall.textures["diffuse.color"] = textureUse("diffuse.color", folder_ / "wall.png");
+    wall.textures["diffuse.color"].mode = TextureMode::Multiply;
+    wall.textures["normal"] = textureUse("normal", folder_ / "bumps.png");
+    EXPECT_TRUE(isAllExact(write(wall, "wall.gltf")));
+    Material back = read("wall.gltf");
+    for (auto& [key, use] : back.textures) {
+        EXPECT_EQ(use.file, (folder_ / "wall-images" /
+                             std::filesystem::path(wall.textures[key].file).filename())
+                                .string());
+        EXPECT_EQ(readFile(use.file), readFile(wall.textures[key].file));
+        use.file = wall.textures[key].file;
+    }
+    EXPECT_EQ(textOf(back), textOf(wall));
+}
+
+TEST_F(ExportedMaterial, Mtl_ComesBackWithinTheFloatsOfItsReader) {
+    writeFile(folder_ / "mesh.obj",
+              "mtllib paint.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl paint\nf 1 2 3\n");
+    const Material shiny =
+        looking("blinn-phong", {"diffuse.color=0.5,0.2,0.1", "specular.color=0.25,0.25,0.5",
+                                "shininess=40", "opacity=0.5"});
+    EXPECT_TRUE(isAllExact(write(shiny, "paint.mtl")));
+    const Material back = read("mesh.obj");
+    EXPECT_EQ(back.model.id, shiny.model.id);
+    EXPECT_EQ(back.opacity, 0.5);
+    for (const char* id : {"diffuse.color", "specular.color"}) {
+        const auto color = std::get<glm::dvec3>(back.model.parameters.at(id));
+        const auto wanted = std::get<glm::dvec3>(shiny.model.parameters.at(id));
+        EXPECT_LT(glm::length(color - wanted), 1e-6) << id;
+    }
+    EXPECT_EQ(back.model.parameters.at("shininess"), Value(40.0));
+}
+
+/// A highlight that is black leaves a matte surface, which glTF has and the model does not state.
+TEST_F(ExportedMaterial, WhatNoLookSays_IsFittedAndTold) {
+    const Material paint = looking(
+        "blinn-phong", {"diffuse.color=0.4,0.3,0.2", "specular.color=0,0,0", "outline=ink-line"});
+    const std::vector<ExportLine> lines = write(paint, "paint.gltf");
+    ASSERT_FALSE(lines.empty());
+    EXPECT_EQ(lines.front().kept, Kept::Approximated);
+    EXPECT_EQ(lines.front().what, "Blinn-Phong");
+    EXPECT_TRUE(
+        lines.front().how.starts_with("has no counterpart as it is set; matte was fitted to it, "))
+        << lines.front().how;
+    EXPECT_TRUE(std::ranges::any_of(lines, [](const ExportLine& line) {
+        return line.kept == Kept::Dropped && line.what == "Ink line";
+    }));
+    const Material back = read("paint.gltf");
+    EXPECT_EQ(back.model.id, "lambert");
+    const auto color = std::get<glm::dvec3>(back.model.parameters.at("diffuse.color"));
+    EXPECT_LT(glm::length(color - glm::dvec3(0.4, 0.3, 0.2)), 1e-4);
+}
+
+TEST_F(ExportedMaterial, TurnedImage_LiesInGltfAsInPatina) {
+    writeFile(folder_ / "wood.png", "an image");
+    Material wood = looking("matte", {});
+    TextureUse use = textureUse("diffuse.color", folder_ / "wood.png");
+    use.scale = glm::dvec2(2.0);
+    use.offset = {0.25, 0.5};
+    use.rotation = 90.0;
+    wood.textures["diffuse.color"] = use;
+    write(wood, "wood.gltf");
+    const auto document = nlohmann::json::parse(readFile(folder_ / "wood.gltf"));
+    const auto& place = document["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]
+                                ["extensions"]["KHR_texture_transform"];
+    // The middle of the surface stays in the middle of what is turned; up leads to the right there.
+    const double turn = place["rotation"];
+    const auto at = [&](double u, double v) {
+        const double s = place["scale"][0];
+        return glm::dvec2(
+            std::cos(turn) * s * u + std::sin(turn) * s * v + double(place["offset"][0]),
+            -std::sin(turn) * s * u + std::cos(turn) * s * v + double(place["offset"][1]));
+    };
+    EXPECT_LT(glm::length(at(0.5, 0.5) - glm::dvec2(1.25, -0.5)), 1e-12);
+    EXPECT_LT(glm::length(at(0.5, 0.25) - glm::dvec2(1.75, -0.5)), 1e-12);
+}
+
+TEST_F(ExportedMaterial, MaterialX_NamesItsSurfaceAndItsImages) {
+    writeFile(folder_ / "wood.png", "an image");
+    Material wood = looking("dielectric", {"diffuse.color=0.5,0.25,0.125", "roughness=0.25"});
+    wood.textures["diffuse.color"] = textureUse("diffuse.color", folder_ / "wood.png");
+    wood.textures["diffuse.color"].mode = TextureMode::Multiply;
+    write(wood, "wood.mtlx");
+    const std::string text = readFile(folder_ / "wood.mtlx");
+    for (const char* part :
+         {"<open_pbr_surface name=\"paint_surface\"", "value=\"wood-images/wood.png\"",
+          "name=\"in2\" type=\"color3\" value=\"0.5, 0.25, 0.125\"",
+          "name=\"specular_roughness\" type=\"float\" value=\"0.5\"",
+          "name=\"base_color\" type=\"color3\" nodename=\"paint_diffuse_product\"",
+          "name=\"specular_ior\" type=\"float\" value=\"1.5\""}) {
+        EXPECT_NE(text.find(part), std::string::npos) << part << '\n' << text;
+    }
+}
+
+TEST(MaterialExportCommand, EachPreset_IsToldLineByLine) {
+    const TemporaryFolder folder;
+    const Outcome outcome = patina(
+        {"export", shipped("presets/lambert/grey-card.patina.json"), "-o", folder / "card.mtl"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("  exact         Diffuse colour: Kd"), std::string::npos)
+        << outcome.out;
+    EXPECT_TRUE(std::filesystem::exists(folder / "card.mtl"));
+}
+
+} // namespace
+} // namespace patina::tests::material_export_test
