@@ -18,9 +18,10 @@
 namespace patina {
 namespace {
 
-constexpr std::array<AddCommand, 16> commands{
-    addRender, addCompare, addEffects, addCost, addEval,  addValidate, addModels, addCheck,
-    addMerge,  addExport,  addImport,  addLobe, addMatch, addSheet,    addTable,  addApproximate};
+constexpr std::array<AddCommand, 17> commands{
+    addRender, addCompare, addEffects, addCost,        addEval,       addValidate,
+    addModels, addCheck,   addMerge,   addExport,      addImport,     addLobe,
+    addMatch,  addSheet,   addTable,   addApproximate, addCompletions};
 
 void addCommands(CLI::App& program, int& status) {
     program.description("Patina edits lighting models. Without a command it opens the editor:\n"

@@ -15,6 +15,7 @@ using AddCommand = void (*)(CLI::App& program, int& status);
 
 // Each command has a file of its own name.
 void addApproximate(CLI::App& program, int& status);
+void addCompletions(CLI::App& program, int& status);
 void addCheck(CLI::App& program, int& status);
 void addCompare(CLI::App& program, int& status);
 void addCost(CLI::App& program, int& status);

@@ -213,4 +213,10 @@ void FileActions::tellOutside(const QString& file) {
     }
 }
 
+void FileActions::readAgain() {
+    meshes_.readAgain(document_.scene());
+    textures_.readAgain();
+    Q_EMIT readingAgain();
+}
+
 } // namespace patina

@@ -61,6 +61,9 @@ class FileActions : public QObject {
 
     static Kind kindOf(const QString& file);
 
+    /// Reads images, meshes and environments again, which another program may have written.
+    void readAgain();
+
   Q_SIGNALS:
     /// Is emitted when a preset was applied to a side.
     void presetApplied(const QString& file);
@@ -69,6 +72,8 @@ class FileActions : public QObject {
     void documentReplaced();
     /// Is emitted when the file of a contact sheet was opened or dropped.
     void sheetWished(const QString& file);
+    /// Is emitted when all that files hold is to be read again, for those who read others.
+    void readingAgain();
 
   private:
     void openDocument(const QString& file);

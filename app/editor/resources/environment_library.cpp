@@ -2,6 +2,7 @@
 #include "resources/environment_library.h"
 
 #include <utility>
+#include <vector>
 
 #include <QFileInfo>
 
@@ -46,6 +47,17 @@ void EnvironmentLibrary::forgetFailure() {
         if (picture.hasFailed) {
             picture = Picture();
         }
+    }
+}
+
+void EnvironmentLibrary::readAgain() {
+    forgetFailure();
+    std::vector<std::string> files;
+    for (const auto& [file, picture] : pictures_) {
+        files.push_back(file);
+    }
+    for (const std::string& file : files) {
+        load(file);
     }
 }
 

@@ -43,6 +43,9 @@ class EnvironmentLibrary : public QObject {
     /// Lets the next image() try again what could not be read.
     void forgetFailure();
 
+    /// Reads all pictures again; views show what they have until then.
+    void readAgain();
+
   Q_SIGNALS:
     void loaded(QString file);
     void failed(patina::Error why); ///< is also emitted when it was cancelled

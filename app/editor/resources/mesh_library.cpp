@@ -177,6 +177,16 @@ void MeshLibrary::forgetFailures() {
     failures_.clear();
 }
 
+void MeshLibrary::readAgain(const Scene& scene) {
+    forgetFailures();
+    for (const Object& object : scene.objects) {
+        const MeshKey key = readingOf(meshKey(object));
+        if (!key.mesh.empty() && !builtinName(key.mesh) && !loading_.contains(key)) {
+            load(key);
+        }
+    }
+}
+
 void MeshLibrary::makeBuiltin(const MeshKey& key) {
     Mesh& mesh = builtins_[key];
     Object object;

@@ -68,6 +68,9 @@ class MeshLibrary : public QObject {
     /// Forgets failures, so that the next view() tries again.
     void forgetFailures();
 
+    /// Reads the files of a scene's meshes again; views show what they have until then.
+    void readAgain(const Scene& scene);
+
   Q_SIGNALS:
     void loaded(QString file); ///< is emitted when its triangles are there
     void opennessFound();      ///< is emitted when view() has it, or finding it was cancelled

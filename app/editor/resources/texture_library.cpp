@@ -156,6 +156,21 @@ void TextureLibrary::forgetFailures() {
     failures_.clear();
 }
 
+void TextureLibrary::readAgain() {
+    forgetFailures();
+    dropUnused();
+    std::vector<Key> keys;
+    for (const auto& [key, picture] : pictures_) {
+        keys.push_back(key);
+    }
+    for (const Key& key : keys) {
+        if (!loading_.contains(key)) {
+            load(key);
+        }
+    }
+    Q_EMIT arrived(); // of those that failed before
+}
+
 void TextureLibrary::load(const Key& key) {
     dropUnused();
     loading_.insert(key);

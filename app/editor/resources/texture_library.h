@@ -62,6 +62,9 @@ class TextureLibrary : public QObject {
     /// Forgets failures, so that the next frame tries again.
     void forgetFailures();
 
+    /// Reads all images in use again; views show what they have until then.
+    void readAgain();
+
   Q_SIGNALS:
     void loadingStarted(QString file);
     void failed(QString file, patina::Error why); ///< is also emitted when it was cancelled

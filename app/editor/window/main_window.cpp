@@ -146,6 +146,7 @@ void MainWindow::connectParts() {
     connect(files_, &FileActions::documentReplaced, &autosave_, &Autosave::giveUp);
     connect(&files_->meshes(), &MeshActions::placed, this,
             [this] { views_->active().frameCurrentObject(); });
+    connect(files_, &FileActions::readingAgain, &environments_, &EnvironmentLibrary::readAgain);
     connect(files_, &FileActions::sheetWished, this, [this](const QString& file) {
         layout_->bringToFront("sheets");
         qobject_cast<LazyDock*>(dock("sheets"))->build();
