@@ -20,8 +20,9 @@ class LookChecker : DescriptorChecker {
         if (looks == document_.value.end() || !looks->is_array()) {
             return {};
         }
-        if (block_.kind != kinds::models) {
-            add("/looks", "only a model has looks of other programs' materials", "no such key");
+        if (findKind(block_.kind)->owner != BlockOwner::Material) {
+            add("/looks", "only what materials are made of looks like other programs' materials",
+                "no such key");
         }
         std::set<std::string> stated;
         for (std::size_t i = 0; i < looks->size(); ++i) {

@@ -5,8 +5,8 @@
 
 namespace patina {
 
-/// Returns the mistakes in `looks`: of what is no model, stated twice, or with values of parameters
-/// that neither the model nor what fills its slots has.
+/// Returns the mistakes in `looks`: of what no material is made of, stated twice, or with values of
+/// parameters that neither the block nor what fills its slots has.
 Errors lookMistakes(const Descriptor& descriptor);
 
 } // namespace patina

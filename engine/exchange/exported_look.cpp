@@ -20,6 +20,7 @@ namespace {
 constexpr std::size_t fittedDirections = 1024;
 /// Is how much less error a later look must have to be taken: the first ones say more.
 constexpr double isNearer = 0.95;
+constexpr std::string_view transmission = "transmission"; ///< is the look of what refracts
 
 /// Is a material with the look that it has.
 struct Looking {
@@ -186,7 +187,6 @@ Result<Looking> lookingOf(const Material& material, std::span<const std::string_
         looks.push_back(std::move(*look));
     }
     auto fitted = fittedLook(material, looks, catalog, progress);
-    said.isFitted = true;
     if (!fitted) {
         said.tell(
             Kept::Approximated, model->label,
@@ -201,6 +201,16 @@ Result<Looking> lookingOf(const Material& material, std::span<const std::string_
                           fitted->looking.look.look, 100.0 * fitted->relative));
     fitted->looking.material = withTheRest(std::move(fitted->looking.material), material, catalog);
     return std::move(fitted->looking);
+}
+
+/// Notes which words have values that were fitted or carried over: all but the glow.
+void noteFitted(ExportedLook& said, const Looking& looking, const Catalog& catalog) {
+    for (const auto& [word, id] : looking.look.values) {
+        const Parameter* parameter = parameterIn(looking.material, id, catalog);
+        if (parameter == nullptr || !parameter->emission) {
+            said.fitted.insert(word);
+        }
+    }
 }
 
 void sayValues(ExportedLook& said, const Looking& looking, const Catalog& catalog) {
@@ -245,12 +255,47 @@ void sayImages(ExportedLook& said, const Looking& looking, const Catalog& catalo
     }
 }
 
-/// Tells what lies over the model and has no words: an outline, refraction, fur ...
-void tellParts(ExportedLook& said, const Material& material, const Catalog& catalog) {
+/// Returns the look of what lies over the model, by its descriptor, if the format has it.
+std::optional<MeshLook> lookOfPart(const Block& block, const KnownLooks& known) {
+    const auto looks = meshLooksOf(block);
+    if (!known.hasTransmission || !looks) {
+        return std::nullopt;
+    }
+    const auto found = std::ranges::find(*looks, transmission, &MeshLook::look);
+    return found == looks->end() ? std::nullopt : std::optional(*found);
+}
+
+/// Tells whether a material has a part that refracts, which the format can say.
+bool refracts(const Material& material, const KnownLooks& known, const Catalog& catalog) {
+    return std::ranges::any_of(material.parts, [&](const auto& each) {
+        const Block* block = catalog.find(each.first, each.second.id);
+        return block != nullptr && lookOfPart(*block, known);
+    });
+}
+
+/// Says the values of what lies over the model in the words of its look.
+void sayPart(ExportedLook& said, const Block& block, const BlockValues& part,
+             const MeshLook& look) {
+    for (const auto& [word, id] : look.values) {
+        if (const Parameter* parameter = block.parameter(id)) {
+            const auto value = part.parameters.find(id);
+            said.material.values[word] =
+                numbersOf(value == part.parameters.end() ? parameter->defaultValue : value->second);
+            said.labels[word] = parameter->label;
+        }
+    }
+}
+
+/// Says what lies over the model (an outline, refraction, fur), or tells that it is lost.
+void sayParts(ExportedLook& said, const Material& material, const KnownLooks& known,
+              const Catalog& catalog) {
     const Block* model = catalog.find(kinds::models, material.model.id);
     for (const auto& [kind, part] : material.parts) {
         const Block* block = catalog.find(kind, part.id);
-        if (model == nullptr || model->slot(kind) == nullptr) {
+        const auto look = block == nullptr ? std::nullopt : lookOfPart(*block, known);
+        if (look) {
+            sayPart(said, *block, part, *look);
+        } else if (model == nullptr || model->slot(kind) == nullptr) {
             said.tell(Kept::Dropped, block == nullptr ? part.id : block->label, "is not written");
         }
     }
@@ -270,8 +315,8 @@ void ExportedLook::tell(Kept kept, std::string what, std::string how) {
 void ExportedLook::tellOf(const std::string& word, Kept kept, std::string how) {
     const auto label = labels.find(word);
     if (label != labels.end()) {
-        tell(isFitted && kept == Kept::Exact ? Kept::Approximated : kept, label->second,
-             std::move(how));
+        tell(fitted.contains(word) && kept == Kept::Exact ? Kept::Approximated : kept,
+             label->second, std::move(how));
     }
 }
 
@@ -280,17 +325,23 @@ glm::dvec3 ExportedLook::value(const std::string& word, const glm::dvec3& missin
     return found == material.values.end() ? missing : found->second;
 }
 
-Result<ExportedLook> exportedLook(const Material& material, std::span<const std::string_view> looks,
+Result<ExportedLook> exportedLook(const Material& material, const KnownLooks& looks,
                                   const Catalog& catalog, const Progress& progress) {
+    constexpr std::array<std::string_view, 1> refracting{"dielectric"};
     ExportedLook said;
     said.material.name = material.name;
-    const auto looking = lookingOf(material, looks, catalog, progress, said);
+    const std::span<const std::string_view> words =
+        refracts(material, looks, catalog) ? refracting : looks.ofModels;
+    const auto looking = lookingOf(material, words, catalog, progress, said);
     if (!looking) {
         return tl::unexpected(looking.error());
     }
+    if (!said.lines.empty()) { // it is not as it was
+        noteFitted(said, *looking, catalog);
+    }
     sayValues(said, *looking, catalog);
+    sayParts(said, looking->material, looks, catalog);
     sayImages(said, *looking, catalog);
-    tellParts(said, looking->material, catalog);
     return said;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -34,7 +35,10 @@ struct ExportedLook {
     std::map<std::string, TextureUse> images;  ///< have the words of values, "normal" ...
     std::map<std::string, std::string> labels; ///< maps a word to the parameter's label
     std::vector<ExportLine> lines;
-    bool isFitted = false; ///< says that its values are not the material's own
+    std::set<std::string> fitted; ///< has the words whose values are not the material's own
+
+    /// Tells whether light passes through and is refracted.
+    bool isTransmissive() const { return material.values.contains("transmission"); }
 
     void tell(Kept kept, std::string what, std::string how);
     /// Tells what becomes of a word's value, under the parameter's label; of a fitted one nothing
@@ -44,12 +48,18 @@ struct ExportedLook {
     glm::dvec3 value(const std::string& word, const glm::dvec3& missing = glm::dvec3(0.0)) const;
 };
 
+/// Says which looks a format has.
+struct KnownLooks {
+    std::span<const std::string_view> ofModels;
+    bool hasTransmission = false; ///< says that what refracts can be told with a dielectric
+};
+
 /// Returns a material as the first of its model's looks that is among `looks` and says all its
 /// values. Where none does, the models of `looks` are fitted to it, and the nearest is taken, with
 /// its error in the lines; a drawing has no reflectance to be fitted, and leaves its colours. Fails
 /// where the model is not known, or `looks` cannot be read. A cancelled fit is what it was till
 /// then.
-Result<ExportedLook> exportedLook(const Material& material, std::span<const std::string_view> looks,
+Result<ExportedLook> exportedLook(const Material& material, const KnownLooks& looks,
                                   const Catalog& catalog, const Progress& progress);
 
 } // namespace patina

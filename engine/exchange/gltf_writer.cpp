@@ -233,13 +233,16 @@ class GltfMaterial {
     Json write() {
         material_["name"] = look_.material.name;
         Json& base = material_["pbrMetallicRoughness"];
-        const std::string colorWord = look_.material.look == "metal" ? "f0" : "diffuse";
+        const std::string colorWord = look_.isTransmissive()           ? "transmission"
+                                      : look_.material.look == "metal" ? "f0"
+                                                                       : "diffuse";
         base["metallicFactor"] = look_.material.look == "metal" ? 1.0 : 0.0;
         const glm::dvec3 color = imageFactor(look_, colorWord);
-        const double opacity = look_.value("opacity", glm::dvec3(1.0)).x;
+        const double opacity =
+            look_.isTransmissive() ? 1.0 : look_.value("opacity", glm::dvec3(1.0)).x;
         base["baseColorFactor"] = {color.x, color.y, color.z, opacity};
-        const bool isDarkened =
-            look_.material.look == "dielectric" && look_.value("f0") != glm::dvec3(0.0);
+        const bool isDarkened = !look_.isTransmissive() && look_.material.look == "dielectric" &&
+                                look_.value("f0") != glm::dvec3(0.0);
         look_.tellOf(colorWord, isDarkened ? Kept::Approximated : Kept::Exact,
                      isDarkened ? "baseColorFactor, darker where the highlight takes its light"
                                 : "baseColorFactor");
@@ -247,6 +250,7 @@ class GltfMaterial {
             base["baseColorTexture"] = texture;
         }
         writeHighlight(base);
+        writeTransmission();
         writeGlow();
         writeOpacity(base.contains("baseColorTexture") ? colorWord : std::string());
         writeNormals();
@@ -289,6 +293,42 @@ class GltfMaterial {
         drop("f0", "drives the reflectance, which has no image of ours");
     }
 
+    /// Writes what refracts. A pane has no volume, and absorbs nothing then.
+    void writeTransmission() {
+        if (!look_.isTransmissive()) {
+            return;
+        }
+        const double share = 1.0 - look_.value("opacity", glm::dvec3(1.0)).x;
+        extension("KHR_materials_transmission")["transmissionFactor"] = share;
+        look_.tellOf("opacity", Kept::Exact, "KHR_materials_transmission");
+        if (look_.value("diffuse") != glm::dvec3(0.0)) {
+            look_.tellOf("diffuse", Kept::Dropped, "the base colour is that of what passes");
+        }
+        drop("diffuse", "the base colour is that of what passes");
+        if (look_.material.values.contains("thickness")) {
+            dropPaneValues();
+            return;
+        }
+        Json& volume = extension("KHR_materials_volume");
+        volume["thicknessFactor"] = 1.0; // of the ball, half of its diameter
+        volume["attenuationColor"] = colorJson(look_.value("attenuation.color"));
+        volume["attenuationDistance"] = look_.value("attenuation.distance").x;
+        look_.tellOf("attenuation.color", Kept::Exact, "KHR_materials_volume");
+        look_.tellOf("attenuation.distance", Kept::Exact, "KHR_materials_volume");
+        if (const double dispersion = look_.value("dispersion").x; dispersion > 0.0) {
+            extension("KHR_materials_dispersion")["dispersion"] = dispersion;
+            look_.tellOf("dispersion", Kept::Exact, "KHR_materials_dispersion");
+        }
+    }
+
+    void dropPaneValues() {
+        look_.tellOf("thickness", Kept::Approximated, "a wall without a thickness");
+        if (look_.value("attenuation.color") != glm::dvec3(1.0)) {
+            look_.tellOf("attenuation.color", Kept::Dropped,
+                         "a wall without a thickness absorbs nothing");
+        }
+    }
+
     void writeGlow() {
         const glm::dvec3 glow = imageFactor(look_, "emissive");
         const double brightest = std::max({glow.x, glow.y, glow.z, 1.0});
@@ -310,6 +350,10 @@ class GltfMaterial {
 
     /// Writes the opacity, and its image if it is the alpha of the colour's.
     void writeOpacity(const std::string& colorWord) {
+        if (look_.isTransmissive()) {
+            drop("opacity", "is told by a transmission without images");
+            return;
+        }
         const auto image = look_.images.find("opacity");
         const bool isInColor = image != look_.images.end() && !colorWord.empty() &&
                                look_.images.at(colorWord).file == image->second.file;

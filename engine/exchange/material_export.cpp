@@ -21,10 +21,10 @@ constexpr std::array<std::string_view, 3> physicalLooks{"metal", "dielectric", "
 constexpr std::array<std::string_view, 3> classicalLooks{"blinn-phong", "metal", "matte"};
 
 constexpr std::array<ExchangeFormat, 4> formats{{
-    {".gltf", "glTF", physicalLooks},
-    {".glb", "glTF, one file", physicalLooks},
-    {".mtlx", "MaterialX", physicalLooks},
-    {".mtl", "MTL", classicalLooks},
+    {".gltf", "glTF", {physicalLooks, true}},
+    {".glb", "glTF, one file", {physicalLooks, true}},
+    {".mtlx", "MaterialX", {physicalLooks, true}},
+    {".mtl", "MTL", {classicalLooks, false}},
 }};
 
 /// Returns a name that every format can hold, unlike those before it.

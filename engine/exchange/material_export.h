@@ -15,7 +15,7 @@ namespace patina {
 struct ExchangeFormat {
     std::string_view ending; ///< is that of its files, with the dot
     std::string_view label;
-    std::span<const std::string_view> looks; ///< are those of MeshMaterial that it can say
+    KnownLooks looks;
 };
 
 std::span<const ExchangeFormat> exchangeFormats();

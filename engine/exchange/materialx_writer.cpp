@@ -61,6 +61,7 @@ class MaterialXMaterial {
                 inputs_ += inputText("specular_weight", "float", "0");
             } else {
                 writeDielectric();
+                writeTransmission();
             }
         }
         writeGlow();
@@ -94,6 +95,43 @@ class MaterialXMaterial {
                                  shortestFloatText(index.ior)));
         drop("f0");
         writeRoughness();
+    }
+
+    /// Writes what refracts: with a depth its colour is what is left there, without one a tint.
+    void writeTransmission() {
+        if (!look_.isTransmissive()) {
+            return;
+        }
+        const double share = 1.0 - look_.value("opacity", glm::dvec3(1.0)).x;
+        inputs_ += inputText("transmission_weight", "float", shortestFloatText(share));
+        look_.tellOf("opacity", Kept::Exact, "transmission_weight");
+        const bool isPane = look_.material.values.contains("thickness");
+        const char* word = isPane ? "transmission" : "attenuation.color";
+        inputs_ += inputText("transmission_color", "color3", colorText(look_.value(word)));
+        look_.tellOf(word, Kept::Exact, "transmission_color");
+        if (isPane) {
+            inputs_ += inputText("geometry_thin_walled", "boolean", "true");
+            look_.tellOf("thickness", Kept::Approximated, "a wall without a thickness");
+            return;
+        }
+        inputs_ += inputText("transmission_depth", "float",
+                             shortestFloatText(look_.value("attenuation.distance").x));
+        look_.tellOf("attenuation.distance", Kept::Exact, "transmission_depth");
+        if (look_.value("transmission") != glm::dvec3(1.0)) {
+            look_.tellOf("transmission", Kept::Dropped, "the colour is that of the depth");
+        }
+        writeDispersion();
+    }
+
+    void writeDispersion() {
+        constexpr double abbeOfOne = 20.0; // is the Abbe number of a dispersion of 1
+        const double dispersion = look_.value("dispersion").x;
+        if (dispersion > 0.0) {
+            inputs_ += inputText("transmission_dispersion_scale", "float", "1");
+            inputs_ += inputText("transmission_dispersion_abbe_number", "float",
+                                 shortestFloatText(abbeOfOne / dispersion));
+            look_.tellOf("dispersion", Kept::Exact, "transmission_dispersion_abbe_number");
+        }
     }
 
     /// OpenPBR squares its roughness; an image of widths goes through a root.
@@ -135,6 +173,10 @@ class MaterialXMaterial {
     }
 
     void writeOpacity() {
+        if (look_.isTransmissive()) {
+            drop("opacity");
+            return;
+        }
         if (look_.material.values.contains("opacity")) {
             inputs_ +=
                 inputText("geometry_opacity", "float", shortestFloatText(look_.value("opacity").x));

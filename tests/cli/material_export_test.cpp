@@ -150,6 +150,23 @@ TEST_F(ExportedMaterial, WhatNoLookSays_IsFittedAndTold) {
     EXPECT_LT(glm::length(color - glm::dvec3(0.4, 0.3, 0.2)), 1e-4);
 }
 
+TEST_F(ExportedMaterial, BodyThatRefracts_IsADielectricWithAVolume) {
+    const Material glass =
+        looking("dielectric", {"diffuse.color=0,0,0", "opacity=0.25", "refraction=solid-body",
+                               "refraction.absorption.color=0.5,0.75,0.25",
+                               "refraction.absorption.distance=2", "refraction.dispersion=0.5"});
+    const std::vector<ExportLine> lines = write(glass, "glass.gltf");
+    EXPECT_TRUE(isAllExact(lines)) << exportText(lines);
+    const auto document = nlohmann::json::parse(readFile(folder_ / "glass.gltf"));
+    const auto& extensions = document["materials"][0]["extensions"];
+    EXPECT_EQ(extensions["KHR_materials_transmission"]["transmissionFactor"], 0.75);
+    EXPECT_EQ(extensions["KHR_materials_volume"]["attenuationDistance"], 2.0);
+    EXPECT_EQ(extensions["KHR_materials_volume"]["attenuationColor"],
+              nlohmann::json::array({0.5, 0.75, 0.25}));
+    EXPECT_EQ(extensions["KHR_materials_dispersion"]["dispersion"], 0.5);
+    EXPECT_FALSE(document["materials"][0].contains("alphaMode"));
+}
+
 TEST_F(ExportedMaterial, TurnedImage_LiesInGltfAsInPatina) {
     writeFile(folder_ / "wood.png", "an image");
     Material wood = looking("matte", {});

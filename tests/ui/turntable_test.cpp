@@ -77,7 +77,15 @@ TEST_F(TurntableSeries, OfObjects_IsAWholeTurnInNumberedFilesAndNoEdit) {
     EXPECT_EQ(LongTasks::all().running().back().name, "Writing a turntable");
     ASSERT_TRUE(saved.wait(20000));
     const QImage first = QImage(file("turn.0001.png")).convertToFormat(QImage::Format_RGB888);
-    EXPECT_EQ(first, shown) << "the first picture is not turned";
+    ASSERT_EQ(first.size(), shown.size());
+    int largest = 0; // a turn by nothing may round
+    for (int y = 0; y < shown.height(); ++y) {
+        for (int i = 0; i < 3 * shown.width(); ++i) {
+            largest =
+                std::max(largest, std::abs(first.constScanLine(y)[i] - shown.constScanLine(y)[i]));
+        }
+    }
+    EXPECT_LE(largest, 1);
     EXPECT_NE(QImage(file("turn.0002.png")), QImage(file("turn.0003.png")));
     EXPECT_FALSE(QFile::exists(file("turn.0004.png")));
     EXPECT_EQ(document().state(), state);
