@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <span>
+#include <optional>
 #include <system_error>
 
 #include <CLI/CLI.hpp>
@@ -14,15 +15,22 @@
 #include "cli/command.h"
 #include "cli/long_work.h"
 #include "cli/option_families.h"
+#include "cli/prepared_subject.h"
+#include "cli/ways_table.h"
 #include "gl/headless_context.h"
 #include "material/preset_file.h"
 #include "measure/approximation/approximation_subject.h"
-#include "measure/approximation/declared_ways.h"
 #include "measure/approximation/level_check.h"
+#include "measure/approximation/written_block.h"
 #include "measure/stability/sweep_cases.h"
 
 namespace patina {
 namespace {
+
+/// Are shares of --seconds: that of the check on the device with all it draws, and in it that of
+/// the pairs of frames that are timed.
+constexpr double shareOfDevice = 0.2;
+constexpr double shareOfTimes = 0.08;
 
 struct ApproximateRequest {
     std::string subject;
@@ -155,78 +163,6 @@ Checked<ApproximateSubject> subjectOf(const std::string& name) {
     return isFile ? subjectOfPreset(name) : subjectNamed(name);
 }
 
-nlohmann::json waysJson(const CheaperWays& ways, const ApproximateSubject& subject,
-                        bool isChecked) {
-    nlohmann::json json{{"block", subject.subject.block.block->id},
-                        {"kind", subject.subject.block.block->kind},
-                        {"unit", ways.unit},
-                        {"exact", {{"cost", ways.exact.cost}, {"error", ways.exact.error}}},
-                        {"ways", nlohmann::json::array()},
-                        {"changes", ways.moves},
-                        {"tried", ways.tried},
-                        {"unseenCases", ways.heldOut},
-                        {"checkedOnDevice", isChecked},
-                        {"finished", !ways.isStopped}};
-    for (std::size_t i = 0; i < ways.ways.size(); ++i) {
-        const CheaperWay& way = ways.ways[i];
-        json["ways"].push_back({{"level", foundLevelId(i)},
-                                {"cost", way.cost},
-                                {"error", way.error},
-                                {"atMost", statedError(way)},
-                                {"meanError", way.meanError},
-                                {"forValues", way.isForValues},
-                                {"does", way.words}});
-    }
-    for (const Error& note : ways.notes) {
-        json["notes"].push_back(note.text());
-    }
-    return json;
-}
-
-std::string waysText(const CheaperWays& ways, const ApproximateSubject& subject, bool isChecked) {
-    std::string text = fmt::format(
-        "{}: {:.0f} {} (predicted); floats alone are up to {:.2g} off in the exact way\n",
-        subject.subject.block.block->id, ways.exact.cost, ways.unit, ways.exact.error);
-    if (ways.ways.empty()) {
-        return text + "nothing cheaper was found\n";
-    }
-    text += "   cost  of exact  at most off  on the mean  what is done\n";
-    for (const CheaperWay& way : ways.ways) {
-        text += fmt::format("{:7.0f}  {:6.0f} %  {:11.2g}  {:11.2g}  ", way.cost,
-                            100.0 * way.cost / ways.exact.cost, statedError(way), way.meanError);
-        for (std::size_t i = 0; i < way.words.size(); ++i) {
-            text += (i == 0 ? "" : "\n" + std::string(46, ' ')) + way.words[i];
-        }
-        text += '\n';
-    }
-    return text + fmt::format("{} changes, {} texts compiled; errors where white is 1, on {} cases "
-                              "that the search did not see{}\n",
-                              ways.moves, ways.tried, ways.heldOut,
-                              isChecked ? " and on the graphics device"
-                                        : ", not checked on the graphics device");
-}
-
-nlohmann::json declaredJson(std::span<const DeclaredWay> ways) {
-    nlohmann::json json = nlohmann::json::array();
-    for (const DeclaredWay& way : ways) {
-        json.push_back({{"levels", way.levels},
-                        {"cost", way.cost},
-                        {"error", way.error.worst},
-                        {"meanError", way.error.mean},
-                        {"finite", way.error.isSafe}});
-    }
-    return json;
-}
-
-std::string declaredText(std::span<const DeclaredWay> ways) {
-    std::string text = ways.empty() ? "it has no levels of its own\n" : "its own levels:\n";
-    for (const DeclaredWay& way : ways) {
-        text += fmt::format("{:7.0f}  {:8}  {:11.2g}  {:11.2g}  {}\n", way.cost, "",
-                            way.error.worst, way.error.mean, levelsText(way.levels));
-    }
-    return text;
-}
-
 /// Judges the levels that the block has on as many cases as the whole front that is found.
 Checked<std::vector<DeclaredWay>> declaredOf(const ApproximateSubject& subject,
                                              const CheaperSearchOptions& options) {
@@ -242,15 +178,51 @@ Checked<std::vector<DeclaredWay>> declaredOf(const ApproximateSubject& subject,
 /// Says how a check on the graphics device ended.
 enum class DeviceCheckEnd { Done, NoDevice, Stopped };
 
-/// Tries the ways on the graphics device, where there is one. It is an error where their text does
-/// not compile there.
-Checked<DeviceCheckEnd> checkOnDevice(const ApproximateSubject& subject, CheaperWays& ways,
-                                      const CheaperSearchOptions& options) {
+/// Draws the ways on the material that they are for, in the default scene. Returns nothing where
+/// the search was stopped, and, with a note, where they cannot be drawn.
+std::optional<WaysInFrame> drawn(const ApproximateRequest& request,
+                                 const ApproximateSubject& subject, CheaperWays& ways,
+                                 const std::function<bool()>& isStopped) {
+    const Block& block = *subject.subject.block.block;
+    if (block.kind != kinds::models || ways.ways.empty() || ways.isStopped) {
+        return std::nullopt;
+    }
+    PictureOptions picture;
+    picture.model = subject.ofValues ? std::string() : block.id;
+    AssetClient files;
+    const auto scene = prepared(subject.ofValues ? request.subject : std::string(), picture,
+                                *subject.catalog, files);
+    TextureLoader textures(files);
+    auto made =
+        !scene ? tl::unexpected(scene.error())
+               : waysInFrame({scene->scene, 0, scene->scene.camera,
+                              [&scene](const Object& object) { return scene->meshes.view(object); },
+                              subject.catalog, textures.source(), scene->environment},
+                             subject.subject, ways, subject.catalog->roots.front().folder,
+                             shareOfTimes * request.seconds, isStopped);
+    report(textures.takeProblems());
+    if (!made && !isStopped()) {
+        ways.notes.push_back({{}, 0, 0, "not drawn: " + made.error().front().text(), {}});
+    }
+    return made ? std::optional(std::move(*made)) : std::nullopt;
+}
+
+/// Says what a graphics device, where there is one, told of the ways.
+struct DeviceCheck {
+    DeviceCheckEnd end = DeviceCheckEnd::Done;
+    std::optional<WaysInFrame> inFrame{};
+};
+
+/// Tries the ways on the graphics device, where there is one, and draws them. It is an error where
+/// their text does not compile there.
+Checked<DeviceCheck> checkOnDevice(const ApproximateRequest& request,
+                                   const ApproximateSubject& subject, CheaperWays& ways,
+                                   const CheaperSearchOptions& options) {
     LongWork work; // a search that was stopped is checked, too
     const auto context = gl::HeadlessContext::create();
     if (!context) {
         ways.notes.push_back({{}, 0, 0, "not checked on the graphics device: there is none", {}});
-        return DeviceCheckEnd::NoDevice;
+        return DeviceCheck{DeviceCheckEnd::NoDevice};
     }
     const std::function<bool()> isStopped = [&work] {
         work.report("checking on the graphics device ");
@@ -261,7 +233,10 @@ Checked<DeviceCheckEnd> checkOnDevice(const ApproximateSubject& subject, Cheaper
     if (!count) {
         return tl::unexpected(count.error());
     }
-    return work.isStopped() ? DeviceCheckEnd::Stopped : DeviceCheckEnd::Done;
+    if (work.isStopped()) {
+        return DeviceCheck{DeviceCheckEnd::Stopped};
+    }
+    return DeviceCheck{DeviceCheckEnd::Done, drawn(request, subject, ways, isStopped)};
 }
 
 /// Returns the folder that the block is written into: the one that is asked for, or one within it
@@ -336,24 +311,27 @@ Checked<int> approximate(const ApproximateRequest& request) {
     }
     CheaperSearchOptions options;
     options.family = request.families.empty() ? &gpuFamilies().front() : request.families.front();
-    options.seconds = request.seconds;
+    options.seconds = (1.0 - shareOfDevice) * request.seconds;
     options.maxError = request.budgetError;
     options.ways = request.levels;
     options.heldOut = request.cases;
     options.ofValues = subject->ofValues;
+    const auto began = std::chrono::steady_clock::now();
     auto ways = searched(*subject, options);
     if (!ways) {
         return tl::unexpected(ways.error());
     }
-    auto end = DeviceCheckEnd::Done;
+    DeviceCheck device;
     if (!ways->ways.empty()) {
-        const auto checked = checkOnDevice(*subject, *ways, options);
+        auto checked = checkOnDevice(request, *subject, *ways, options);
         if (!checked) {
             report(ways->notes);
             return tl::unexpected(checked.error());
         }
-        end = *checked;
+        device = std::move(*checked);
     }
+    const DeviceCheckEnd end = device.end;
+    const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - began;
     const bool isStopped = ways->isStopped || end == DeviceCheckEnd::Stopped;
     std::vector<DeclaredWay> declared;
     if (request.declared && end != DeviceCheckEnd::Stopped) {
@@ -364,16 +342,16 @@ Checked<int> approximate(const ApproximateRequest& request) {
         declared = std::move(*judged);
     }
     report(ways->notes);
-    const bool isChecked = end == DeviceCheckEnd::Done;
+    const WaysTable table{*subject->subject.block.block, *ways, end == DeviceCheckEnd::Done,
+                          std::move(device.inFrame), gone.count()};
     if (request.json) {
-        nlohmann::json json = waysJson(*ways, *subject, isChecked);
+        nlohmann::json json = waysJson(table);
         if (request.declared) {
             json["declared"] = declaredJson(declared);
         }
         std::cout << writeJson(json);
     } else {
-        std::cout << waysText(*ways, *subject, isChecked)
-                  << (request.declared ? declaredText(declared) : "");
+        std::cout << waysText(table) << (request.declared ? declaredText(declared) : "");
     }
     if (!request.output.empty() && !ways->ways.empty()) {
         if (end == DeviceCheckEnd::Stopped) {
@@ -406,7 +384,10 @@ void addApproximate(CLI::App& program, int& status) {
             "or a .glsl file with its descriptor beside it")
         ->required();
     addFamiliesOption(*command, options->families);
-    command->add_option("--seconds", options->seconds, "About how long to search; 120 without this")
+    command
+        ->add_option("--seconds", options->seconds,
+                     "About how long all of it takes, longer where judging what was found takes\n"
+                     "more than two thirds of it; 120 without this")
         ->check(CLI::Range(1.0, 600.0));
     command
         ->add_option("--budget-error", options->budgetError,

@@ -273,11 +273,20 @@ TEST(Approximate, ShippedBlock_GetsAnIdOfItsOwnAndItsTables) {
     EXPECT_NE(catalog.find(kinds::models, "minnaert-cheaper"), nullptr);
 }
 
-TEST(Approximate, Preset_HasItsValuesFolded) {
+TEST(Approximate, Preset_HasItsValuesFoldedAndIsDrawnAndTimed) {
     const Outcome outcome = approximated({shipped("presets/minnaert/velvet.patina.json"),
                                           "--seconds", "25", "--cases", "1000", "--json"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
-    const auto ways = nlohmann::json::parse(outcome.out).at("ways");
+    const auto json = nlohmann::json::parse(outcome.out);
+    EXPECT_NE(json.at("frame").at("against").get<std::string>().find("in double precision"),
+              std::string::npos)
+        << json.at("frame").dump();
+    const auto& ways = json.at("ways");
+    for (const auto& way : ways) {
+        const auto& frame = way.at("frame");
+        EXPECT_GT(frame.at("error").at("mean").get<double>(), 0.0) << way.dump();
+        EXPECT_GT(frame.at("time").at("ratio").get<double>(), 0.0) << way.dump();
+    }
     EXPECT_TRUE(std::ranges::any_of(ways, [](const auto& way) { return way.at("forValues"); }))
         << outcome.out;
 }

@@ -37,7 +37,7 @@
 namespace patina {
 namespace {
 
-enum WayColumn { WayWords, WayCost, WayShare, WayOff, WayMean, WayColumns };
+enum WayColumn { WayWords, WayCost, WayShare, WayTime, WayOff, WayMean, WayFrame, WayColumns };
 constexpr int wayRole = Qt::UserRole;
 constexpr double usualGreatestError = 0.25;
 constexpr std::pair<const char*, int> searchTimes[] = {
@@ -59,11 +59,16 @@ QPlainTextEdit* readOnlyText(const QString& name, QWidget* parent) {
 
 void nameWayColumns(QTreeWidget& list) {
     list.setHeaderLabels({CheaperPage::tr("What is done"), CheaperPage::tr("Cost"),
-                          CheaperPage::tr("Of exact"), CheaperPage::tr("At most off"),
-                          CheaperPage::tr("Mean")});
+                          CheaperPage::tr("Of exact"), CheaperPage::tr("Time here"),
+                          CheaperPage::tr("At most off"), CheaperPage::tr("Mean"),
+                          CheaperPage::tr("On screen")});
     QTreeWidgetItem& head = *list.headerItem();
     head.setToolTip(WayCost, CheaperPage::tr("Predicted for the chosen graphics cards"));
     head.setToolTip(WayShare, CheaperPage::tr("Cost beside that of the exact way"));
+    head.setToolTip(WayTime, CheaperPage::tr("Measured time of what is on screen, beside that of "
+                                             "the material as it is"));
+    head.setToolTip(WayFrame, CheaperPage::tr("Error that 99 of 100 pixels of what is on screen "
+                                              "keep, over the light there"));
     head.setToolTip(WayOff, CheaperPage::tr("Largest error in any channel, where white is 1"));
     head.setToolTip(WayMean, CheaperPage::tr("Mean of the errors"));
 }
@@ -71,6 +76,22 @@ void nameWayColumns(QTreeWidget& list) {
 /// Has two digits, so that what is done has room beside it.
 QString errorText(double error) {
     return numberLocale().toString(error, 'g', 2);
+}
+
+/// Returns the measured time as a share of that of the material as it is, where it can be told from
+/// that.
+QString measuredTimeText(const ChoiceCost& cost) {
+    const bool isTold = cost.isSure() && (cost.ratio.upper < 1.0 || cost.ratio.lower > 1.0);
+    return cost.belowNoise || !isTold ? CheaperPage::tr("in the noise")
+                                      : CheaperPage::tr("%1 %").arg(numberLocale().toString(
+                                            100.0 * cost.ratio.median, 'f', 0));
+}
+
+QString intervalText(const ChoiceCost& cost) {
+    const auto number = [](double share) { return numberLocale().toString(100.0 * share, 'f', 0); };
+    return CheaperPage::tr("%1 % (%2 to %3 %) by %4 pairs of frames")
+        .arg(number(cost.ratio.median), number(cost.ratio.lower), number(cost.ratio.upper),
+             wholeText(static_cast<std::size_t>(cost.runs)));
 }
 
 /// Leaves only what decides which program a block is: choices that are compiled.
@@ -118,6 +139,8 @@ CheaperPage::CheaperPage(const DockContext& context, std::shared_ptr<MeasureTurn
     parts->setChildrenCollapsible(false);
     parts->addWidget(list_);
     parts->addWidget(makeTexts());
+    parts->setStretchFactor(0, 3);
+    parts->setStretchFactor(1, 2);
     rows().addWidget(makeControls());
     rows().addWidget(parts, 1);
     rows().addWidget(notes_);
@@ -275,7 +298,8 @@ void CheaperPage::search(CheaperSearchOptions options) {
     }
     options.family = &family_->family();
     options.ofValues = isForValues();
-    WaysWish wish{document().sharedCatalog(), std::move(*made), std::move(options), {}};
+    WaysWish wish{
+        document().sharedCatalog(), std::move(*made), std::move(options), {}, costSubject()};
     for (const BlockRoot& root : wish.catalog->roots) {
         if (!root.shipped) {
             wish.folder = root.folder;
@@ -323,6 +347,12 @@ void CheaperPage::fillList(bool stale) {
         row->setNumber(WayShare, tr("%1 %").arg(numberLocale().toString(share, 'f', 0)), share);
         row->setNumber(WayOff, errorText(statedError(way)), statedError(way));
         row->setNumber(WayMean, errorText(way.meanError), way.meanError);
+        if (found().inFrame) {
+            const WayInFrame& drawn = found().inFrame->ways[i];
+            row->setNumber(WayTime, measuredTimeText(drawn.cost), drawn.cost.ratio.median);
+            row->setToolTip(WayTime, intervalText(drawn.cost));
+            row->setNumber(WayFrame, errorText(drawn.error.p99), drawn.error.p99);
+        }
         for (int column = 0; stale && column < WayColumns; ++column) {
             row->setForeground(column, palette().placeholderText());
         }

@@ -11,6 +11,7 @@
 #include "core/ordinary_file.h"
 #include "core/text.h"
 #include "measure/approximation/level_check.h"
+#include "measure/approximation/written_block.h"
 #include "text/as_text.h"
 #include "text/display_number.h"
 
@@ -19,6 +20,8 @@ namespace {
 
 constexpr std::uintmax_t maxShaderBytes = 8u << 20;
 constexpr double shareOfSearch = 0.9; ///< of the progress; the rest is the check on the device
+constexpr double shareOfDevice = 0.2; ///< of the time, for that check and what it draws
+constexpr double shareOfTimes = 0.1;  ///< of the search's time, for pairs of frames
 
 class WaysText {
     Q_DECLARE_TR_FUNCTIONS(WaysText)
@@ -55,6 +58,7 @@ class WaySearch {
         : wish_(wish), isEnough_(isEnough), control_(control), take_(take),
           shader_(textHash(wish.subject.block.block->shaderFile)) {
         wish_.options.isAbandoned = [this] { return control_.isCancelled(); };
+        wish_.options.seconds *= 1.0 - shareOfDevice;
     }
 
     MeasureEnd run() {
@@ -62,7 +66,7 @@ class WaySearch {
             control_.report(shareOfSearch * share, searchText(soFar));
             if (!areSame(shown_, soFar.ways)) {
                 shown_ = soFar.ways;
-                show(soFar, false);
+                show(soFar, false, {});
             }
             return !isEnough_;
         };
@@ -77,7 +81,10 @@ class WaySearch {
         if (control_.isCancelled()) {
             return endOf(false, {});
         }
-        show(*ways, isChecked);
+        show(*ways, isChecked, {});
+        if (isChecked && !ways->ways.empty() && !ways->isStopped) {
+            draw(*ways);
+        }
         return endOf(!ways->isStopped, {});
     }
 
@@ -98,8 +105,20 @@ class WaySearch {
         return checked.has_value();
     }
 
-    void show(const CheaperWays& ways, bool isChecked) {
-        FoundWays found{wish_, ways, {}, isChecked, shader_};
+    /// Draws what is on screen with each of the ways, as far as it can be drawn.
+    void draw(CheaperWays& ways) {
+        control_.report(shareOfSearch, WaysText::tr("Drawing what is on screen"), true);
+        auto drawn = waysInFrame(wish_.shown, wish_.subject, ways, shaders(),
+                                 shareOfTimes * wish_.options.seconds,
+                                 [this] { return control_.isCancelled(); });
+        if (!drawn && !control_.isCancelled()) {
+            ways.notes.insert(ways.notes.end(), drawn.error().begin(), drawn.error().end());
+        }
+        show(ways, true, drawn ? std::optional(std::move(*drawn)) : std::nullopt);
+    }
+
+    void show(const CheaperWays& ways, bool isChecked, std::optional<WaysInFrame> inFrame) {
+        FoundWays found{wish_, ways, {}, isChecked, std::move(inFrame), shader_};
         found.wish.options.isAbandoned = [] { return false; };
         writeBlockOf(found, *wish_.catalog);
         control_.show([take = take_, found = std::move(found)] { take(found); });
@@ -152,8 +171,12 @@ Result<std::string> savedWays(const FoundWays& found, const Catalog& catalog) {
 QString methodText(const FoundWays& found) {
     return WaysText::tr("%1 of %2, predicted. Errors where white is 1, light and viewer 3° or more "
                         "above the surface; the largest of %3 cases that the search did not see.")
-        .arg(asText(capitalised(found.ways.unit)), asText(found.wish.subject.block.block->label),
-             wholeText(found.ways.heldOut));
+               .arg(asText(capitalised(found.ways.unit)),
+                    asText(found.wish.subject.block.block->label), wholeText(found.ways.heldOut)) +
+           (found.inFrame
+                ? WaysText::tr(" On screen: against %1; %2.")
+                      .arg(asText(found.inFrame->groundTruth), asText(found.inFrame->timer))
+                : QString());
 }
 
 QString entryText(const FoundWays& found) {

@@ -4,12 +4,14 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include <QString>
 
 #include "background/worker.h"
 #include "docks/measure_end.h"
 #include "measure/approximation/approximated_block.h"
+#include "measure/approximation/frame_check.h"
 
 namespace patina {
 
@@ -19,15 +21,17 @@ struct WaysWish {
     EvalCase subject; ///< has a block of the catalogue
     CheaperSearchOptions options;
     std::filesystem::path folder; ///< is that of the user's blocks; empty where there is none
+    CostSweep::Subject shown;     ///< is what is on screen, whose object has the block
 };
 
 /// Holds what a search has found, with the blocks that it is of.
 struct FoundWays {
     WaysWish wish;
     CheaperWays ways;
-    ApproximatedBlock block;  ///< is what would be saved
-    bool isChecked = false;   ///< errors are those on unseen cases and on the graphics device
-    std::uint64_t shader = 0; ///< is the hash of the block's GLSL file that was searched
+    ApproximatedBlock block; ///< is what would be saved
+    bool isChecked = false;  ///< errors are those on unseen cases and on the graphics device
+    std::optional<WaysInFrame> inFrame; ///< is empty until what is on screen was drawn with them
+    std::uint64_t shader = 0;           ///< is the hash of the block's GLSL file that was searched
 };
 
 /// Returns the hash of a file's text; 0 where it cannot be read.

@@ -2,17 +2,12 @@
 #include "measure/approximation/level_check.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <span>
-#include <system_error>
-
-#include <unistd.h>
 
 #include <fmt/format.h>
 
-#include "catalog/json_text.h"
-#include "core/atomic_file.h"
+#include "measure/approximation/written_block.h"
 #include "measure/eval/eval_program.h"
 #include "measure/stability/stability_sweep.h"
 #include "measure/stability/sweep_cases.h"
@@ -24,57 +19,6 @@ constexpr std::uint32_t seedOfDevice = 3;
 constexpr std::size_t firstRowOfDevice = 4096; ///< is behind the sets of values of the search
 constexpr std::size_t casesAround = 12;        ///< are tried around each of the worst ones
 constexpr std::size_t sweptCases = 60000;
-
-/// Makes a folder that is removed with it.
-class ScratchFolder {
-  public:
-    ScratchFolder() {
-        std::error_code none;
-        std::string name = (std::filesystem::temp_directory_path(none) / "patina-XXXXXX").string();
-        const char* const made = mkdtemp(name.data());
-        path_ = made == nullptr ? std::filesystem::path() : std::filesystem::path(made);
-    }
-    ~ScratchFolder() {
-        std::error_code none;
-        if (!path_.empty()) {
-            std::filesystem::remove_all(path_, none);
-        }
-    }
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-    const std::filesystem::path& path() const { return path_; }
-
-  private:
-    std::filesystem::path path_;
-};
-
-/// Is a block that was written, read again.
-struct WrittenBlock {
-    Catalog catalog;
-    const Block* block = nullptr;
-    std::string choice;
-};
-
-Checked<WrittenBlock> writtenBlock(const EvalCase& subject, const CheaperWays& ways,
-                                   const std::filesystem::path& shaders,
-                                   const std::filesystem::path& folder) {
-    const auto made = approximatedBlock(subject, ways, usualNaming(*subject.block.block));
-    if (!made) {
-        return tl::unexpected(oneError(made.error()));
-    }
-    const std::string& kind = subject.block.block->kind;
-    if (const auto done = writeApproximatedBlock(*made, folder / kind); !done) {
-        return tl::unexpected(oneError(done.error()));
-    }
-    const std::array roots{BlockRoot{shaders, true}, BlockRoot{folder, false}};
-    WrittenBlock written{loadCatalog(roots), nullptr, made->choice};
-    written.block = written.catalog.find(kind, made->id);
-    if (written.block == nullptr) {
-        return tl::unexpected(written.catalog.errors);
-    }
-    return written;
-}
 
 /// Returns what a sweep found that no level may give; null where there is nothing. What the claims
 /// of the exact block are is not asked of its levels.
@@ -222,7 +166,7 @@ class DeviceCheck {
     /// Sweeps the programs of a level.
     bool isSwept(std::size_t index) {
         std::vector<EvalCase> variants;
-        for (EvalCase& variant : sweepVariants(written_.catalog, *written_.block)) {
+        for (EvalCase& variant : sweepVariants(*written_.catalog, *written_.block)) {
             const auto found = variant.block.accuracy.find(written_.choice);
             if (found != variant.block.accuracy.end() && found->second == level(index)) {
                 variants.push_back(std::move(variant));
@@ -265,29 +209,11 @@ class DeviceCheck {
 
 } // namespace
 
-Result<void> writeApproximatedBlock(const ApproximatedBlock& block,
-                                    const std::filesystem::path& folder) {
-    std::error_code failed;
-    std::filesystem::create_directories(folder, failed);
-    if (failed) {
-        return tl::unexpected(
-            Error{folder.string(), 0, 0, "cannot be made: " + failed.message(), {}});
-    }
-    if (auto done = writeFileAtomically(folder / (block.id + ".glsl"), block.glsl); !done) {
-        return done;
-    }
-    return writeFileAtomically(folder / (block.id + ".json"), writeJson(block.descriptor));
-}
-
 Checked<std::size_t> checkedOnDevice(const EvalCase& subject, CheaperWays& ways,
                                      const std::filesystem::path& shaders,
                                      const CheaperSearchOptions& options,
                                      const std::function<bool()>& isStopped) {
-    const ScratchFolder scratch;
-    if (scratch.path().empty()) {
-        return tl::unexpected(oneError(Error{{}, 0, 0, "no folder for files could be made", {}}));
-    }
-    const auto written = writtenBlock(subject, ways, shaders, scratch.path());
+    const auto written = writtenBlock(subject, ways, shaders);
     if (!written) {
         return tl::unexpected(written.error());
     }

@@ -15,8 +15,4 @@ Checked<std::size_t> checkedOnDevice(const EvalCase& subject, CheaperWays& ways,
                                      const CheaperSearchOptions& options,
                                      const std::function<bool()>& isStopped);
 
-/// Writes the two files of a block into a folder, which is made where it is missing.
-Result<void> writeApproximatedBlock(const ApproximatedBlock& block,
-                                    const std::filesystem::path& folder);
-
 } // namespace patina
