@@ -109,11 +109,11 @@ constexpr auto inModels = std::to_array<ParameterRole>(
      {roles::placeCurvature, ParameterType::Vec3},
      {roles::placeCurvatureMixed, ParameterType::Vec3},
      {grainRole, ParameterType::Measured},
-     {.word = roles::diffuse, .type = ParameterType::Color, .mayRepeat = true}});
+     {.word = roles::diffuse, .type = ParameterType::Color, .mayRepeat = true},
+     {.word = roles::screenLength, .mayRepeat = true}});
 constexpr auto inPass = std::to_array<ParameterRole>(
     {{.word = roles::blend, .type = ParameterType::Enum, .choices = blends},
      {roles::blendAmount},
-     {.word = roles::screenLength, .mayRepeat = true},
      {roles::threshold, ParameterType::Texture},
      {.word = roles::depthTest, .type = ParameterType::Enum, .choices = depthTests}});
 constexpr auto inFresnel = std::to_array<ParameterRole>(
