@@ -18,6 +18,7 @@ bool modelCost();
 bool accuracyCost();
 bool styleCost();
 bool predictedCost();
+bool removedEffects();
 bool foundFronts();
 bool sweepTime();
 bool frontTwice();

@@ -34,6 +34,7 @@ int main(int count, char** arguments) {
                                         {"accuracy-cost", patina::benchmarks::accuracyCost},
                                         {"style-cost", patina::benchmarks::styleCost},
                                         {"predicted-cost", patina::benchmarks::predictedCost},
+                                        {"removed-effects", patina::benchmarks::removedEffects},
                                         {"found-fronts", patina::benchmarks::foundFronts},
                                         {"sweep-time", patina::benchmarks::sweepTime},
                                         {"front-twice", patina::benchmarks::frontTwice},

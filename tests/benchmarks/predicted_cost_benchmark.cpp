@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whether models, and presets with each of their levels, that are predicted to be dear on a
-// graphics card are dear where they are measured.
+// graphics card are dear where they are measured, and shaders without an effect cheaper.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -30,15 +30,25 @@ constexpr double wantedCorrelation = 0.9;
 constexpr const char* families[] = {"gcn", "rdna2", "rdna3"};
 constexpr glm::ivec2 frameSize{512, 512};
 constexpr int rounds = 3;
+constexpr double wantedShareOfEffects = 0.95;
+constexpr std::size_t stepOfPresets = 4; ///< of those whose effects are left out
 
-/// What `patina cost` says as JSON, under three lights.
+/// What `patina` says as JSON.
+nlohmann::json said(std::vector<std::string> command) {
+    command.emplace_back("--json");
+    const tests::Outcome outcome =
+        tests::run(PATINA_BINARY_DIR "/bin/patina", {.arguments = std::move(command),
+                                                     .environment = {},
+                                                     .input = {},
+                                                     .timeLimitSeconds = 3600.0});
+    return nlohmann::json::parse(outcome.out, nullptr, false);
+}
+
+/// What `patina cost` says under three lights.
 nlohmann::json costs(std::vector<std::string> more) {
     const std::string scene = PATINA_SOURCE_DIR "/presets/three-lights.patina-scene.json";
-    more.insert(more.begin(), {"cost", "--scene", scene, "--json"});
-    const tests::Outcome outcome = tests::run(
-        PATINA_BINARY_DIR "/bin/patina",
-        {.arguments = std::move(more), .environment = {}, .input = {}, .timeLimitSeconds = 3600.0});
-    return nlohmann::json::parse(outcome.out, nullptr, false);
+    more.insert(more.begin(), {"cost", "--scene", scene});
+    return said(std::move(more));
 }
 
 /// Returns the place of each number in the order of all; equal ones share the mean of theirs.
@@ -84,21 +94,23 @@ std::vector<std::string> shippedPresets() {
 struct Way {
     Material material;
     ChosenLevels levels;
-    std::map<std::string, double> cycles; ///< by family
-    double seconds = 0.0;                 ///< of processor time for a frame
+    std::map<std::string, double> cycles{};  ///< by family
+    std::map<std::string, double> latency{}; ///< by family, cycles of one wave alone
+    double seconds = 0.0;                    ///< of processor time for a frame
+    bool readsTable = false;
 };
 
-/// Returns the cycles on each family; nothing where a loop is in it, since how often it runs is the
+/// Returns a number of each family; nothing where a loop is in it, since how often it runs is the
 /// compiler's guess.
-std::map<std::string, double> cyclesOf(const nlohmann::json& stages) {
-    std::map<std::string, double> cycles;
+std::map<std::string, double> numbersOf(const nlohmann::json& stages, const char* number) {
+    std::map<std::string, double> numbers;
     for (const char* family : families) {
         if (stages.at(family).at("loops") != 0) {
             return {};
         }
-        cycles[family] = stages.at(family).at("cycles");
+        numbers[family] = stages.at(family).at(number);
     }
-    return cycles;
+    return numbers;
 }
 
 /// Tells whether the object is drawn by its surface's shader alone, without images, which a
@@ -134,7 +146,9 @@ void addWay(std::vector<Way>& ways, Way way, const nlohmann::json& predicted,
     if (!isShadingAlone(way.material, catalog) || !predicted.contains("families")) {
         return;
     }
-    way.cycles = cyclesOf(predicted.at("families"));
+    way.cycles = numbersOf(predicted.at("families"), "cycles");
+    way.latency = numbersOf(predicted.at("families"), "latency");
+    way.readsTable = readsTable(way, catalog);
     if (!way.cycles.empty()) {
         ways.push_back(std::move(way));
     }
@@ -145,7 +159,7 @@ std::vector<Way> modelWays(const Catalog& catalog) {
     std::vector<Way> ways;
     for (const auto& model : predicted.at("models")) {
         const std::string id = model.at("model");
-        addWay(ways, {defaultMaterial(*catalog.find(kinds::models, id)), {}, {}}, model, catalog);
+        addWay(ways, {defaultMaterial(*catalog.find(kinds::models, id)), {}}, model, catalog);
     }
     return ways;
 }
@@ -162,10 +176,8 @@ std::vector<Way> presetWays(const Catalog& catalog) {
         const Material material =
             readPreset(preset.at("preset").get<std::string>(), catalog).value().material;
         for (const auto& predictedWay : preset.at("ways")) {
-            const Way way{material, predictedWay.at("levels").get<ChosenLevels>(), {}};
-            if (!readsTable(way, catalog)) {
-                addWay(ways, way, predictedWay, catalog);
-            }
+            addWay(ways, {material, predictedWay.at("levels").get<ChosenLevels>()}, predictedWay,
+                   catalog);
         }
     }
     return ways;
@@ -212,8 +224,10 @@ void printOutliers(const std::vector<Way>& ways, const std::vector<double>& pred
     }
 }
 
-bool isInOrder(const std::string& what, std::vector<Way> ways) {
-    measure(ways);
+/// Prints how well a predicted number of the ways tells the order of their times; returns whether
+/// that is well enough on all families.
+bool areInOrder(const std::string& what, const std::vector<Way>& ways,
+                std::map<std::string, double> Way::*number) {
     std::vector<double> times;
     for (const Way& way : ways) {
         times.push_back(way.seconds);
@@ -222,11 +236,11 @@ bool isInOrder(const std::string& what, std::vector<Way> ways) {
     for (const char* family : families) {
         std::vector<double> predictions;
         for (const Way& way : ways) {
-            predictions.push_back(way.cycles.at(family));
+            predictions.push_back((way.*number).at(family));
         }
         const double correlation = rankCorrelation(predictions, times);
         const bool isEnough = correlation >= wantedCorrelation;
-        report(fmt::format("predicted cost of {} {} on {}", ways.size(), what, family),
+        report(fmt::format("{} of {} on {}", what, ways.size(), family),
                fmt::format("{:.3f} rank correlation with measured times", correlation), isEnough,
                fmt::format("at least {}", wantedCorrelation));
         if (!isEnough) {
@@ -237,12 +251,71 @@ bool isInOrder(const std::string& what, std::vector<Way> ways) {
     return kept;
 }
 
+/// Counts pairs of a preset and an effect.
+struct EffectPairs {
+    int all = 0;
+    int cheaper = 0; ///< without the effect
+    std::vector<std::string> others;
+};
+
+/// Adds what the shader of a preset is predicted to be without each of its effects, in the default
+/// scene with fog. Effects of other passes have no share in it.
+void addEffectsOf(const std::string& preset, const std::string& family, EffectPairs& pairs) {
+    const nlohmann::json json =
+        said({"effects", preset, "--fog", "height", "--gpu", family, "--no-cost"});
+    for (const auto& effect : json.at("effects")) {
+        const auto predicted = effect.find("predicted");
+        if (!effect.at("removable").get<bool>() || predicted == effect.end() ||
+            !predicted->contains(family)) {
+            continue;
+        }
+        const double cycles = predicted->at(family).at("cycles");
+        const bool isOfOtherPass =
+            cycles == 0.0 && predicted->at(family).at("instructions").get<double>() == 0.0;
+        if (isOfOtherPass) {
+            continue;
+        }
+        ++pairs.all;
+        if (cycles > 0.0) {
+            ++pairs.cheaper;
+        } else {
+            pairs.others.push_back(fmt::format("{}: {}, {} cycles",
+                                               std::filesystem::path(preset).stem().string(),
+                                               effect.at("effect").get<std::string>(), cycles));
+        }
+    }
+}
+
 } // namespace
+
+bool removedEffects() {
+    const std::string family = "rdna2";
+    EffectPairs pairs;
+    const std::vector<std::string> presets = shippedPresets();
+    for (std::size_t i = 0; i < presets.size(); i += stepOfPresets) {
+        addEffectsOf(presets[i], family, pairs);
+    }
+    const bool isEnough = pairs.cheaper >= wantedShareOfEffects * pairs.all;
+    report("cheaper without an effect, on " + family,
+           fmt::format("{} of {} pairs of an effect and a preset", pairs.cheaper, pairs.all),
+           isEnough, fmt::format("{:.0f} %", 100.0 * wantedShareOfEffects));
+    for (const std::string& other : pairs.others) {
+        fmt::print("    {}\n", other);
+    }
+    return isEnough;
+}
 
 bool predictedCost() {
     const Catalog catalog = loadCatalog(standardBlockRoots());
-    const bool isKept = isInOrder("models", modelWays(catalog));
-    return isInOrder("presets and levels", presetWays(catalog)) && isKept;
+    std::vector<Way> models = modelWays(catalog);
+    measure(models);
+    bool isKept = areInOrder("cycles of models", models, &Way::cycles);
+    std::vector<Way> all = presetWays(catalog);
+    measure(all);
+    isKept = areInOrder("cycles of presets and levels", all, &Way::cycles) && isKept;
+    areInOrder("latency of presets and levels", all, &Way::latency);
+    std::erase_if(all, &Way::readsTable);
+    return areInOrder("cycles of those without tables", all, &Way::cycles) && isKept;
 }
 
 } // namespace patina::benchmarks
