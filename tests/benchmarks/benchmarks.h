@@ -29,6 +29,7 @@ bool manyObjects();
 bool views();
 bool assembly();
 bool switches();
+bool everythingOn();
 bool offEffects();
 
 /// Counts with the driver's cache off and its log on, which stay so: nothing can be measured after

@@ -45,6 +45,7 @@ int main(int count, char** arguments) {
                                         {"views", patina::benchmarks::views},
                                         {"assembly", patina::benchmarks::assembly},
                                         {"switches", patina::benchmarks::switches},
+                                        {"everything-on", patina::benchmarks::everythingOn},
                                         {"off-effects", patina::benchmarks::offEffects},
                                         {"assembly-count", patina::benchmarks::assemblyCount}};
     const std::vector<std::string_view> wanted(arguments + 1, arguments + count);

@@ -10,6 +10,8 @@
 
 #include "catalog/table_source.h"
 #include "gl/shader.h"
+#include "material/block_values.h"
+#include "material/measured_preset.h"
 #include "render/gpu/binding.h"
 #include "render/pass/data_packer.h"
 #include "shading/effects/data_layout.h"
@@ -167,7 +169,50 @@ void main() {{
 }}
 )";
 
-ProgramSource sourceOf(const Catalog& catalog, const std::vector<const Block*>& models) {
+gl::Program linkedOrExit(const ProgramText& text) {
+    const auto vertex = gl::Shader::compile(GL_VERTEX_SHADER, text.vertex);
+    const auto fragment = gl::Shader::compile(GL_FRAGMENT_SHADER, text.fragment);
+    if (!vertex || !fragment) {
+        fmt::print(stderr, "{}\n", vertex ? fragment.error() : vertex.error());
+        std::exit(2);
+    }
+    auto linked = gl::Program::link(*vertex, *fragment);
+    if (!linked) {
+        fmt::print(stderr, "{}\n", linked.error());
+        std::exit(2);
+    }
+    return std::move(*linked);
+}
+
+/// Counts from 1 on.
+float numberOf(const std::vector<const Block*>& blocks, const std::string& id) {
+    const auto found = std::ranges::find(blocks, id, [](const Block* block) { return block->id; });
+    return static_cast<float>(found - blocks.begin() + 1);
+}
+
+} // namespace
+
+Scene plainScene(const Catalog& catalog) {
+    Scene scene;
+    scene.objects.emplace_back();
+    scene.objects.front().material.model = defaultBlockValues(*catalog.find("models", "phong"));
+    for (const glm::dvec3& direction :
+         {glm::dvec3(0.55, -0.8, -0.75), {-1.0, -0.2, -0.35}, {-0.35, -0.5, 1.0}}) {
+        Light& light = scene.lights.emplace_back();
+        light.block = defaultBlockValues(*catalog.find("lights", "directional"));
+        light.block.parameters["direction"] = direction;
+        light.block.parameters["intensity"] = 0.5;
+    }
+    return scene;
+}
+
+std::vector<const Block*> modelsByFormula(const Catalog& catalog) {
+    std::vector<const Block*> models = catalog.ofKind("models");
+    std::erase_if(models, [](const Block* model) { return tableParameter(*model) != nullptr; });
+    return models;
+}
+
+ProgramText switchedText(const Catalog& catalog, const std::vector<const Block*>& models) {
     const auto made = program(
         catalog,
         [](SourceBuilder& vertex) {
@@ -192,35 +237,12 @@ ProgramSource sourceOf(const Catalog& catalog, const std::vector<const Block*>& 
         fmt::print(stderr, "{}\n", text(made.error()));
         std::exit(2);
     }
-    return *made;
+    return {made->vertex.text, made->fragment.text};
 }
-
-gl::Program linkedOrExit(const ProgramSource& source) {
-    const auto vertex = gl::Shader::compile(GL_VERTEX_SHADER, source.vertex.text);
-    const auto fragment = gl::Shader::compile(GL_FRAGMENT_SHADER, source.fragment.text);
-    if (!vertex || !fragment) {
-        fmt::print(stderr, "{}\n", vertex ? fragment.error() : vertex.error());
-        std::exit(2);
-    }
-    auto linked = gl::Program::link(*vertex, *fragment);
-    if (!linked) {
-        fmt::print(stderr, "{}\n", linked.error());
-        std::exit(2);
-    }
-    return std::move(*linked);
-}
-
-/// Counts from 1 on.
-float numberOf(const std::vector<const Block*>& blocks, const std::string& id) {
-    const auto found = std::ranges::find(blocks, id, [](const Block* block) { return block->id; });
-    return static_cast<float>(found - blocks.begin() + 1);
-}
-
-} // namespace
 
 SwitchedProgram::SwitchedProgram(const Catalog& catalog, const std::vector<const Block*>& models,
                                  const Scene& scene, const BallStage& stage)
-    : program_(linkedOrExit(sourceOf(catalog, models))) {
+    : program_(linkedOrExit(switchedText(catalog, models))) {
     program_->bindBlock("ViewBlock", binding::view);
     program_->bindBlock("SceneBlock", binding::scene);
     program_->bindBlock("ObjectBlock", binding::object);

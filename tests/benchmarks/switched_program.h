@@ -7,10 +7,20 @@
 #include "ball_stage.h"
 #include "catalog/catalog.h"
 #include "gl/program.h"
+#include "predict/compile_request.h"
 #include "render/gpu/uniform_buffer.h"
 #include "shading/program/source_builder.h"
 
 namespace patina::benchmarks {
+
+/// Returns a plain Phong surface in three directional lights.
+Scene plainScene(const Catalog& catalog);
+
+/// Returns the models that a formula is behind, which are all but those of measured files.
+std::vector<const Block*> modelsByFormula(const Catalog& catalog);
+
+/// Returns the text of a SwitchedProgram.
+ProgramText switchedText(const Catalog& catalog, const std::vector<const Block*>& models);
 
 /// Is a program that can draw everything and is told by uniforms what to draw: it is made from the
 /// same blocks as the engine's, and selects by a number for the kind where the engine leaves code

@@ -7,7 +7,6 @@
 
 #include "assembled_program.h"
 #include "benchmarks.h"
-#include "material/block_values.h"
 #include "statistics.h"
 #include "switched_program.h"
 
@@ -17,22 +16,6 @@ namespace {
 /// With all models a pixel takes microseconds.
 constexpr int stageSize = 256;
 constexpr int rounds = 5;
-
-/// A plain Phong surface in three directional lights.
-Scene plainScene(const Catalog& catalog) {
-    Scene scene;
-    scene.objects.emplace_back();
-    scene.objects.front().material.model =
-        defaultBlockValues(*catalog.find("models", "phong"));
-    for (const glm::dvec3& direction :
-         {glm::dvec3(0.55, -0.8, -0.75), {-1.0, -0.2, -0.35}, {-0.35, -0.5, 1.0}}) {
-        Light& light = scene.lights.emplace_back();
-        light.block = defaultBlockValues(*catalog.find("lights", "directional"));
-        light.block.parameters["direction"] = direction;
-        light.block.parameters["intensity"] = 0.5;
-    }
-    return scene;
-}
 
 bool isSame(const Image& a, const Image& b) {
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
@@ -69,7 +52,7 @@ bool switches() {
     AssembledProgram assembled(catalog, scene, stage);
     SwitchedProgram one(*catalog, {catalog->find("models", "phong")}, scene, stage);
     bool kept = compare(stage, assembled, one, "all effects, one model");
-    SwitchedProgram all(*catalog, catalog->ofKind("models"), scene, stage);
+    SwitchedProgram all(*catalog, modelsByFormula(*catalog), scene, stage);
     kept = compare(stage, assembled, all, "all effects, all models") && kept;
     return kept;
 }
