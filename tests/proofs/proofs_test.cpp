@@ -11,9 +11,9 @@
 //
 // makes the metals of a descriptor known, and
 //
-//   // states FILE: SENTENCE
+//   // states FILE FILE ...: SENTENCE
 //
-// is an error unless the file has that sentence. Further lines of these are indented.
+// is an error unless each of the files has that sentence. Further lines of these are indented.
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -275,7 +275,7 @@ std::string metalsText(const fs::path& file) {
 
 /// Returns a script with what it uses in it; throws what is wrong with it.
 std::string completed(const fs::path& script) {
-    static const std::regex states(R"(^(?://|#) states (\S+): (.*)$)");
+    static const std::regex states(R"(^(?://|#) states ([^:]+): (.*)$)");
     static const std::regex metals(R"(^// uses (\S+\.json)$)");
     const bool isGappa = script.extension() == ".gappa";
     std::set<std::string> exact;
@@ -289,9 +289,12 @@ std::string completed(const fs::path& script) {
         } else if (std::regex_match(line, found, metals)) {
             text += metalsText(found[1].str());
         } else if (std::regex_match(line, found, states)) {
-            const std::string file = inOneLine(readFile(shaderFile(found[1])), true);
-            if (file.find(found[2].str()) == std::string::npos) {
-                throw std::runtime_error(found[1].str() + " does not state: " + found[2].str());
+            std::istringstream files(found[1].str());
+            for (std::string file; files >> file;) {
+                const std::string shipped = inOneLine(readFile(shaderFile(file)), true);
+                if (shipped.find(found[2].str()) == std::string::npos) {
+                    throw std::runtime_error(file + " does not state: " + found[2].str());
+                }
             }
         } else {
             text += line + '\n';
