@@ -70,7 +70,8 @@ FamilyStatistics compiled(const ProgramText& program, const char* list) {
     return *made->programs.front();
 }
 
-/// Returns the seconds in which the driver compiles a program, without those in which it starts.
+/// Returns the seconds in which glslang and the driver compile a program, without those in which
+/// the driver starts.
 double secondsToCompile(const ProgramText& program) {
     const ProgramText nothing{"#version 410 core\nvoid main() { gl_Position = vec4(0.0); }\n",
                               "#version 410 core\nout vec4 color;\nvoid main() { color = "
