@@ -87,7 +87,7 @@ QString measuredTimeText(const ChoiceCost& cost) {
                                             100.0 * cost.ratio.median, 'f', 0));
 }
 
-QString intervalText(const ChoiceCost& cost) {
+QString framePairsText(const ChoiceCost& cost) {
     const auto number = [](double share) { return numberLocale().toString(100.0 * share, 'f', 0); };
     return CheaperPage::tr("%1 % (%2 to %3 %) by %4 pairs of frames")
         .arg(number(cost.ratio.median), number(cost.ratio.lower), number(cost.ratio.upper),
@@ -350,7 +350,7 @@ void CheaperPage::fillList(bool stale) {
         if (found().inFrame) {
             const WayInFrame& drawn = found().inFrame->ways[i];
             row->setNumber(WayTime, measuredTimeText(drawn.cost), drawn.cost.ratio.median);
-            row->setToolTip(WayTime, intervalText(drawn.cost));
+            row->setToolTip(WayTime, framePairsText(drawn.cost));
             row->setNumber(WayFrame, errorText(drawn.error.p99), drawn.error.p99);
         }
         for (int column = 0; stale && column < WayColumns; ++column) {

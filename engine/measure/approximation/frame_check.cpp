@@ -22,8 +22,8 @@ constexpr glm::ivec2 timedSizeOnCpu{256, 256};
 constexpr glm::ivec2 timedSizeOnDevice{1024, 1024};
 constexpr std::chrono::milliseconds stepOfFrames{100};
 constexpr double slowFrame = 50.0; ///< milliseconds; slower ones are timed at the compared size
-constexpr int minPairs = 7;        ///< an interval of 95 % needs 6
-constexpr int maxPairs = 31;
+constexpr int minFramePairs = 7;   ///< an interval of 95 % needs 6
+constexpr int maxFramePairs = 31;
 
 Error stopped() {
     return failure("it was stopped").value();
@@ -146,7 +146,8 @@ class FrameCheck {
         const auto isOver = [&] {
             return std::chrono::duration<double>(Clock::now() - began).count() > seconds;
         };
-        for (int round = 0; round <= maxPairs && (round <= minPairs || !isOver()); ++round) {
+        for (int round = 0; round <= maxFramePairs && (round <= minFramePairs || !isOver());
+             ++round) {
             for (std::size_t i = 0; i < count; ++i) {
                 if (isStopped_()) {
                     return tl::unexpected(stopped());
