@@ -61,6 +61,24 @@ TEST_F(RefractionRows, RefractedLight_SaysHowMuchAndWhatIsSeen) {
         "What passes is refracted with an index of 1.5 and shows the scene and the environment.");
 }
 
+/// A term of a user's has no code that is asked for its index, but may say it for each channel.
+TEST_F(RefractionRows, OwnTermWithAnIndexForEachChannel_BendsColoursApart) {
+    Catalog own = catalog();
+    for (Block& term : own.blocks) {
+        if (term.kind == kinds::fresnel && term.id == "conductor") {
+            std::erase_if(term.parameters, [](const Parameter& parameter) {
+                return parameter.role == roles::extinction;
+            });
+        }
+    }
+    const glm::dvec3 indices(1.50, 1.51, 1.53);
+    glass().parts["fresnel"] = {"conductor", 1, {{"eta", indices}}};
+    const BodyIndex index(glass(), refractionChoice(glass(), own), own);
+    EXPECT_EQ(index.channels(), indices);
+    EXPECT_TRUE(index.bendsApart());
+    EXPECT_GT(index.at(450.0), index.at(550.0));
+}
+
 TEST_F(RefractionRows, WithAWayOfLayers_SaysThatItIsSorted) {
     scene_.setPart(kinds::transparency, block("transparency", "peeled"));
     EXPECT_TRUE(

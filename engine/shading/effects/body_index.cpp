@@ -113,8 +113,8 @@ void BodyIndex::takeTerm(const Block& term, const Values& values, const Accuracy
     isKnown_ = true;
     if (inside) {
         channels_ = glm::dvec3(indexAtTemperature(term, values, *inside) / outside);
-    } else if (index && extinction) {
-        isKnown_ = *extinction == glm::dvec3(0.0);
+    } else if (index) {
+        isKnown_ = !extinction || *extinction == glm::dvec3(0.0);
         channels_ = *index / outside;
     } else if (f0) {
         channels_ = glm::dvec3(indexOf(*f0));
