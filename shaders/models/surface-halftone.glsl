@@ -54,10 +54,9 @@ vec2 fromNearestDot(DotLattice lattice, float shiftX, float shiftY) {
     return vec2(x - floor(x + 0.5), y - floor(y + 0.5));
 }
 
-// How much of a dot is there: all of it where the surface faces the lattice's axis in the middle of
-// the dot, by how it bends from here to there. Within a degree of where another axis takes over
-// dots of both are smaller.
-float standsThere(DotLattice lattice, DrawnPlace at, DrawnBend bend, vec2 off) {
+// How much more the surface faces the lattice's axis than the others in the middle of a dot, by how
+// it bends from here to there.
+float facesThere(DotLattice lattice, DrawnPlace at, DrawnBend bend, vec2 off) {
     vec3 across = (off.x * lattice.first + off.y * lattice.second) * (-1.0 / lattice.cells);
     float facing = dot(at.n, lattice.axis);
     float divisor = facing < 0.0 ? min(facing, -0.3) : max(facing, 0.3);
@@ -66,7 +65,7 @@ float standsThere(DotLattice lattice, DrawnPlace at, DrawnBend bend, vec2 off) {
     float bent = (dot(bend.diagonal, bend.diagonal) + 2.0 * dot(bend.mixed, bend.mixed)) /
         (lattice.cells * lattice.cells);
     vec3 n = at.n + bentAlong(bend, way) * (1.0 / (1.0 + 4.0 * bent));
-    return clamp(0.5 + 30.0 * facesMore(n, lattice.number), 0.0, 1.0);
+    return facesMore(n, lattice.number);
 }
 
 // The ink of a dot of a radius whose square is given. What the ramp of its edge adds to its area
@@ -83,14 +82,18 @@ vec2 darker(vec2 a, vec2 b) {
     return a.x > b.x ? a : b;
 }
 
-// One dot. Where it is dark dots are so large that they reach beyond their cells: there the axis
-// that the surface faces here counts, so that nothing stays bare between two lattices.
+// One dot, which is there where the surface faces the lattice's axis in its middle. Within a degree
+// of where another axis takes over dots of both are smaller. Where it is dark dots are so large that
+// they reach beyond their cells: there a dot also counts where the axis is faced here, so that
+// nothing stays bare between two lattices.
 vec2 stableDot(DotLattice lattice, DrawnPlace at, DrawnBend bend, vec2 shift, float area,
     float dark) {
     vec2 off = fromNearestDot(lattice, shift.x, shift.y);
-    float here = clamp(1.0 + 30.0 * facesMore(at.n, lattice.number), 0.0, 1.0);
-    float large = smoothstep(0.4, 0.6, dark);
-    float share = max((1.0 - large) * standsThere(lattice, at, bend, off), large * here);
+    float there = facesThere(lattice, at, bend, off);
+    float stands = clamp(0.5 + 30.0 * there, 0.0, 1.0);
+    float fills = clamp(1.0 + 30.0 * max(there, facesMore(at.n, lattice.number)), 0.0, 1.0);
+    float large = smoothstep(0.5, 0.75, dark);
+    float share = max((1.0 - large) * stands, large * fills);
     return dotInk(area * share, lattice.size * sqrt(off.x * off.x + off.y * off.y));
 }
 
