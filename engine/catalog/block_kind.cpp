@@ -108,6 +108,10 @@ constexpr auto inModels = std::to_array<ParameterRole>(
      {roles::placePixel},
      {roles::placeCurvature, ParameterType::Vec3},
      {roles::placeCurvatureMixed, ParameterType::Vec3},
+     {roles::coordinates, ParameterType::Vec2},
+     {roles::coordinatesRight, ParameterType::Vec2},
+     {roles::coordinatesUp, ParameterType::Vec2},
+     {roles::patternWidth},
      {grainRole, ParameterType::Measured},
      {.word = roles::diffuse, .type = ParameterType::Color, .mayRepeat = true},
      {.word = roles::screenLength, .mayRepeat = true}});

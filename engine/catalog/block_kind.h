@@ -123,6 +123,13 @@ inline constexpr std::string_view place = "place";
 inline constexpr std::string_view placeNormal = "placeNormal";
 inline constexpr std::string_view placeView = "placeView";
 inline constexpr std::string_view placePixel = "placePixel";
+/// Are set likewise, for models that lay patterns on the surface by its texture coordinates: those,
+/// rising along the tangent and the bitangent, and how they change to the pixel on the right and to
+/// the one above.
+inline constexpr std::string_view coordinates = "coordinates";
+inline constexpr std::string_view coordinatesRight = "coordinatesRight";
+inline constexpr std::string_view coordinatesUp = "coordinatesUp";
+inline constexpr std::string_view patternWidth = "patternWidth"; ///< at 0: there is no pattern
 inline constexpr std::string_view layering = "layering";     ///< "painted" or "standing"
 inline constexpr std::string_view background = "background"; ///< "sharp", "blurred" or "hidden"
 inline constexpr std::string_view blur = "blur";             ///< is the blur of the background

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
 #include <gtest/gtest.h>
 
 #include "direction_pairs.h"
@@ -121,6 +126,122 @@ TEST(PoulinFournier, CoveredByItsFloor_IsLambertAndBlinnPhong) {
                         {{"diffuse.color", white}, {"specular.color", white}, {"shininess", 30.0}});
     const auto g = pairOfDirections("A");
     EXPECT_NEAR(flat.shade(g, allReflected().filler()).x, blinn.shade(g).x, 1e-14);
+}
+
+/// Ridges of which a pixel sees a strip at this place, in periods; the strips of `pixels` pixels
+/// side by side are one period.
+Subject seenRidges(Values values, double place, int pixels) {
+    values["ridge.width"] = 1.0;
+    values["coordinates"] = glm::dvec2(0.0, place);
+    values["coordinates.up"] = glm::dvec2(0.0, 1.0 / (1.25 * pixels));
+    return {"models", "seen-ridges", values};
+}
+
+double meanOverAPeriod(const Values& values, const reference::Geometry& g) {
+    constexpr int pixels = 24;
+    double sum = 0.0;
+    for (int i = 0; i < pixels; ++i) {
+        const Subject model = seenRidges(values, (i + 0.3) / pixels, pixels);
+        sum += model.shade(g, allReflected().filler()).x;
+    }
+    return sum / pixels;
+}
+
+/// Calls `check` for ridges of several shapes, white but for a highlight and matte alone.
+template <class Check>
+void forRidges(Check&& check) {
+    for (const auto& [spacing, height] :
+         {std::pair{2.0, 0.5}, std::pair{2.5, -0.3}, std::pair{4.0, 0.9}, std::pair{3.0, -1.0}}) {
+        for (const bool isMatte : {true, false}) {
+            Values values = ridges(spacing, height, 40.0);
+            values["diffuse.color"] = isMatte ? white : black;
+            values["specular.color"] = isMatte ? black : white;
+            for (const std::string name : {"A", "B", "C", "D", "E", "F"}) {
+                SCOPED_TRACE(std::to_string(spacing) + ' ' + std::to_string(height) + name);
+                check(values, pairOfDirections(name), isMatte);
+            }
+        }
+    }
+}
+
+/// The matte parts are both in closed form; the quadrature of highlights errs by 1e-5.
+TEST(SeenRidges, MeanOverAPeriod_IsPoulinFournier) {
+    forRidges([](const Values& values, const reference::Geometry& g, bool isMatte) {
+        const Subject average("models", "poulin-fournier", values);
+        const double wanted = average.shade(g, allReflected().filler()).x;
+        EXPECT_NEAR(meanOverAPeriod(values, g), wanted, isMatte ? 1e-12 : 1e-5 * wanted + 1e-7);
+    });
+}
+
+TEST(SeenRidges, APixelThatSeesAPeriod_IsPoulinFournierWithoutASeam) {
+    forRidges([](const Values& values, const reference::Geometry& g, bool) {
+        const Subject average("models", "poulin-fournier", values);
+        const double wanted = average.shade(g, allReflected().filler()).x;
+        for (const double wide : {1.0, 1.0 / 3.0}) {
+            Values far = values;
+            far["ridge.width"] = wide;
+            far["coordinates.up"] = glm::dvec2(0.0, 0.801);
+            const Subject model("models", "seen-ridges", far);
+            EXPECT_NEAR(model.shade(g, allReflected().filler()).x, wanted, 1e-12 * wanted + 1e-15);
+        }
+        Values near = values;
+        near["ridge.width"] = 1.0;
+        near["coordinates"] = glm::dvec2(0.0, 0.4);
+        near["coordinates.up"] = glm::dvec2(0.0, 0.7999);
+        const Subject model("models", "seen-ridges", near);
+        EXPECT_NEAR(model.shade(g, allReflected().filler()).x, wanted, 1e-3 * wanted + 1e-7);
+    });
+}
+
+/// White matte ridges where a line of sight meets them that passes the height of the tops at this
+/// place: the nearest of ridges and floor, and whether light comes there.
+double castRay(const reference::Geometry& g, double spacing, double height, double place) {
+    const glm::dvec2 l{g.l.y, g.l.z};
+    const glm::dvec2 v = glm::dvec2(g.v.y, g.v.z) / std::hypot(g.v.y, g.v.z);
+    const glm::dvec2 top{place * spacing, 1.0};
+    double nearest = (1.0 - height) / v.y; // the way down to the floor
+    glm::dvec2 n{0.0, 1.0};
+    for (int k = -60; k <= 60; ++k) {
+        const glm::dvec2 o{top.x - k * spacing, top.y};
+        const double along = o.x * v.x + o.y * v.y;
+        const double inside = along * along - (o.x * o.x + o.y * o.y - 1.0);
+        if (inside > 0.0 && along - std::sqrt(inside) < nearest) {
+            nearest = along - std::sqrt(inside);
+            n = o - nearest * v;
+        }
+    }
+    const double facing = n.x * l.x + n.y * l.y;
+    const glm::dvec2 met = top - nearest * v + 1e-8 * n;
+    return facing > 0.0 && !isBlocked(met, l / std::hypot(l.x, l.y), spacing) ? facing : 0.0;
+}
+
+TEST(SeenRidges, StripsOfAPeriod_AgreeWithCastRays) {
+    constexpr int places = 97;
+    for (const double height : {-0.6, 0.0, 0.7}) {
+        Values values = ridges(3.0, height, 1.0);
+        values["diffuse.color"] = white;
+        values["specular.color"] = black;
+        for (const std::string name : {"A", "B", "C", "D", "E", "F"}) {
+            const auto g = pairOfDirections(name);
+            int far = 0;
+            for (int i = 0; i < places; ++i) {
+                const double place = (i + 0.5) / places - 0.5;
+                const double shown = seenRidges(values, place, 64).shade(g).x;
+                far += std::abs(shown - castRay(g, 3.0, height, place)) > 0.03 ? 1 : 0;
+            }
+            EXPECT_LE(far, 5) << height << name; // edges of ridges and shadows
+        }
+    }
+}
+
+TEST(SeenRidges, WithoutTextureCoordinates_HaveTheirAverage) {
+    Values values = ridges(2.5, 0.0, 30.0);
+    const Subject average("models", "poulin-fournier", values);
+    values["coordinates"] = glm::dvec2(0.3, 0.7);
+    const Subject model("models", "seen-ridges", values);
+    const auto g = pairOfDirections("B");
+    EXPECT_NEAR(model.shade(g, allReflected().filler()).x,
+                average.shade(g, allReflected().filler()).x, 1e-14);
 }
 
 /// The quadrature of the shader against the exact one, in units of the whole lobe's integral. What

@@ -57,6 +57,22 @@ double growthOfEntries(const EvalBlock& block) {
     return growth;
 }
 
+/// What the place in a pattern adds to the bound.
+double growthOfPatterns(const EvalBlock& block) {
+    double growth = 0.0;
+    for (const Json& pattern : bounds().at("patterns")) {
+        const auto width = block.values.find(pattern[0].get<std::string>());
+        const auto place = block.values.find(pattern[1].get<std::string>());
+        if (width != block.values.end() && place != block.values.end()) {
+            const auto& coordinates = std::get<glm::dvec2>(place->second);
+            const double across = std::max(std::abs(coordinates.x), std::abs(coordinates.y)) /
+                                  std::max(std::get<double>(width->second), 1e-30);
+            growth = std::max(growth, 3.0 * std::ldexp(std::min(across, 1e6), -23));
+        }
+    }
+    return growth;
+}
+
 /// What a power of this exponent adds to the bound.
 double growthOfPower(double exponent, bool rounded) {
     return std::max(3e-7 * std::sqrt(exponent), rounded ? 1e-7 * exponent : 0.0);
@@ -65,7 +81,7 @@ double growthOfPower(double exponent, bool rounded) {
 /// What the sharpest lobe of a set of values adds to the bound.
 double growthOf(const EvalBlock& block, bool diffuse) {
     const bool rounded = isRounded(block);
-    double growth = growthOfEntries(block);
+    double growth = std::max(growthOfEntries(block), growthOfPatterns(block));
     for (const auto& [id, value] : block.values) {
         if (const auto* each = std::get_if<glm::dvec3>(&value); each && lists("exponents", id)) {
             const double largest = std::max({each->x, each->y, each->z});

@@ -85,6 +85,7 @@ class Collector {
             addBlock(*layout_.part(kinds::fresnel), *effects_.blend);
         }
         addImages();
+        addPlaces();
         addEmission();
         addDiffuse();
         if (const auto highlight = highlightAmbientData(layout_)) {
@@ -119,6 +120,10 @@ class Collector {
             }
         } else if (isVisiblyTransparent(effects_)) {
             return failure("the object is transparent");
+        }
+        if (readsCurvature(effects_)) {
+            return failure("the object's model is told how the surface bends, which has no code in "
+                           "double precision");
         }
         if (const std::string effect = unknownToReference(effects_); !effect.empty()) {
             return failure(
@@ -162,6 +167,15 @@ class Collector {
                     code_.textured.push_back({b, field->offset, field->components, i});
                 }
             }
+        }
+    }
+
+    /// Adds what the model is told of each pixel as images that change its fields.
+    void addPlaces() {
+        std::size_t value = bufferPlace<DrawnPlaceEffect>(effects_);
+        for (const Parameter* parameter : placedParameters(effects_)) {
+            const ParameterField* field = fieldOf(*layout_.model, fieldName(parameter->id));
+            code_.textured.push_back({0, field->offset, field->components, value++});
         }
     }
 

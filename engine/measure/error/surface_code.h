@@ -33,7 +33,7 @@ struct SurfaceCode {
         PolarisedTerm term;
         std::size_t slot = 0;
     };
-    /// Says where the field is that an image changes, or that is emitted.
+    /// Says where the field is that an image or the pixel's place changes, or that is emitted.
     struct FieldPlace {
         std::size_t block = 0; ///< is the index in blocks
         std::size_t offset = 0;

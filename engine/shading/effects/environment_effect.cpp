@@ -90,7 +90,7 @@ EnvironmentMethod methodFor(const EffectSet& set) {
     const bool isTextured = std::ranges::any_of(set.textures, [](const BoundTexture& texture) {
         return texture.role == TextureRole::Input;
     });
-    return isTextured ? EnvironmentMethod::PerPixel : EnvironmentMethod::Fitted;
+    return isTextured || laysPattern(set) ? EnvironmentMethod::PerPixel : EnvironmentMethod::Fitted;
 }
 
 Checked<ProgramSource> lobeProgram(const LobeTableShape& shape, const Catalog& catalog,

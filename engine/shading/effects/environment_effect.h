@@ -31,7 +31,8 @@ bool fitsWhileMoving(const Scene& scene, const Catalog& catalog);
 enum class EnvironmentMethod : std::uint8_t {
     Sampled,  ///< a mean over directions
     Fitted,   ///< by a table of lobes that the material's reflectance was taken apart into
-    PerPixel, ///< the same, taken apart at each pixel, since images change what is reflected
+    PerPixel, ///< the same, taken apart at each pixel, since images or a pattern change what is
+              ///< reflected
     OneLight, ///< one light from where most of it comes, for models that want one
     None      ///< not at all: a drawing takes another light
 };
