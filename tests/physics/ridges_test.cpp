@@ -229,7 +229,8 @@ TEST(SeenRidges, StripsOfAPeriod_AgreeWithCastRays) {
                 const double shown = seenRidges(values, place, 64).shade(g).x;
                 far += std::abs(shown - castRay(g, 3.0, height, place)) > 0.03 ? 1 : 0;
             }
-            EXPECT_LE(far, 5) << height << name; // edges of ridges and shadows
+            // A ridge's edge and a shadow's, each as wide as three places in a window of 1 / 32.
+            EXPECT_LE(far, 6) << height << name;
         }
     }
 }

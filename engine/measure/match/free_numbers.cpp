@@ -2,9 +2,11 @@
 #include "measure/match/free_numbers.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <variant>
 
+#include "catalog/block_kind.h"
 #include "catalog/expression.h"
 
 namespace patina {
@@ -52,9 +54,16 @@ double& numberOf(Value& value, int component) {
     return std::get<double>(value);
 }
 
+/// Tells whether a parameter says where in a pattern is looked: a reflectance is its average.
+bool isOfPattern(const Parameter& parameter) {
+    constexpr std::array ofPattern{roles::coordinates, roles::coordinatesRight,
+                                   roles::coordinatesUp, roles::patternWidth};
+    return std::ranges::find(ofPattern, parameter.role) != ofPattern.end();
+}
+
 bool mayChange(const Parameter& parameter) {
     return infoOf(parameter.type).isContinuous && parameter.softMax > parameter.softMin &&
-           !parameter.emission && parameter.compiled != Compiled::Yes;
+           !parameter.emission && parameter.compiled != Compiled::Yes && !isOfPattern(parameter);
 }
 
 Value& valueOf(EvalCase& model, bool isOfSlot, const Parameter& parameter) {
