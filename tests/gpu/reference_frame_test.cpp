@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "catalog/bending_roles.h"
 #include "core/exposure.h"
 #include "core/mesh_openness.h"
 #include "gpu_fixture.h"
@@ -75,14 +76,14 @@ class ReferenceFrameTest : public GpuTest {
 /// What is left is the rounding of floats.
 constexpr double rounding = 1e-4;
 
-/// Where a model draws on the surface is not known in double precision, and is said.
+/// How the surface bends is not known in double precision, which is said.
 TEST_F(ReferenceFrameTest, EveryModel_DiffersByRoundingOnlyOrIsRefused) {
     for (const Block* model : catalog->ofKind("models")) {
         SCOPED_TRACE(model->id);
         Scene scene = simpleScene(model->id);
         scene.lights.push_back(light("point"));
         scene.ambient = {0.1, 0.2, 0.3};
-        if (model->withRole(roles::place) != nullptr) {
+        if (model->withRole(roles::placeCurvature) != nullptr) {
             EXPECT_FALSE(reference(scene));
         } else {
             EXPECT_LE(error(scene).p99, rounding);
