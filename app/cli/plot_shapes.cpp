@@ -11,6 +11,7 @@
 #include "core/atomic_file.h"
 #include "core/display_image.h"
 #include "core/label.h"
+#include "core/text.h"
 
 namespace patina {
 namespace {
@@ -21,14 +22,6 @@ constexpr double ringRadius = 8.0; ///< is larger than a dot, so that both are s
 std::string svgColor(const glm::dvec3& color) {
     return fmt::format("rgb({:.0f},{:.0f},{:.0f})", 255.0 * color.r, 255.0 * color.g,
                        255.0 * color.b);
-}
-
-std::string svgText(const std::string& text) {
-    std::string safe;
-    for (const char c : text) {
-        safe += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
-    }
-    return safe;
 }
 
 std::string svgOf(const PlotShape& shape) {
@@ -56,7 +49,7 @@ std::string svgOf(const PlotShape& shape) {
                            shape.from.x, shape.from.y, dotRadius, color);
     default:
         return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" fill=\"{}\">{}</text>\n", shape.from.x,
-                           shape.from.y + 12.0, color, svgText(shape.text));
+                           shape.from.y + 12.0, color, escapedForXml(shape.text));
     }
 }
 

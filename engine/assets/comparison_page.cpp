@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "core/text.h"
+
 namespace patina {
 namespace {
 
@@ -26,29 +28,6 @@ std::string base64(const std::string& bytes) {
         }
     }
     return text;
-}
-
-std::string escaped(const std::string& text) {
-    std::string safe;
-    for (const char c : text) {
-        switch (c) {
-        case '&':
-            safe += "&amp;";
-            break;
-        case '<':
-            safe += "&lt;";
-            break;
-        case '>':
-            safe += "&gt;";
-            break;
-        case '"':
-            safe += "&quot;";
-            break;
-        default:
-            safe += c;
-        }
-    }
-    return safe;
 }
 
 constexpr const char* head = R"html(<!DOCTYPE html>
@@ -163,17 +142,18 @@ std::string comparisonPage(const std::string& title, const std::vector<PagePictu
     std::string page = head;
     page +=
         fmt::format("<title>{0}</title>\n</head>\n<body>\n<h1>{0}</h1>\n{1}<div id=\"stage\">\n",
-                    escaped(title), bar);
+                    escapedForXml(title), bar);
     for (const PagePicture& picture : pictures) {
         page += fmt::format("<figure style=\"--mark: {}\"><img alt=\"{}: {}\" "
                             "src=\"data:image/png;base64,{}\"><figcaption><b>{}</b> "
                             "{}</figcaption></figure>\n",
-                            escaped(picture.colour), escaped(picture.letter), escaped(picture.name),
-                            base64(picture.png), escaped(picture.letter), escaped(picture.name));
+                            escapedForXml(picture.colour), escapedForXml(picture.letter),
+                            escapedForXml(picture.name), base64(picture.png),
+                            escapedForXml(picture.letter), escapedForXml(picture.name));
     }
     page += "<div id=\"line\"></div>\n</div>\n";
     for (const std::string& note : notes) {
-        page += fmt::format("<p>{}</p>\n", escaped(note));
+        page += fmt::format("<p>{}</p>\n", escapedForXml(note));
     }
     return page + script + "</body>\n</html>\n";
 }

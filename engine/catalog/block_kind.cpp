@@ -7,7 +7,6 @@
 #include <numbers>
 #include <vector>
 
-#include "catalog/bending_roles.h"
 #include "catalog/combing_role.h"
 #include "catalog/index_trend.h"
 #include "catalog/measured_file.h"

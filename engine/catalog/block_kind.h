@@ -112,9 +112,9 @@ inline constexpr std::string_view width = "width";         ///< is the width of 
 /// Are lengths of a drawing that keep their size on the screen, in pixels of the picture times the
 /// device pixel ratio.
 inline constexpr std::string_view screenLength = "screenLength";
-inline constexpr std::string_view length = "length";       ///< is how far strands reach, in metres
-inline constexpr std::string_view density = "density";     ///< counts strands along a metre
-inline constexpr std::string_view lighting = "lighting";   ///< "surface" or "strand"
+inline constexpr std::string_view length = "length";     ///< is how far strands reach, in metres
+inline constexpr std::string_view density = "density";   ///< counts strands along a metre
+inline constexpr std::string_view lighting = "lighting"; ///< "surface" or "strand"
 inline constexpr std::string_view fins = "fins"; ///< is whether strands stand at silhouettes, too
 /// Are set at each pixel of a picture, for models that draw on the surface: the place on it in
 /// metres, its unit normal and the way to the viewer, all along the object's axes, and how wide a
@@ -123,6 +123,10 @@ inline constexpr std::string_view place = "place";
 inline constexpr std::string_view placeNormal = "placeNormal";
 inline constexpr std::string_view placeView = "placeView";
 inline constexpr std::string_view placePixel = "placePixel";
+/// Are set beside those of the place: how the unit normal changes by the place, in 1/m along the
+/// object's axes: the xx, yy and zz of a symmetric matrix, and its xy, yz and zx.
+inline constexpr std::string_view placeCurvature = "placeCurvature";
+inline constexpr std::string_view placeCurvatureMixed = "placeCurvatureMixed";
 /// Are set likewise, for models that lay patterns on the surface by its texture coordinates: those,
 /// rising along the tangent and the bitangent, and how they change to the pixel on the right and to
 /// the one above.
@@ -130,11 +134,11 @@ inline constexpr std::string_view coordinates = "coordinates";
 inline constexpr std::string_view coordinatesRight = "coordinatesRight";
 inline constexpr std::string_view coordinatesUp = "coordinatesUp";
 inline constexpr std::string_view patternWidth = "patternWidth"; ///< at 0: there is no pattern
-inline constexpr std::string_view layering = "layering";     ///< "painted" or "standing"
-inline constexpr std::string_view background = "background"; ///< "sharp", "blurred" or "hidden"
-inline constexpr std::string_view blur = "blur";             ///< is the blur of the background
-inline constexpr std::string_view rotate = "rotate";         ///< turns about the vertical axis
-inline constexpr std::string_view directions = "directions"; ///< counts samples per pixel
+inline constexpr std::string_view layering = "layering";         ///< "painted" or "standing"
+inline constexpr std::string_view background = "background";     ///< "sharp", "blurred" or "hidden"
+inline constexpr std::string_view blur = "blur";                 ///< is the blur of the background
+inline constexpr std::string_view rotate = "rotate";             ///< turns about the vertical axis
+inline constexpr std::string_view directions = "directions";     ///< counts samples per pixel
 inline constexpr std::string_view limit = "limit";     ///< is the largest radiance of a direction
 inline constexpr std::string_view angle = "angle";     ///< is the angular size of a distant lamp
 inline constexpr std::string_view layers = "layers";   ///< is the number of layers that are sorted

@@ -75,6 +75,13 @@ double levelOf(const AccuracyChoice& choice, const AccuracyLevels& levels) {
 
 } // namespace
 
+const ParameterField* ParameterLayout::withRole(std::string_view role) const {
+    const auto found = std::ranges::find_if(fields, [role](const ParameterField& field) {
+        return field.parameter != nullptr && field.parameter->role == role;
+    });
+    return found == fields.end() ? nullptr : &*found;
+}
+
 ParameterLayout layoutOf(const Block& block) {
     ParameterLayout layout;
     layout.floats = eachField(

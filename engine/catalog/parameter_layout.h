@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "catalog/block.h"
@@ -26,6 +27,9 @@ struct ParameterLayout {
     /// Holds the parameters in the descriptor's order, then the accuracy choices.
     std::vector<ParameterField> fields;
     std::size_t floats = 0; ///< is a multiple of four
+
+    /// Returns the field of the first parameter that has the role; null where none has a place.
+    const ParameterField* withRole(std::string_view role) const;
 };
 
 /// Returns the layout of one block. It points into `block`, which must outlive it.

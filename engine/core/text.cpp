@@ -18,6 +18,29 @@ bool isControl(char c) {
     return code < 0x20 || code == 0x7f;
 }
 
+std::string escapedForXml(std::string_view text) {
+    std::string safe;
+    for (const char c : text) {
+        switch (c) {
+        case '&':
+            safe += "&amp;";
+            break;
+        case '<':
+            safe += "&lt;";
+            break;
+        case '>':
+            safe += "&gt;";
+            break;
+        case '"':
+            safe += "&quot;";
+            break;
+        default:
+            safe += c;
+        }
+    }
+    return safe;
+}
+
 std::string capitalised(std::string_view word) {
     std::string text(word);
     if (!text.empty()) {

@@ -15,6 +15,9 @@ bool isNameCharacter(char c);
 /// Tells whether a character is a control character of ASCII, line breaks and tabs included.
 bool isControl(char c);
 
+/// Returns the text as XML and HTML have it between tags and in quoted attributes.
+std::string escapedForXml(std::string_view text);
+
 /// Makes the first letter upper case: "fresnel" -> "Fresnel".
 std::string capitalised(std::string_view word);
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/number_text.h"
+#include "core/text.h"
 #include "exchange/dielectric_index.h"
 #include "exchange/format_writers.h"
 #include "exchange/image_settings.h"
@@ -13,26 +14,6 @@
 
 namespace patina {
 namespace {
-
-std::string escaped(std::string_view text) {
-    std::string out;
-    for (const char letter : text) {
-        switch (letter) {
-        case '&':
-            out += "&amp;";
-            break;
-        case '<':
-            out += "&lt;";
-            break;
-        case '"':
-            out += "&quot;";
-            break;
-        default:
-            out += letter;
-        }
-    }
-    return out;
-}
 
 std::string colorText(const glm::dvec3& color) {
     return fmt::format("{}, {}, {}", shortestFloatText(color.x), shortestFloatText(color.y),
@@ -266,7 +247,7 @@ class MaterialXMaterial {
             "  <image name=\"{}\" type=\"{}\">\n"
             "    <input name=\"file\" type=\"filename\" value=\"{}\" colorspace=\"{}\"/>\n{}"
             "  </image>\n",
-            image, type, escaped(*path), isColor ? "srgb_texture" : "lin_rec709",
+            image, type, escapedForXml(*path), isColor ? "srgb_texture" : "lin_rec709",
             place.empty() ? std::string() : linkText("texcoord", "vector2", place));
         const std::string lost = lostSettings(use);
         look_.tell(lost.empty() ? Kept::Exact : Kept::Approximated, imageTitle(use),

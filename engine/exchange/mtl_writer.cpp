@@ -86,7 +86,7 @@ class MtlMaterial {
         if (image != look_.images.end()) {
             const double strength = std::exchange(image->second.strength, 1.0);
             writeImage(fmt::format("map_Bump -bm {}", shortestFloatText(strength)).c_str(),
-                       "height");
+                       heightWord);
         }
     }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "catalog/bending_roles.h"
 #include "core/exposure.h"
 #include "core/mesh_openness.h"
 #include "gpu_fixture.h"

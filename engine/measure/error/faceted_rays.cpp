@@ -79,11 +79,8 @@ glm::dvec3 limitedLight(const glm::dvec3& x) {
 /// Returns the number with a role among a block's values; null where the block has none.
 double* numberWithRole(const BlockPlace& place, std::string_view role,
                        std::vector<double>& values) {
-    const Parameter* parameter = place.block->withRole(role);
-    const auto found =
-        std::ranges::find(place.layout.fields, parameter, &ParameterField::parameter);
-    return parameter == nullptr || found == place.layout.fields.end() ? nullptr
-                                                                      : &values[found->offset];
+    const ParameterField* field = place.layout.withRole(role);
+    return field == nullptr ? nullptr : &values[field->offset];
 }
 
 } // namespace

@@ -30,12 +30,8 @@ void callPolarised(const double* in, double* out, reference::Parameters values) 
 constexpr reference::BlockCall polarisedCalls[] = {{"", 2, 3, &callPolarised}};
 
 std::optional<std::size_t> offsetOf(const BlockPlace& place, std::string_view role) {
-    const Parameter* parameter = place.block->withRole(role);
-    const auto found =
-        std::ranges::find(place.layout.fields, parameter, &ParameterField::parameter);
-    return parameter == nullptr || found == place.layout.fields.end()
-               ? std::nullopt
-               : std::optional(found->offset);
+    const ParameterField* field = place.layout.withRole(role);
+    return field == nullptr ? std::nullopt : std::optional(field->offset);
 }
 
 } // namespace

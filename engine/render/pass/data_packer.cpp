@@ -139,13 +139,11 @@ void packSpectra(std::span<glm::vec4> out, const ParameterLayout& layout, const 
 
 /// Puts the index at the temperature of the block in the place of that which was measured.
 void packTemperature(std::span<glm::vec4> out, const BlockPlace& place, const Values& values) {
-    for (const ParameterField& field : place.layout.fields) {
-        if (field.parameter != nullptr && field.parameter->role == roles::indexInside) {
-            double number = 0.0;
-            writeNumbers(*field.parameter, givenValue(*field.parameter, values), &number);
-            takeTemperature(*place.block, *field.parameter, values, &number);
-            out[field.offset / 4][static_cast<int>(field.offset % 4)] = static_cast<float>(number);
-        }
+    if (const ParameterField* field = place.layout.withRole(roles::indexInside)) {
+        double number = 0.0;
+        writeNumbers(*field->parameter, givenValue(*field->parameter, values), &number);
+        takeTemperature(*place.block, *field->parameter, values, &number);
+        out[field->offset / 4][static_cast<int>(field->offset % 4)] = static_cast<float>(number);
     }
 }
 
@@ -227,8 +225,7 @@ void packMaterial(std::span<glm::vec4> out, const Pipeline& pipeline, const Mate
     }
     for (const auto* places : {&pipeline.object.slots, &pipeline.object.parts}) {
         for (const BlockPlace& part : *places) {
-            packPlace(out, part, partValues(part, material.parts), material.accuracy,
-                      around);
+            packPlace(out, part, partValues(part, material.parts), material.accuracy, around);
         }
     }
     packOwn(out, pipeline.object, material, pipeline.effects);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/pass/mesh_pass.h"
 
-#include "catalog/bending_roles.h"
 #include "catalog/block_kind.h"
 #include "render/gpu/step_budget.h"
 #include "render/pass/frame_gpu.h"

@@ -30,14 +30,14 @@ void packRefraction(std::span<glm::vec4> out, const Pipeline& pipeline, const Ma
     const std::span<glm::vec4> own = out.subspan(static_cast<std::size_t>(place.first));
     packInto(own, place.layout, *choice.values, material.accuracy, glm::dmat4(1.0));
     const BodyIndex index(material, choice, *pipeline.catalog, scene.wavelengths);
-    for (const ParameterField& field : place.layout.fields) {
-        float& packed = own[field.offset / 4][static_cast<int>(field.offset % 4)];
-        if (field.parameter != nullptr && field.parameter->role == roles::index) {
-            packed = static_cast<float>(index.ofBlock());
-        } else if (field.parameter != nullptr && field.parameter->role == roles::dispersion) {
-            packed = static_cast<float>(index.dispersion());
+    const auto put = [&](std::string_view role, double number) {
+        if (const ParameterField* field = place.layout.withRole(role)) {
+            own[field->offset / 4][static_cast<int>(field->offset % 4)] =
+                static_cast<float>(number);
         }
-    }
+    };
+    put(roles::index, index.ofBlock());
+    put(roles::dispersion, index.dispersion());
     out[static_cast<std::size_t>(pipeline.object.refractionBackground())] =
         storable(scene.background);
     if (const auto wavelengths = wavelengthPlace(pipeline.object)) {

@@ -133,10 +133,9 @@ void BodyIndex::workOut(const Block& term, const Values& values, const AccuracyL
     if (!isKnown_) {
         return;
     }
-    const ParameterLayout layout = layoutOf(term);
-    const auto field = std::ranges::find(layout.fields, parameter, &ParameterField::parameter);
-    workedOut_ = WorkedOut{call, packed(term, values, levels), field->offset, nmInUnit(*parameter),
-                           outside};
+    const std::size_t offset = layoutOf(term).withRole(roles::wavelengths)->offset;
+    workedOut_ =
+        WorkedOut{call, packed(term, values, levels), offset, nmInUnit(*parameter), outside};
     channels_ = workedOut_->at(wavelengths_);
 }
 

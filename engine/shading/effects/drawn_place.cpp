@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "catalog/bending_roles.h"
 #include "shading/effects/effect_set.h"
 #include "shading/effects/surface_text.h"
 #include "shading/program/given_value.h"
@@ -67,8 +66,7 @@ void DrawnPlaceEffect::choose(const MaterialSubject& subject, const EffectSet& s
     if (set.model) {
         const Block& block = set.model->block();
         const bool isTold = readsPlace(block) || readsCoordinates(block);
-        drawing =
-            isTold && hasPattern(block, subject.material.model.parameters) ? &block : nullptr;
+        drawing = isTold && hasPattern(block, subject.material.model.parameters) ? &block : nullptr;
     }
 }
 
