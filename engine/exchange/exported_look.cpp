@@ -308,6 +308,16 @@ std::string_view wordOf(Kept kept) {
     return words[static_cast<std::size_t>(kept)];
 }
 
+TextureUse* ExportedLook::image(const std::string& word) {
+    const auto found = images.find(word);
+    return found == images.end() ? nullptr : &found->second;
+}
+
+const TextureUse* ExportedLook::image(const std::string& word) const {
+    const auto found = images.find(word);
+    return found == images.end() ? nullptr : &found->second;
+}
+
 void ExportedLook::tell(Kept kept, std::string what, std::string how) {
     lines.push_back({kept, std::move(what), std::move(how)});
 }

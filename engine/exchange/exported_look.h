@@ -40,6 +40,10 @@ struct ExportedLook {
     /// Tells whether light passes through and is refracted.
     bool isTransmissive() const { return material.values.contains("transmission"); }
 
+    /// Returns the image on a word's value; null where there is none.
+    TextureUse* image(const std::string& word);
+    const TextureUse* image(const std::string& word) const;
+
     void tell(Kept kept, std::string what, std::string how);
     /// Tells what becomes of a word's value, under the parameter's label; of a fitted one nothing
     /// is exact.

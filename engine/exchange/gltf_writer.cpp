@@ -50,11 +50,11 @@ class GltfFile {
 
     /// Returns {"index": n} of an image, with its place; null where it is dropped, which is told.
     Json texture(ExportedLook& look, const std::string& word) {
-        const auto found = look.images.find(word);
-        if (found == look.images.end()) {
+        const TextureUse* found = look.image(word);
+        if (found == nullptr) {
             return nullptr;
         }
-        const TextureUse& use = found->second;
+        const TextureUse& use = *found;
         const auto path = images_.add(use.file, {".png", ".jpg", ".jpeg"});
         if (!path || isAdded(use)) {
             look.tell(Kept::Dropped, imageTitle(use),
@@ -354,14 +354,14 @@ class GltfMaterial {
             drop("opacity", "is told by a transmission without images");
             return;
         }
-        const auto image = look_.images.find("opacity");
-        const bool isInColor = image != look_.images.end() && !colorWord.empty() &&
-                               look_.images.at(colorWord).file == image->second.file;
+        const TextureUse* image = look_.image("opacity");
+        const bool isInColor = image != nullptr && !colorWord.empty() &&
+                               look_.images.at(colorWord).file == image->file;
         if (look_.material.values.contains("opacity") || isInColor) {
-            const bool isCut = isInColor && image->second.cutOut;
+            const bool isCut = isInColor && image->cutOut;
             material_["alphaMode"] = isCut ? "MASK" : "BLEND";
             if (isCut) {
-                material_["alphaCutoff"] = image->second.threshold;
+                material_["alphaCutoff"] = image->threshold;
             }
             look_.tellOf("opacity", Kept::Exact, "the alpha of baseColorFactor");
         }
@@ -373,11 +373,11 @@ class GltfMaterial {
     }
 
     void writeNormals() {
-        const auto image = look_.images.find("normal");
-        if (image == look_.images.end()) {
+        TextureUse* image = look_.image("normal");
+        if (image == nullptr) {
             return;
         }
-        const double strength = std::exchange(image->second.strength, 1.0);
+        const double strength = std::exchange(image->strength, 1.0);
         if (Json texture = file_.texture(look_, "normal"); !texture.is_null()) {
             if (strength != 1.0) {
                 texture["scale"] = strength;
@@ -387,9 +387,8 @@ class GltfMaterial {
     }
 
     void drop(const std::string& word, const std::string& why) {
-        const auto image = look_.images.find(word);
-        if (image != look_.images.end()) {
-            look_.tell(Kept::Dropped, imageTitle(image->second), why);
+        if (const TextureUse* image = look_.image(word)) {
+            look_.tell(Kept::Dropped, imageTitle(*image), why);
         }
     }
 

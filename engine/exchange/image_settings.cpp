@@ -42,10 +42,9 @@ std::string lostSettings(const TextureUse& use) {
 }
 
 glm::dvec3 imageFactor(const ExportedLook& look, const std::string& word) {
-    const auto image = look.images.find(word);
-    return image != look.images.end() && image->second.mode == TextureMode::Replace
-               ? glm::dvec3(1.0)
-               : look.value(word);
+    const TextureUse* image = look.image(word);
+    return image != nullptr && image->mode == TextureMode::Replace ? glm::dvec3(1.0)
+                                                                   : look.value(word);
 }
 
 } // namespace patina

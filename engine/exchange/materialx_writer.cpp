@@ -117,8 +117,8 @@ class MaterialXMaterial {
 
     /// OpenPBR squares its roughness; an image of widths goes through a root.
     void writeRoughness() {
-        const auto image = look_.images.find("alpha");
-        if (image != look_.images.end() && image->second.mode == TextureMode::Replace) {
+        const TextureUse* image = look_.image("alpha");
+        if (image != nullptr && image->mode == TextureMode::Replace) {
             const std::string node = imageNode("alpha", "float");
             if (!node.empty()) {
                 const std::string root = name("alpha_root");
@@ -146,8 +146,8 @@ class MaterialXMaterial {
         }
         inputs_ += inputText("emission_luminance", "float", shortestFloatText(brightest));
         look_.material.values["emissive"] = glow / brightest;
-        if (const auto image = look_.images.find("emissive"); image != look_.images.end()) {
-            image->second.mode = TextureMode::Multiply;
+        if (TextureUse* image = look_.image("emissive")) {
+            image->mode = TextureMode::Multiply;
         }
         color("emission_color", "emissive", Kept::Approximated,
               ", its brightness taken for candelas per square metre");
@@ -163,12 +163,12 @@ class MaterialXMaterial {
                 inputText("geometry_opacity", "float", shortestFloatText(look_.value("opacity").x));
             look_.tellOf("opacity", Kept::Exact, "geometry_opacity");
         }
-        const auto image = look_.images.find("opacity");
-        if (image == look_.images.end()) {
+        const TextureUse* image = look_.image("opacity");
+        if (image == nullptr) {
             return;
         }
-        const bool isAlpha = image->second.channel == TextureChannel::Auto ||
-                             image->second.channel == TextureChannel::Alpha;
+        const bool isAlpha =
+            image->channel == TextureChannel::Auto || image->channel == TextureChannel::Alpha;
         if (isAlpha || look_.material.values.contains("opacity")) {
             drop("opacity");
             return;
@@ -179,11 +179,11 @@ class MaterialXMaterial {
     }
 
     void writeNormals() {
-        const auto image = look_.images.find("normal");
-        if (image == look_.images.end()) {
+        TextureUse* image = look_.image("normal");
+        if (image == nullptr) {
             return;
         }
-        const double strength = std::exchange(image->second.strength, 1.0);
+        const double strength = std::exchange(image->strength, 1.0);
         const std::string node = imageNode("normal", "vector3");
         if (!node.empty()) {
             const std::string map = name("normalmap");
@@ -196,16 +196,14 @@ class MaterialXMaterial {
     }
 
     void dropHeight() {
-        const auto image = look_.images.find("height");
-        if (image != look_.images.end()) {
-            look_.tell(Kept::Dropped, imageTitle(image->second), "raises the surface");
+        if (const TextureUse* image = look_.image("height")) {
+            look_.tell(Kept::Dropped, imageTitle(*image), "raises the surface");
         }
     }
 
     void drop(const std::string& word) {
-        const auto image = look_.images.find(word);
-        if (image != look_.images.end()) {
-            look_.tell(Kept::Dropped, imageTitle(image->second),
+        if (const TextureUse* image = look_.image(word)) {
+            look_.tell(Kept::Dropped, imageTitle(*image),
                        fmt::format("drives {}, which takes no image here",
                                    look_.labels.contains(word) ? look_.labels[word] : word));
         }

@@ -13,8 +13,6 @@
 namespace patina {
 namespace {
 
-constexpr const char* heightWord = "height";
-
 /// Writes one material of an MTL file: colours as a screen shows them, as readers take them.
 class MtlMaterial {
   public:
@@ -74,28 +72,27 @@ class MtlMaterial {
 
     /// Tells of an image on a number: MTL has none for it.
     void dropImage(const std::string& word) {
-        const auto image = look_.images.find(word);
-        if (image != look_.images.end() && word != "opacity") {
-            look_.tell(Kept::Dropped, imageTitle(image->second),
+        const TextureUse* image = look_.image(word);
+        if (image != nullptr && word != "opacity") {
+            look_.tell(Kept::Dropped, imageTitle(*image),
                        fmt::format("drives {}, for which there is no map", look_.labels[word]));
         }
     }
 
     void writeHeight() {
-        const auto image = look_.images.find(heightWord);
-        if (image != look_.images.end()) {
-            const double strength = std::exchange(image->second.strength, 1.0);
+        if (TextureUse* image = look_.image("height")) {
+            const double strength = std::exchange(image->strength, 1.0);
             writeImage(fmt::format("map_Bump -bm {}", shortestFloatText(strength)).c_str(),
-                       heightWord);
+                       "height");
         }
     }
 
     void writeImage(const char* key, const std::string& word) {
-        const auto image = look_.images.find(word);
-        if (image == look_.images.end()) {
+        const TextureUse* image = look_.image(word);
+        if (image == nullptr) {
             return;
         }
-        const TextureUse& use = image->second;
+        const TextureUse& use = *image;
         const auto path = images_.add(use.file, {});
         if (!path || isAdded(use)) {
             look_.tell(Kept::Dropped, imageTitle(use),
