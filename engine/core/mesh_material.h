@@ -21,11 +21,12 @@ inline bool isVertexColors(std::string_view image) {
 /// Says what a mesh file says of one of its materials, in the same words for every format.
 struct MeshMaterial {
     std::string name; ///< is unlike those of the file's other materials, and never empty
-    /// Is "matte", "phong", "blinn-phong", "dielectric" or "metal"; empty where the file says
-    /// nothing of how it looks.
+    /// Is "matte", "rough-matte", "phong", "blinn-phong", "dielectric" or "metal"; empty where the
+    /// file says nothing of how it looks.
     std::string look;
     /// Holds "diffuse", "specular", "emissive" and "f0" in linear light, "shininess", "alpha" (the
-    /// width of the highlight) and "opacity"; a number is in all three.
+    /// width of the highlight), "roughness" (that of a matte surface) and "opacity"; a number is in
+    /// all three.
     std::map<std::string, glm::dvec3> values;
     /// Holds full paths of images, or vertexColorsName, by the same words, by "normal" and by
     /// "height".

@@ -18,12 +18,14 @@ namespace fs = std::filesystem;
 
 // The first looks say the most; the last one is what is left of a drawing.
 constexpr std::array<std::string_view, 3> physicalLooks{"metal", "dielectric", "matte"};
+constexpr std::array<std::string_view, 4> openPbrLooks{"metal", "dielectric", "rough-matte",
+                                                       "matte"};
 constexpr std::array<std::string_view, 3> classicalLooks{"blinn-phong", "metal", "matte"};
 
 constexpr std::array<ExchangeFormat, 4> formats{{
     {".gltf", "glTF", {physicalLooks, true}},
     {".glb", "glTF, one file", {physicalLooks, true}},
-    {".mtlx", "MaterialX", {physicalLooks, true}},
+    {".mtlx", "MaterialX", {openPbrLooks, true}},
     {".mtl", "MTL", {classicalLooks, false}},
 }};
 

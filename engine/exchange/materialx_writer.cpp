@@ -38,11 +38,12 @@ class MaterialXMaterial {
             writeMetal();
         } else {
             color("base_color", "diffuse", Kept::Exact, {});
-            if (look_.material.look == "matte") {
-                inputs_ += inputText("specular_weight", "float", "0");
-            } else {
+            if (look_.material.look == "dielectric") {
                 writeDielectric();
                 writeTransmission();
+            } else {
+                inputs_ += inputText("specular_weight", "float", "0");
+                writeDiffuseRoughness();
             }
         }
         writeGlow();
@@ -64,6 +65,26 @@ class MaterialXMaterial {
         color("base_color", "f0", Kept::Exact, {});
         inputs_ += inputText("base_metalness", "float", "1");
         writeRoughness();
+    }
+
+    /// OpenPBR's matte base is EON, whose roughness ends at 1.
+    void writeDiffuseRoughness() {
+        if (look_.material.look != "rough-matte") {
+            return;
+        }
+        const char* input = "base_diffuse_roughness";
+        look_.tellOf("roughness", Kept::Exact, input);
+        const TextureUse* image = look_.image("roughness");
+        if (image != nullptr && image->mode == TextureMode::Replace) {
+            if (const std::string node = imageNode("roughness", "float"); !node.empty()) {
+                inputs_ += linkText(input, "float", node);
+                return;
+            }
+        } else {
+            drop("roughness");
+        }
+        const double roughness = std::min(look_.value("roughness").x, 1.0);
+        inputs_ += inputText(input, "float", shortestFloatText(roughness));
     }
 
     void writeDielectric() {

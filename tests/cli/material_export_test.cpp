@@ -208,6 +208,26 @@ TEST_F(ExportedMaterial, MaterialX_NamesItsSurfaceAndItsImages) {
     }
 }
 
+TEST_F(ExportedMaterial, MaterialX_HasARoughMatteBaseAsItIs) {
+    const Material clay = looking("rough-matte", {"diffuse.color=0.5,0.25,0.125", "roughness=0.5"});
+    EXPECT_TRUE(isAllExact(write(clay, "clay.mtlx")));
+    const std::string text = readFile(folder_ / "clay.mtlx");
+    for (const char* part : {"name=\"base_diffuse_roughness\" type=\"float\" value=\"0.5\"",
+                             "name=\"specular_weight\" type=\"float\" value=\"0\""}) {
+        EXPECT_NE(text.find(part), std::string::npos) << part << '\n' << text;
+    }
+}
+
+/// The paper's own short form is not EON, but nearer to it than Lambert's.
+TEST_F(ExportedMaterial, OtherFormOfARoughMatteBase_IsFittedToIt) {
+    const Material clay = looking("rough-matte", {"form=full", "roughness=0.5"});
+    const std::vector<ExportLine> lines = write(clay, "clay.mtlx");
+    ASSERT_FALSE(lines.empty());
+    EXPECT_TRUE(lines.front().how.starts_with(
+        "has no counterpart as it is set; rough-matte was fitted to it, "))
+        << lines.front().how;
+}
+
 TEST(MaterialExportCommand, EachPreset_IsToldLineByLine) {
     const TemporaryFolder folder;
     const Outcome outcome = patina(

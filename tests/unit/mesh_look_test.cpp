@@ -50,7 +50,8 @@ TEST_P(EveryMeshLook, Value_BeyondItsRange_IsBroughtIntoIt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, EveryMeshLook,
-                         testing::Values("matte", "phong", "blinn-phong", "dielectric", "metal"));
+                         testing::Values("matte", "rough-matte", "phong", "blinn-phong",
+                                         "dielectric", "metal"));
 
 TEST(MeshLook, Metal_HasItsReflectanceAndWidth) {
     const auto material = materialOf(everyValue("metal"), shipped());
