@@ -196,8 +196,10 @@ void addMatch(CLI::App& program, int& status) {
                       "Fit every model that reflects light, and compare errors and times");
     command
         ->add_option("--error", options->error,
-                     "What is made small: log of 1 + pi f cos (the default), relative or linear")
-        ->check(CLI::IsMember({"log", "relative", "linear"}));
+                     "What is made small: log of 1 + pi f cos (the default), relative, linear, or "
+                     "lightness as the eye has it")
+        ->check(CLI::IsMember(
+            std::vector<std::string>(matchErrorWords().begin(), matchErrorWords().end())));
     command->add_option("--samples", options->samples, "Pairs of directions; 4096 without this")
         ->check(CLI::Range(16UL, 1000000UL));
     command

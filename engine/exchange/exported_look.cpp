@@ -111,13 +111,13 @@ Looking carriedOver(const Material& material, const ModelLook& to, const Catalog
 /// Is a look with the values that come nearest to a material.
 struct FittedLook {
     Looking looking;
-    double relative = 0.0; ///< is that of ModelMatch
+    double error = 0.0; ///< is that of the lightness
 };
 
 /// Returns the nearest of the looks; nothing where the material has no reflectance to be fitted.
 std::optional<FittedLook> fittedLook(const Material& material, const std::vector<ModelLook>& looks,
                                      const Catalog& catalog, const Progress& progress) {
-    const auto aim = matchAim(material, catalog, fittedDirections);
+    const auto aim = matchAim(material, catalog, fittedDirections, MatchDirections::LitBall);
     if (!aim) {
         return std::nullopt;
     }
@@ -127,7 +127,7 @@ std::optional<FittedLook> fittedLook(const Material& material, const std::vector
         if (!start || progress.cancelled) {
             continue;
         }
-        FitOptions options;
+        FitOptions options{.error = MatchError::Lightness};
         for (const auto& [word, id] : look.look.values) {
             options.only.push_back(id);
         }
@@ -135,9 +135,9 @@ std::optional<FittedLook> fittedLook(const Material& material, const std::vector
             fittedMaterials({*start}, aim->target, options, catalog,
                             [&](double, const auto&) { return !progress.cancelled; });
         if (!matches.rows.empty() &&
-            (!best || matches.rows.front().relative < isNearer * best->relative)) {
+            (!best || matches.rows.front().error < isNearer * best->error)) {
             const ModelMatch& match = matches.rows.front();
-            best = FittedLook{{match.material, look.look}, match.relative};
+            best = FittedLook{{match.material, look.look}, match.error};
         }
     }
     return best;
@@ -196,9 +196,9 @@ Result<Looking> lookingOf(const Material& material, std::span<const std::string_
         return carried;
     }
     said.tell(Kept::Approximated, model->label,
-              fmt::format("has no counterpart as it is set; {} was fitted to it, {:.2g} % away in "
-                          "the mean",
-                          fitted->looking.look.look, 100.0 * fitted->relative));
+              fmt::format("has no counterpart as it is set; {} was fitted to it, off by {:.2g} "
+                          "of the 100 steps of lightness in the mean",
+                          fitted->looking.look.look, 100.0 * fitted->error));
     fitted->looking.material = withTheRest(std::move(fitted->looking.material), material, catalog);
     return std::move(fitted->looking);
 }

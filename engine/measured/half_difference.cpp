@@ -8,9 +8,7 @@
 #include <glm/vec2.hpp>
 
 namespace patina {
-namespace {
 
-/// Returns the number of an index of the sequence of van der Corput in a base, 0 .. 1.
 double radicalInverse(std::size_t index, std::size_t base) {
     double result = 0.0;
     double digit = 1.0;
@@ -20,8 +18,6 @@ double radicalInverse(std::size_t index, std::size_t base) {
     }
     return result;
 }
-
-} // namespace
 
 HalfDifference halfDifference(const DirectionPair& pair) {
     const glm::dvec3 h = glm::normalize(pair.l + pair.v);

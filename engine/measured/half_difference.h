@@ -20,6 +20,9 @@ HalfDifference halfDifference(const DirectionPair& pair);
 /// below the surface.
 DirectionPair directionsAt(const HalfDifference& angles);
 
+/// Returns the number of an index of the sequence of van der Corput in a base, 0 .. 1.
+double radicalInverse(std::size_t index, std::size_t base);
+
 /// Returns the pair of directions of an index, 1 or more, of Halton's sequence over their half
 /// vector (by the root of its angle, so dense around the normal), the light around it, and the turn
 /// of both around the normal. One may be below the surface.

@@ -150,6 +150,19 @@ TEST_F(ExportedMaterial, WhatNoLookSays_IsFittedAndTold) {
     EXPECT_LT(glm::length(color - glm::dvec3(0.4, 0.3, 0.2)), 1e-4);
 }
 
+/// Its highlight has most of its light, but next to none of the ball.
+TEST_F(ExportedMaterial, FittedPlastic_KeepsTheColourOfItsBall) {
+    const auto plastic = readPreset(shipped("presets/strauss/red-plastic.patina.json"), blocks());
+    ASSERT_TRUE(plastic);
+    write(plastic->material, "plastic.gltf");
+    const Material back = read("plastic.gltf");
+    const auto color = std::get<glm::dvec3>(back.model.parameters.at("diffuse.color"));
+    EXPECT_GT(color.r, 0.1);
+    EXPECT_LT(color.g, 0.02);
+    EXPECT_LT(color.b, 0.02);
+    EXPECT_NEAR(std::get<double>(back.model.parameters.at("roughness")), 0.2, 0.05);
+}
+
 TEST_F(ExportedMaterial, BodyThatRefracts_IsADielectricWithAVolume) {
     const Material glass =
         looking("dielectric", {"diffuse.color=0,0,0", "opacity=0.25", "refraction=solid-body",

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include <gtest/gtest.h>
 
@@ -158,6 +159,33 @@ TEST(Matched, SurfaceMeasuredAtGrazingAnglesAlone_IsAnError) {
     const auto aim = readMatchAim(folder / "a.binary", catalog(), 256);
     ASSERT_FALSE(aim);
     EXPECT_NE(text(aim.error()).find("80 degrees"), std::string::npos);
+}
+
+TEST(Matched, DirectionsOfALitBall_CountAsOneEach) {
+    const auto target = matchTarget(*sweepVariant(catalog(), hidden("lambert", {})), 400, catalog(),
+                                    MatchDirections::LitBall);
+    ASSERT_TRUE(target);
+    ASSERT_EQ(target->weights.size(), 400u);
+    EXPECT_NEAR(std::accumulate(target->weights.begin(), target->weights.end(), 0.0), 400.0, 25.0);
+    EXPECT_EQ(target->first(10).weights.size(), 10u);
+}
+
+/// Lightness asks for the colour of a surface, and light for its highlight.
+TEST(Matched, Lightness_KeepsABodysColourUnderAHighlightThatCannotBeHad) {
+    const auto target = matchTarget(
+        *sweepVariant(catalog(), hidden("phong", {{"diffuse.color", glm::dvec3(0.4, 0.05, 0.05)},
+                                                  {"specular.color", glm::dvec3(1.0)},
+                                                  {"shininess", 400.0}})),
+        512, catalog(), MatchDirections::LitBall);
+    ASSERT_TRUE(target);
+    const ModelMatches matches =
+        fittedMaterials({hidden("lambert", {})}, *target, {.error = MatchError::Lightness},
+                        catalog(), [](double, const ModelMatches&) { return true; });
+    ASSERT_EQ(matches.rows.size(), 1u);
+    const auto color =
+        std::get<glm::dvec3>(matches.rows.front().material.model.parameters.at("diffuse.color"));
+    EXPECT_NEAR(color.r, 0.4, 0.1);
+    EXPECT_NEAR(color.g, 0.05, 0.05);
 }
 
 TEST(Matched, Drawings_AreNoReflectances) {

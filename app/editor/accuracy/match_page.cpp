@@ -186,6 +186,9 @@ QWidget* MatchPage::makeControls() {
              tr("(m - t) / (t + 0.01): dark directions count as much as bright ones"));
     addError(MatchError::Linear, tr("Linear error"),
              tr("m - t: the brightest directions count most"));
+    addError(MatchError::Lightness, tr("Lightness error"),
+             tr("L*(m) - L*(t), CIE's lightness, 1 for white: dark and bright count as the eye has "
+                "them"));
     error_->setToolTip(tr("What a fit makes small; all count flat directions by their cosine"));
     auto* open = textButton(tr("File…"), tr("Match a preset or a measured surface"), this);
     connect(open, &QToolButton::clicked, this, [this] { askForFile(); });

@@ -24,6 +24,24 @@ bool isUsable(const DirectionPair& pair) {
     return pair.l.z > minCosine && pair.v.z > minCosine;
 }
 
+/// Of so many pairs on a ball one is of spreadPair().
+constexpr std::size_t ballRow = 4;
+constexpr double spreadWeight = 0.1 * double(ballRow);
+constexpr double ballWeight = 0.9 * double(ballRow) / double(ballRow - 1);
+
+/// Returns the pair of an index for a pixel of a ball's picture, as far as it is seen, and a light
+/// from anywhere.
+DirectionPair ballPair(std::size_t index) {
+    const double radius = std::sqrt(radicalInverse(index, 2));
+    const double height = radicalInverse(index, 3);
+    const auto turned = [](double turn, double across, double along) {
+        return glm::dvec3(across * std::cos(2.0 * pi * turn), across * std::sin(2.0 * pi * turn),
+                          along);
+    };
+    return {turned(radicalInverse(index, 5), std::sqrt(1.0 - height * height), height),
+            turned(radicalInverse(index, 7), radius, std::sqrt(1.0 - radius * radius))};
+}
+
 } // namespace
 
 MatchTarget MatchTarget::first(std::size_t count) const {
@@ -35,6 +53,9 @@ MatchTarget MatchTarget::first(std::size_t count) const {
     fewer.name = name;
     fewer.pairs.assign(pairs.begin(), pairs.begin() + std::ptrdiff_t(count));
     fewer.values.assign(values.begin(), values.begin() + std::ptrdiff_t(count));
+    if (!weights.empty()) {
+        fewer.weights.assign(weights.begin(), weights.begin() + std::ptrdiff_t(count));
+    }
     return fewer;
 }
 
@@ -53,8 +74,8 @@ Result<MatchTarget> matchTarget(const MeasuredReflectance& measured, std::size_t
     return target.first(samples);
 }
 
-Result<MatchTarget> matchTarget(const EvalCase& model, std::size_t samples,
-                                const Catalog& catalog) {
+Result<MatchTarget> matchTarget(const EvalCase& model, std::size_t samples, const Catalog& catalog,
+                                MatchDirections directions) {
     if (const std::string why = whyNoReflectance(*model.block.block); !why.empty()) {
         return failure(why);
     }
@@ -65,10 +86,15 @@ Result<MatchTarget> matchTarget(const EvalCase& model, std::size_t samples,
     MatchTarget target;
     target.isIsotropic = false;
     for (std::size_t index = 1; target.pairs.size() < samples; ++index) {
-        const DirectionPair pair = spreadPair(index);
-        if (isUsable(pair)) {
-            target.pairs.push_back(pair);
-            target.values.push_back(values->at(pair));
+        const bool isSpread = directions == MatchDirections::Spread || index % ballRow == 0;
+        const DirectionPair pair = isSpread ? spreadPair(index) : ballPair(index);
+        if (!isUsable(pair)) {
+            continue;
+        }
+        target.pairs.push_back(pair);
+        target.values.push_back(values->at(pair));
+        if (directions == MatchDirections::LitBall) {
+            target.weights.push_back(isSpread ? spreadWeight : ballWeight);
         }
     }
     if (values->isEndless()) {
@@ -77,10 +103,11 @@ Result<MatchTarget> matchTarget(const EvalCase& model, std::size_t samples,
     return target;
 }
 
-Result<MatchAim> matchAim(const Material& material, const Catalog& catalog, std::size_t samples) {
+Result<MatchAim> matchAim(const Material& material, const Catalog& catalog, std::size_t samples,
+                          MatchDirections directions) {
     return sweepVariant(catalog, material)
-        .and_then([samples, &catalog](const EvalCase& model) {
-            return matchTarget(model, samples, catalog);
+        .and_then([samples, directions, &catalog](const EvalCase& model) {
+            return matchTarget(model, samples, catalog, directions);
         })
         .map([&material](MatchTarget target) {
             target.name = material.name;

@@ -24,6 +24,7 @@ struct MatchTarget {
     std::vector<glm::dvec3> values;
     bool isIsotropic = true;
     std::string name{}; ///< says for people what it is of; may be empty
+    std::vector<double> weights{}; ///< say how much each pair counts; empty: all count alike
 
     /// Returns the first `count`, which are spread as all are; all where there are fewer.
     MatchTarget first(std::size_t count) const;
@@ -44,12 +45,22 @@ struct MatchAim {
 Checked<MatchAim> readMatchAim(const std::filesystem::path& file, const Catalog& catalog,
                                std::size_t samples, const ReadingRights& rights = {});
 
-/// Returns an aim that is a material.
-Result<MatchAim> matchAim(const Material& material, const Catalog& catalog, std::size_t samples);
+/// Says in which directions a material is matched.
+enum class MatchDirections {
+    Spread, ///< are those of spreadPair(): dense around the mirror direction
+    /// Are those of the pixels of a ball that is lit from all around. A tenth of the weight is on
+    /// those of spreadPair(), so that a narrow highlight is met.
+    LitBall
+};
 
-/// Returns a target of a material's model (sweepVariant()), in directions that are dense around the
-/// mirror direction and sparse at grazing angles. It is an error where the model is no
-/// reflectance (whyNoReflectance()) or cannot be evaluated (ModelValues).
-Result<MatchTarget> matchTarget(const EvalCase& model, std::size_t samples, const Catalog& catalog);
+/// Returns an aim that is a material.
+Result<MatchAim> matchAim(const Material& material, const Catalog& catalog, std::size_t samples,
+                          MatchDirections directions = MatchDirections::Spread);
+
+/// Returns a target of a material's model (sweepVariant()), without directions more than 80 degrees
+/// from the normal. It is an error where the model is no reflectance (whyNoReflectance()) or cannot
+/// be evaluated (ModelValues).
+Result<MatchTarget> matchTarget(const EvalCase& model, std::size_t samples, const Catalog& catalog,
+                                MatchDirections directions = MatchDirections::Spread);
 
 } // namespace patina

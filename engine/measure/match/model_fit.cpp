@@ -56,13 +56,23 @@ constexpr int maxChoices = 3;
 /// Keeps a relative error finite where the target is black.
 constexpr double relativeFloor = 0.01;
 
+/// Returns CIE's lightness (CIE 15:2004, equation 8.1), as a share of that of a white surface. What
+/// is brighter than that counts by its logarithm, since no screen shows it so.
+double lightness(double value) {
+    constexpr double dark = 216.0 / 24389.0;
+    const double shown = value > 1.0 ? 1.0 + std::log(value) : value;
+    return shown > dark ? 1.16 * std::cbrt(shown) - 0.16 : 243.89 / 27.0 * shown;
+}
+
 /// Returns the target's values as the measure of a fit compares them.
 std::vector<double> wantedOf(const MatchTarget& target, MatchError error) {
     std::vector<double> wanted;
     wanted.reserve(3 * target.values.size());
     for (const glm::dvec3& value : target.values) {
         for (int c = 0; c < 3; ++c) {
-            wanted.push_back(error == MatchError::Log ? std::log1p(value[c]) : value[c]);
+            wanted.push_back(error == MatchError::Log         ? std::log1p(value[c])
+                             : error == MatchError::Lightness ? lightness(value[c])
+                                                              : value[c]);
         }
     }
     return wanted;
@@ -75,6 +85,8 @@ double difference(MatchError error, double model, double wanted) {
         return (model - wanted) / (wanted + relativeFloor);
     case MatchError::Linear:
         return model - wanted;
+    case MatchError::Lightness:
+        return lightness(model) - wanted;
     default:
         return std::log1p(model) - wanted;
     }
@@ -106,8 +118,9 @@ class Fit {
         const double* wanted = wanted_.data();
         for (std::size_t i = 0; i < target_.pairs.size(); ++i) {
             const glm::dvec3 value = values.at(target_.pairs[i]);
+            const double share = target_.weights.empty() ? 1.0 : std::sqrt(target_.weights[i]);
             for (int c = 0; c < 3; ++c) {
-                *out++ = difference(error_, value[c], *wanted++);
+                *out++ = share * difference(error_, value[c], *wanted++);
             }
         }
         return true;
@@ -431,8 +444,14 @@ double relativeError(const EvalCase& model, const MatchTarget& target, const Cat
 
 } // namespace
 
+std::span<const std::string_view> matchErrorWords() {
+    static constexpr std::array<std::string_view, 4> words{"log", "relative", "linear",
+                                                           "lightness"};
+    return words;
+}
+
 std::optional<MatchError> matchErrorOf(std::string_view word) {
-    constexpr std::array<std::string_view, 3> words{"log", "relative", "linear"};
+    const std::span<const std::string_view> words = matchErrorWords();
     const auto found = std::ranges::find(words, word);
     return found == words.end() ? std::nullopt
                                 : std::optional(static_cast<MatchError>(found - words.begin()));

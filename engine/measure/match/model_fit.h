@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,11 +18,16 @@ namespace patina {
 enum class MatchError {
     Log,      ///< ln(1 + m) - ln(1 + t): a highlight does not hide the rest
     Relative, ///< (m - t) / (t + 0.01)
-    Linear    ///< m - t
+    Linear,   ///< m - t
+    /// L*(m) - L*(t), CIE's lightness of a channel, from 0 for black to 1 for white, above which m
+    /// and t count by their logarithm.
+    Lightness
 };
 
-/// Returns the error's row in the order above by its word ("log", "relative", "linear"); nothing
-/// for another word.
+/// Returns the words of the errors, in the order above.
+std::span<const std::string_view> matchErrorWords();
+
+/// Returns the error of a word; nothing for another word.
 std::optional<MatchError> matchErrorOf(std::string_view word);
 
 struct FitOptions {
