@@ -20,6 +20,7 @@ namespace {
 constexpr std::size_t fittedDirections = 1024;
 /// Is how much less error a later look must have to be taken: the first ones say more.
 constexpr double isNearer = 0.95;
+constexpr double lostImage = 0.1; ///< is the error that an image counts as which a look has not
 constexpr std::string_view transmission = "transmission"; ///< is the look of what refracts
 
 /// Is a material with the look that it has.
@@ -114,6 +115,44 @@ struct FittedLook {
     double error = 0.0; ///< is that of the lightness
 };
 
+/// Returns the image on a value of its model; null for none.
+const TextureUse* imageOn(const Material& material, const std::string& id) {
+    const auto image = material.textures.find(id);
+    return image != material.textures.end() && image->second.enabled ? &image->second : nullptr;
+}
+
+/// Returns the values of a look that may change in a fit of `start`. One that an image replaces is
+/// the material's own, and beside a colour with an image no other colour changes, or that would
+/// take over what the image is seen by.
+std::vector<std::string> freeValues(const Material& material, Material& start, const MeshLook& look,
+                                    const Catalog& catalog) {
+    std::vector<std::string> free;
+    const bool hasImage = std::ranges::any_of(
+        look.values, [&](const auto& pair) { return imageOn(material, pair.second) != nullptr; });
+    for (const auto& [word, id] : look.values) {
+        const TextureUse* image = imageOn(material, id);
+        const Parameter* parameter = parameterIn(start, id, catalog);
+        const auto own = material.model.parameters.find(id);
+        if (image != nullptr && image->mode == TextureMode::Replace) {
+            if (own != material.model.parameters.end()) {
+                start.model.parameters[id] = own->second;
+            }
+        } else if (image != nullptr || !hasImage || parameter == nullptr ||
+                   !infoOf(parameter->type).isColor) {
+            free.push_back(id);
+        }
+    }
+    return free;
+}
+
+/// Counts the images on values that a look does not have.
+std::ptrdiff_t lostImages(const Material& material, const MeshLook& look) {
+    return std::ranges::count_if(material.textures, [&look](const auto& each) {
+        return each.second.enabled && textureRole(each.first) == TextureRole::Input &&
+               !isSaid(look, each.first);
+    });
+}
+
 /// Returns the nearest of the looks; nothing where the material has no reflectance to be fitted.
 std::optional<FittedLook> fittedLook(const Material& material, const std::vector<ModelLook>& looks,
                                      const Catalog& catalog, const Progress& progress) {
@@ -122,22 +161,25 @@ std::optional<FittedLook> fittedLook(const Material& material, const std::vector
         return std::nullopt;
     }
     std::optional<FittedLook> best;
+    double minCost = 0.0;
     for (const ModelLook& look : looks) {
-        const auto start = look.start(catalog);
+        auto start = look.start(catalog);
         if (!start || progress.cancelled) {
             continue;
         }
         FitOptions options{.error = MatchError::Lightness};
-        for (const auto& [word, id] : look.look.values) {
-            options.only.push_back(id);
-        }
+        options.only = freeValues(material, *start, look.look, catalog);
         const ModelMatches matches =
             fittedMaterials({*start}, aim->target, options, catalog,
                             [&](double, const auto&) { return !progress.cancelled; });
-        if (!matches.rows.empty() &&
-            (!best || matches.rows.front().error < isNearer * best->error)) {
-            const ModelMatch& match = matches.rows.front();
+        if (matches.rows.empty()) {
+            continue;
+        }
+        const ModelMatch& match = matches.rows.front();
+        const double cost = match.error + lostImage * double(lostImages(material, look.look));
+        if (!best || cost < isNearer * minCost) {
             best = FittedLook{{match.material, look.look}, match.error};
+            minCost = cost;
         }
     }
     return best;

@@ -163,6 +163,20 @@ TEST_F(ExportedMaterial, FittedPlastic_KeepsTheColourOfItsBall) {
     EXPECT_NEAR(std::get<double>(back.model.parameters.at("roughness")), 0.2, 0.05);
 }
 
+/// Another look comes nearer, but has no colour that the image could lie on.
+TEST_F(ExportedMaterial, FittedSurfaceWithAnImage_KeepsItOnItsColour) {
+    auto velvet = readPreset(shipped("presets/minnaert/velvet.patina.json"), blocks());
+    ASSERT_TRUE(velvet);
+    for (auto& [key, use] : velvet->material.textures) {
+        use.scale = glm::dvec2(1.0);
+    }
+    write(velvet->material, "velvet.gltf");
+    const Material back = read("velvet.gltf");
+    ASSERT_TRUE(back.textures.contains("diffuse.color"));
+    const auto color = std::get<glm::dvec3>(back.model.parameters.at("diffuse.color"));
+    EXPECT_GT(color.r, 0.05);
+}
+
 TEST_F(ExportedMaterial, BodyThatRefracts_IsADielectricWithAVolume) {
     const Material glass =
         looking("dielectric", {"diffuse.color=0,0,0", "opacity=0.25", "refraction=solid-body",
