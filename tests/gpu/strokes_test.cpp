@@ -269,17 +269,17 @@ TEST_F(Strokes, BehindANearerObject_AreHidden) {
 }
 
 TEST_F(Strokes, OfExtremeValues_EndInAPicture) {
-    for (const char* style : {"brush", "graftal", "pen"}) {
+    for (const Block* style : catalog->ofKind("strokes")) {
         Scene scene = simpleScene();
-        BlockValues strokes = block("strokes", style);
-        for (const Parameter& parameter : catalog->find("strokes", style)->parameters) {
+        BlockValues strokes = block("strokes", style->id);
+        for (const Parameter& parameter : style->parameters) {
             if (std::holds_alternative<double>(strokes.parameters[parameter.id])) {
                 strokes.parameters[parameter.id] = parameter.max;
             }
         }
         scene.objects[0].material.parts["strokes"] = strokes;
         for (const float number : picture(scene, 24).pixels) {
-            ASSERT_TRUE(std::isfinite(number) && number >= 0.0f) << style;
+            ASSERT_TRUE(std::isfinite(number) && number >= 0.0f) << style->id;
         }
     }
 }
