@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 // Light whose field swings along a line more than across it.
 #include "lib/fresnel.glsl"
+#include "lib/polarisation.glsl"
 
 // How much of the light that is looked at swings across the plane of incidence: half of ordinary
 // light.
@@ -12,7 +13,7 @@ float polarisedShare(float Rs, float Rp) {
     return sum > 1e-30 ? 2.0 * mix(Rp, Rs, fieldAcross) / sum : 1.0;
 }
 
-// The same of a clear surface and of a metal, and of a clear one that reflects F0 facing the light.
+// The same of a clear surface and of a metal.
 float polarisedDielectric(Incidence i, float etaI, float etaT) {
     float Rs;
     float Rp;
@@ -27,8 +28,11 @@ float polarisedConductor(Incidence i, float etaI, float eta, float k) {
     return polarisedShare(Rs, Rp);
 }
 
-float polarisedF0(Incidence i, float F0) {
-    return polarisedDielectric(i, 1.0, min(indexFromF0(clamp(F0, 0.0, 1.0)), 1e4));
+// The same of a surface that reflects F0 facing the light and R from where it comes: as the clear
+// surface of that F0 does, also where F0 is 0, and no more than all of either light.
+float polarisedF0(Incidence i, float F0, float R) {
+    float index = min(indexFromF0(clamp(F0, 0.0, 1.0)), 1e4);
+    return polarisedShare(1.0, clamp(2.0 * R - 1.0, dielectricRatio(i, index), 1.0));
 }
 
 // How much of light from l swings across the plane of l and v, the plane of incidence of what is

@@ -115,8 +115,8 @@ TEST_F(PolarisedLight, OnAFilm_IsReflectedAsInDoublePrecision) {
     }
 }
 
-/// A term without such parts says so.
-TEST_F(PolarisedLight, OnAnEmpiricalTerm_IsOrdinaryLightAndItsRowSaysSo) {
+/// A term that names no index says what it is taken for.
+TEST_F(PolarisedLight, OnAnEmpiricalTerm_IsThatOfAClearMaterialAndItsRowSaysSo) {
     const auto reason = [this](const Scene& scene) {
         for (const EffectRow& row : effectRows(scene, 0, *catalog)) {
             if (row.line.effect == "fresnel/empirical") {
@@ -125,12 +125,42 @@ TEST_F(PolarisedLight, OnAnEmpiricalTerm_IsOrdinaryLightAndItsRowSaysSo) {
         }
         return std::string();
     };
-    const Scene scene = mirror("empirical", 50.0);
+    Scene scene = mirror("empirical", 50.0);
+    scene.objects[0].material.parts["fresnel"].parameters["bias"] = 0.04; // an index of 1.5
     EXPECT_EQ(reason(scene), "The material chooses it for the model.");
-    EXPECT_EQ(reason(polarised(scene, along)),
-              "The material chooses it for the model. It knows no polarisation: polarised light is "
-              "mirrored like ordinary light.");
-    EXPECT_EQ(text(polarised(scene, along)).find("fieldAcross"), std::string::npos);
+    EXPECT_EQ(
+        reason(polarised(scene, along)),
+        "The material chooses it for the model. It names no index: polarised light is mirrored "
+        "as by the clear material that mirrors as much facing it.");
+    const auto media =
+        interfaceOf(*catalog->find("fresnel", "dielectric"), defaults("fresnel", "dielectric"));
+    ASSERT_TRUE(media);
+    const PolarisedPoint right = reflectedAt(*media, glm::radians(50.0), false);
+    EXPECT_NEAR(seen(polarised(scene, along)).y / seen(polarised(scene, across)).y,
+                right.p.y / right.s.y, 4e-3);
+}
+
+/// Where a term reflects nothing facing it the index is 1, and what is reflected along is to what
+/// is across as the square of the cosine of twice the angle: the limit of Fresnel's equations.
+TEST_F(PolarisedLight, OnTermsThatMirrorNothingFacingThem_IsTheLimitOfFresnels) {
+    for (const char* fresnel : {"strauss", "schlick", "empirical"}) {
+        Scene scene = mirror(fresnel, 60.0);
+        if (const Parameter* f0 = catalog->find("fresnel", fresnel)->withRole(roles::f0)) {
+            scene.objects[0].material.parts["fresnel"].parameters[f0->id] = glm::dvec3(0.0);
+        }
+        EXPECT_NEAR(seen(polarised(scene, along)).y / seen(polarised(scene, across)).y, 0.25, 4e-3)
+            << fresnel;
+    }
+}
+
+/// At Brewster's angle of a high reflectance, where Fresnel's own dips, Schlick's rises.
+TEST_F(PolarisedLight, OnATermThatMirrorsMuch_IsNoMoreThanAllOfIt) {
+    Scene scene = mirror("schlick", 80.0);
+    scene.objects[0].material.parts["fresnel"].parameters["f0"] = glm::dvec3(0.5);
+    const double ordinary = seen(scene).y; // of a reflectance of 0.5 + 0.5 (1 - cos 80)^5
+    const double reflectance = 0.5 + 0.5 * std::pow(1.0 - std::cos(glm::radians(80.0)), 5.0);
+    const double all = ordinary / reflectance;
+    EXPECT_NEAR(seen(polarised(scene, across)).y, all, 4e-3 * all);
 }
 
 /// Ordinary light is half of each, whatever the term.
@@ -145,8 +175,7 @@ TEST_F(PolarisedLight, AcrossAndAlong_AddUpToOrdinaryLight) {
             EXPECT_NEAR(one[channel] + other[channel], 2.0 * both[channel],
                         4e-3 * both[channel] + 1e-6);
         }
-        const bool answers = one.y > 1.02 * other.y;
-        EXPECT_EQ(answers, fresnel->id != "empirical"); // which is no reflectance of a surface
+        EXPECT_GT(one.y, 1.02 * other.y);
     }
 }
 

@@ -237,6 +237,21 @@ TEST(DielectricFresnel, PolarisedAlongAtBrewstersAngle_IsDark) {
     }
 }
 
+/// From index to index, also where both parts vanish.
+TEST(DielectricRatio, IsThatOfBothPolarisations) {
+    for (const double eta : {1.0, 1.0 + 1e-9, 1.001, 1.333, 2.417, 50.0, 1e4}) {
+        for (const double degrees : {0.0, 1e-3, 20.0, 45.0, 56.3, 80.0, 89.999, 90.0}) {
+            const double c = degrees == 90.0 ? 0.0 : std::cos(glm::radians(degrees));
+            const double versine = 2.0 * std::pow(std::sin(glm::radians(0.5 * degrees)), 2.0);
+            const double ratio = call("dielectricRatio", {c, versine, eta})[0];
+            const double limit = std::pow(std::cos(glm::radians(2.0 * degrees)), 2.0);
+            const auto parts = call("dielectricReflectances", {c, versine, 1.0, eta});
+            EXPECT_NEAR(ratio, eta == 1.0 ? limit : parts[1] / parts[0], 1e-12)
+                << eta << ' ' << degrees;
+        }
+    }
+}
+
 TEST(ConductorFresnel, WithoutAbsorption_IsTheDielectric) {
     for (const double eta : {0.05, 1.0 + 1e-6, 1.5, 100.0}) {
         for (const double c : {0.0, 1e-6, 0.1, 0.5, 0.9, 1.0}) {

@@ -29,6 +29,17 @@ void callPolarised(const double* in, double* out, reference::Parameters values) 
 
 constexpr reference::BlockCall polarisedCalls[] = {{"", 2, 3, &callPolarised}};
 
+/// Returns parts in proportion to what a surface reflects of light that swings across and along the
+/// plane of incidence, where it reflects so much facing the light and so much from there.
+std::array<double, 2> likeClear(const std::array<double, 2>& incidence, double facing,
+                                double ordinary) {
+    const double index =
+        std::min(libraryCall<1, 1>("indexFromF0", {std::clamp(facing, 0.0, 1.0)})[0], 1e4);
+    const double ratio =
+        libraryCall<1, 3>("dielectricRatio", {incidence[0], incidence[1], index})[0];
+    return {1.0, std::clamp(2.0 * ordinary - 1.0, ratio, 1.0)};
+}
+
 std::optional<std::size_t> offsetOf(const BlockPlace& place, std::string_view role) {
     const ParameterField* field = place.layout.withRole(role);
     return field == nullptr ? std::nullopt : std::optional(field->offset);
@@ -60,32 +71,42 @@ glm::dvec3 PolarisedTerm::reflectance(const std::array<double, 2>& incidence,
         const glm::dvec3 swings(s[0], s[1], s[2]);
         return glm::max(glm::mix(2.0 * ordinary - swings, swings, fieldAcross), 0.0);
     }
-    return ordinary * glm::dvec3(share(0, incidence, values, fieldAcross),
-                                 share(1, incidence, values, fieldAcross),
-                                 share(2, incidence, values, fieldAcross));
+    const glm::dvec3 facing = facingOf(values);
+    glm::dvec3 share;
+    for (int channel = 0; channel < 3; ++channel) {
+        const auto both = reflectancesOf(channel, incidence, values);
+        const auto [s, p] = both ? *both : likeClear(incidence, facing[channel], ordinary[channel]);
+        const double sum = s + p;
+        share[channel] = sum > 1e-30 ? 2.0 * glm::mix(p, s, fieldAcross) / sum : 1.0;
+    }
+    return ordinary * share;
 }
 
-/// Returns the reflectance of one channel over that of ordinary light; 1 where no roles tell it.
-double PolarisedTerm::share(int channel, const std::array<double, 2>& incidence,
-                            reference::Parameters values, double fieldAcross) const {
+/// Returns what the term reflects of light that comes along the normal.
+glm::dvec3 PolarisedTerm::facingOf(reference::Parameters values) const {
+    if (at_.f0) {
+        return {values[*at_.f0], values[*at_.f0 + 1], values[*at_.f0 + 2]};
+    }
+    return code_->fresnel(1.0, 0.0, values);
+}
+
+/// Returns what one channel reflects of light that swings across and along the plane of incidence,
+/// by the indices that roles name; nothing where none do.
+std::optional<std::array<double, 2>>
+PolarisedTerm::reflectancesOf(int channel, const std::array<double, 2>& incidence,
+                              reference::Parameters values) const {
     const auto in = static_cast<std::size_t>(channel);
     const double outside = at_.outside ? values[*at_.outside] : 1.0;
-    std::array<double, 2> both{1.0, 1.0};
     if (at_.outside && at_.inside) {
-        both = libraryCall<2, 4>("dielectricReflectances",
+        return libraryCall<2, 4>("dielectricReflectances",
                                  {incidence[0], incidence[1], outside, values[*at_.inside]});
-    } else if (at_.index && at_.extinction) {
-        both = libraryCall<2, 5>("conductorReflectances",
+    }
+    if (at_.index && at_.extinction) {
+        return libraryCall<2, 5>("conductorReflectances",
                                  {incidence[0], incidence[1], outside, values[*at_.index + in],
                                   values[*at_.extinction + in]});
-    } else if (at_.f0) {
-        const double f0 = std::clamp(values[*at_.f0 + in], 0.0, 1.0);
-        const double index = std::min(libraryCall<1, 1>("indexFromF0", {f0})[0], 1e4);
-        both =
-            libraryCall<2, 4>("dielectricReflectances", {incidence[0], incidence[1], 1.0, index});
     }
-    const double sum = both[0] + both[1];
-    return sum > 1e-30 ? 2.0 * glm::mix(both[1], both[0], fieldAcross) / sum : 1.0;
+    return std::nullopt;
 }
 
 FieldAcross::FieldAcross(const PolarisedTerm& term, double fieldAcross) {

@@ -14,7 +14,8 @@ namespace patina {
 
 /// Reflects polarised light by a Fresnel term in double precision, as passes/polarised.glsl and
 /// writePolarisedFresnel() do on the device: by the term's own function for light that swings
-/// across the plane of incidence, else by the indices that its roles name.
+/// across the plane of incidence, by the indices that its roles name, or as the clear material that
+/// reflects as much facing it.
 class PolarisedTerm {
   public:
     /// Takes the code of the block at `place`, which must outlive the term.
@@ -42,8 +43,10 @@ class PolarisedTerm {
         std::optional<std::size_t> filter;
     };
 
-    double share(int channel, const std::array<double, 2>& incidence, reference::Parameters values,
-                 double fieldAcross) const;
+    glm::dvec3 facingOf(reference::Parameters values) const;
+    std::optional<std::array<double, 2>> reflectancesOf(int channel,
+                                                        const std::array<double, 2>& incidence,
+                                                        reference::Parameters values) const;
 
     const reference::Block* code_;
     Offsets at_;

@@ -38,14 +38,14 @@ std::string fieldOf(const Block& block, std::string_view role) {
     return parameter == nullptr ? std::string() : "p." + fieldName(parameter->id);
 }
 
-/// Returns an expression for how differently one channel is reflected, by the roles of the block;
-/// empty where these name no interface. A film, whose wavelengths matter, is none.
+/// Returns an expression for how differently one channel is reflected, by the indices that the
+/// block's roles name; empty where these name no interface. A film, whose wavelengths matter, is
+/// none.
 std::string polarisedChannel(const Block& block, std::string_view channel) {
     const std::string outside = fieldOf(block, roles::indexOutside);
     const std::string inside = fieldOf(block, roles::indexInside);
     const std::string index = fieldOf(block, roles::index);
     const std::string extinction = fieldOf(block, roles::extinction);
-    const std::string f0 = fieldOf(block, roles::f0);
     if (block.withRole(roles::wavelengths) != nullptr) {
         return {};
     }
@@ -56,7 +56,7 @@ std::string polarisedChannel(const Block& block, std::string_view channel) {
         return fmt::format("polarisedConductor(i, {}, {}.{}, {}.{})",
                            outside.empty() ? "1.0" : outside, index, channel, extinction, channel);
     }
-    return f0.empty() ? std::string() : fmt::format("polarisedF0(i, {}.{})", f0, channel);
+    return {};
 }
 
 /// Tells whether the block itself says what it reflects of light that swings across the plane of
@@ -66,18 +66,30 @@ bool tellsAcross(const Block& block) {
     return code && (*code)->optionalCall(reference::acrossSuffix) != nullptr;
 }
 
+/// Tells whether the block names what reflects: an interface, or how much of it does facing it.
 bool knowsPolarisation(const Block& fresnel) {
-    return !polarisedChannel(fresnel, "x").empty() || tellsAcross(fresnel);
+    return !polarisedChannel(fresnel, "x").empty() || tellsAcross(fresnel) ||
+           fresnel.withRole(roles::f0) != nullptr;
 }
 
-/// Returns an expression for the share of light of any polarisation, from that of ordinary light.
+/// Returns the statement that ends the function: the share of light of any polarisation, from that
+/// of ordinary light.
 std::string polarisedShare(const Block& fresnel) {
     if (tellsAcross(fresnel)) {
-        return fmt::format("polarisedOf(ordinary, {}{}(i, p))", functionName(fresnel),
+        return fmt::format("    return polarisedOf(ordinary, {}{}(i, p));\n", functionName(fresnel),
                            reference::acrossSuffix);
     }
-    return fmt::format("ordinary * vec3({}, {}, {})", polarisedChannel(fresnel, "x"),
-                       polarisedChannel(fresnel, "y"), polarisedChannel(fresnel, "z"));
+    if (!polarisedChannel(fresnel, "x").empty()) {
+        return fmt::format("    return ordinary * vec3({}, {}, {});\n",
+                           polarisedChannel(fresnel, "x"), polarisedChannel(fresnel, "y"),
+                           polarisedChannel(fresnel, "z"));
+    }
+    const std::string f0 = fieldOf(fresnel, roles::f0);
+    return fmt::format("    vec3 facing = {};\n"
+                       "    return ordinary * vec3(polarisedF0(i, facing.x, ordinary.x),\n"
+                       "        polarisedF0(i, facing.y, ordinary.y),\n"
+                       "        polarisedF0(i, facing.z, ordinary.z));\n",
+                       f0.empty() ? functionName(fresnel) + "(incidenceOf(1.0), p)" : f0);
 }
 
 bool isDiffuse(const Parameter& parameter) {
@@ -113,8 +125,8 @@ LightPolarisation lightPolarisation(const Block& light, const Values& values) {
     LightPolarisation found;
     if (const Parameter* degree = light.withRole(roles::polarised)) {
         const auto* number = std::get_if<double>(&givenValue(*degree, values));
-        found.degree = number != nullptr && std::isfinite(*number) ? std::clamp(*number, 0.0, 1.0)
-                                                                   : 0.0;
+        found.degree =
+            number != nullptr && std::isfinite(*number) ? std::clamp(*number, 0.0, 1.0) : 0.0;
     }
     if (const Parameter* direction = light.withRole(roles::fieldDirection)) {
         const auto* given = std::get_if<glm::dvec3>(&givenValue(*direction, values));
@@ -125,15 +137,15 @@ LightPolarisation lightPolarisation(const Block& light, const Values& values) {
 
 bool answersPolarisedLight(const EffectSet& set) {
     return std::ranges::any_of(set.lights, &LightGroup::isPolarised) &&
-           std::ranges::any_of(set.slots, [](const BlockUse& slot) {
-               return slot.block().kind == kinds::fresnel && knowsPolarisation(slot.block());
-           });
+           std::ranges::any_of(
+               set.slots, [](const BlockUse& slot) { return slot.block().kind == kinds::fresnel; });
 }
 
 std::string polarisationNote(const EffectSet& set, const Block& fresnel) {
     const bool isNeeded = std::ranges::any_of(set.lights, &LightGroup::isPolarised) &&
                           fresnel.kind == kinds::fresnel && !knowsPolarisation(fresnel);
-    return isNeeded ? " It knows no polarisation: polarised light is mirrored like ordinary light."
+    return isNeeded ? " It names no index: polarised light is mirrored as by the clear material "
+                      "that mirrors as much facing it."
                     : "";
 }
 
@@ -154,7 +166,7 @@ void writePolarisedFresnel(SurfaceText& text, const Block& fresnel) {
                             "    }}\n",
                             filter, constant);
     }
-    code += fmt::format("    return {0};\n}}\n#undef {1}\n#define {1} polarisedFresnel\n",
+    code += fmt::format("{0}}}\n#undef {1}\n#define {1} polarisedFresnel\n",
                         polarisedShare(fresnel), slotFunctionName(fresnel.kind));
     text.out.add(code);
 }
