@@ -268,10 +268,27 @@ class MaterialXMaterial {
             "  </image>\n",
             image, type, escapedForXml(*path), isColor ? "srgb_texture" : "lin_rec709",
             place.empty() ? std::string() : linkText("texcoord", "vector2", place));
-        const std::string lost = lostSettings(use);
+        TextureUse whole = use;
+        whole.strength = 1.0; // which mixNode() writes
+        const std::string lost = lostSettings(whole);
         look_.tell(lost.empty() ? Kept::Exact : Kept::Approximated, imageTitle(use),
                    lost.empty() ? *path : fmt::format("{}, without {}", *path, lost));
-        return image;
+        return use.strength == 1.0 ? image : mixNode(word, type, image, use);
+    }
+
+    /// Writes how much of an image shows, of the value or of white behind it.
+    std::string mixNode(const std::string& word, std::string_view type, const std::string& image,
+                        const TextureUse& use) {
+        const bool isReplaced = use.mode == TextureMode::Replace;
+        const glm::dvec3 behind = isReplaced ? look_.value(word) : glm::dvec3(1.0);
+        const std::string mixed = name(word + "_mix");
+        nodes_ += fmt::format(
+            "  <mix name=\"{}\" type=\"{}\">\n{}{}{}  </mix>\n", mixed, type,
+            linkText("fg", type, image),
+            inputText("bg", type,
+                      type == "color3" ? colorText(behind) : shortestFloatText(behind.x)),
+            inputText("mix", "float", shortestFloatText(use.strength)));
+        return mixed;
     }
 
     /// Writes where an image is as two products with the mesh's coordinates, which leave open no

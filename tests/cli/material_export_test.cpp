@@ -235,6 +235,22 @@ TEST_F(ExportedMaterial, MaterialX_NamesItsSurfaceAndItsImages) {
     }
 }
 
+TEST_F(ExportedMaterial, MaterialX_MixesAnImageOfHalfStrengthWithWhite) {
+    writeFile(folder_ / "wood.png", "an image");
+    Material wood = looking("matte", {"diffuse.color=0.5,0.25,0.125"});
+    TextureUse& image = wood.textures["diffuse.color"];
+    image = textureUse("diffuse.color", folder_ / "wood.png");
+    image.mode = TextureMode::Multiply;
+    image.strength = 0.5;
+    EXPECT_TRUE(isAllExact(write(wood, "wood.mtlx")));
+    const std::string text = readFile(folder_ / "wood.mtlx");
+    for (const char* part : {"name=\"bg\" type=\"color3\" value=\"1, 1, 1\"",
+                             "name=\"mix\" type=\"float\" value=\"0.5\"",
+                             "name=\"in1\" type=\"color3\" nodename=\"paint_diffuse_mix\""}) {
+        EXPECT_NE(text.find(part), std::string::npos) << part << '\n' << text;
+    }
+}
+
 TEST_F(ExportedMaterial, MaterialX_HasARoughMatteBaseAsItIs) {
     const Material clay = looking("rough-matte", {"diffuse.color=0.5,0.25,0.125", "roughness=0.5"});
     EXPECT_TRUE(isAllExact(write(clay, "clay.mtlx")));
