@@ -21,15 +21,19 @@ constexpr std::chrono::milliseconds firstPatience{40};
 constexpr std::chrono::milliseconds firstSketchPatience{200};
 constexpr std::chrono::milliseconds sketchPatience{30};
 
+/// Milliseconds; after a change of size, a frame that takes longer comes after a sketch.
+constexpr double longFrame = 400.0;
+
 } // namespace
 
 FrameLoop::FrameLoop(QOpenGLWidget& widget, const ViewedScene& viewed)
     : widget_(widget), viewed_(viewed), context_(viewed.sources().context),
-      surface_(widget, context_), stopwatch_(context_), programs_(viewed), note_(widget),
+      surface_(widget, context_), stopwatch_(context_),
+      turn_(context_.turns(), [this] { proceed(); }), programs_(viewed), note_(widget),
       refinement_(viewed),
       targets_([this] { return isDrawing() || wantsSamples(); }, [this] { releaseTargets(); }) {
-    turn_.setSingleShot(true);
-    connect(&turn_, &QTimer::timeout, this, &FrameLoop::proceed);
+    preparing_.setSingleShot(true);
+    connect(&preparing_, &QTimer::timeout, this, &FrameLoop::makeTargets);
     connect(&refinement_, &SampleRefinement::due, this, &FrameLoop::addSamples);
     connect(&programs_, &OrderedPrograms::came, this, &FrameLoop::takePrograms);
     connect(&programs_, &OrderedPrograms::givenUp, this, &FrameLoop::giveUpPrograms);
@@ -143,6 +147,13 @@ bool FrameLoop::takePasses() {
 
 void FrameLoop::announceScene() {
     isNew_ = true;
+    sketchesFirst_ = true;
+    refresh();
+}
+
+void FrameLoop::announceSize() {
+    giveUp();
+    sketchesFirst_ = sketchesFirst_ || areFramesLong_;
     refresh();
 }
 
@@ -152,10 +163,14 @@ void FrameLoop::announceCatalog() {
 }
 
 void FrameLoop::giveUp() {
-    turn_.stop();
+    turn_.leave();
+    preparing_.stop();
     if (progress_ == Progress::Lent) {
         Q_EMIT interrupted();
         return;
+    }
+    if (std::exchange(sketching_, false)) {
+        sketchesFirst_ = true; // what was being drawn is not to be seen yet
     }
     const Progress progress = std::exchange(progress_, Progress::Idle);
     if (progress == Progress::Drawing || progress == Progress::Drawn) {
@@ -211,14 +226,15 @@ FrameLoop::Painted FrameLoop::beginFrame(unsigned framebuffer) {
         stopwatch_.end();
         return Painted::Frame;
     }
-    const bool isNew = isNew_;
-    FrameJob& job = beginJob(isNew ? FramePurpose::Sketch : FramePurpose::Window);
+    const bool sketchesFirst = sketchesFirst_;
+    FrameJob& job = beginJob(sketchesFirst ? FramePurpose::Sketch : FramePurpose::Window);
     if (waitsForPrograms(job)) {
         return Painted::Later;
     }
     isNew_ = false;
+    sketchesFirst_ = false;
     stopwatch_.begin();
-    if (isNew) {
+    if (sketchesFirst) {
         if (const std::optional<Painted> sketch = drawSketch(job, framebuffer)) {
             return *sketch;
         }
@@ -240,7 +256,8 @@ bool FrameLoop::waitsForPrograms(FrameJob& job) {
         return false;
     }
     ++waitCount_;
-    goOnWith(Progress::Waiting);
+    progress_ = Progress::Waiting;
+    preparing_.start(0);
     return true;
 }
 
@@ -252,8 +269,7 @@ void FrameLoop::makeTargets() {
 
 void FrameLoop::takePrograms() {
     if (progress_ == Progress::Waiting) {
-        turn_.stop();
-        progress_ = Progress::Idle;
+        endWaiting();
         (refinement_.isAtRest() ? moreSamples_ : stale_) = true;
         widget_.update();
     }
@@ -262,10 +278,14 @@ void FrameLoop::takePrograms() {
 /// Leaves the last picture on the screen until something changes again.
 void FrameLoop::giveUpPrograms() {
     if (progress_ == Progress::Waiting) {
-        turn_.stop();
-        progress_ = Progress::Idle;
+        endWaiting();
         widget_.update();
     }
+}
+
+void FrameLoop::endWaiting() {
+    preparing_.stop();
+    progress_ = Progress::Idle;
 }
 
 /// Shows a sketch, now or in later turns. Nothing where the frame is as quick.
@@ -276,7 +296,7 @@ std::optional<FrameLoop::Painted> FrameLoop::drawSketch(FrameJob& job, unsigned 
         return std::nullopt;
     }
     if (sketching_) {
-        goOnWith(Progress::Drawing);
+        goOn();
         return Painted::Later;
     }
     job.show(framebuffer);
@@ -286,7 +306,7 @@ std::optional<FrameLoop::Painted> FrameLoop::drawSketch(FrameJob& job, unsigned 
 
 FrameLoop::Painted FrameLoop::drawFrame(FrameJob& job, unsigned framebuffer) {
     if (job.step(firstPatience) == FrameJob::Progress::More) {
-        goOnWith(Progress::Drawing);
+        goOn();
         return Painted::Later;
     }
     show(framebuffer);
@@ -298,27 +318,25 @@ void FrameLoop::show(unsigned framebuffer) {
     stopwatch_.end();
 }
 
-void FrameLoop::goOnWith(Progress progress) {
-    progress_ = progress;
-    turn_.start(0);
+/// Draws the rest of a frame in later turns.
+void FrameLoop::goOn() {
+    progress_ = Progress::Drawing;
+    turn_.take(sketching_               ? Urgency::Sketch
+               : refinement_.isAtRest() ? Urgency::Refinement
+                                        : Urgency::Frame);
 }
 
 /// Draws another turn of a long frame. Where the same objects are seen in another way it is
 /// finished before a newer one begins: dropping it for every move of a drag would show none.
 void FrameLoop::proceed() {
-    if (progress_ == Progress::Waiting) {
-        makeTargets();
-        return;
-    }
     const FrameJob::Progress progress = [this] {
         const ViewContext::Current current(context_);
         return renderer_->job().step(stepPatience);
     }();
     if (progress == FrameJob::Progress::Done) {
+        turn_.leave();
         progress_ = Progress::Drawn;
         widget_.update();
-    } else {
-        turn_.start(0);
     }
 }
 
@@ -334,6 +352,7 @@ void FrameLoop::finishSketch() {
 void FrameLoop::finishFrame() {
     if (!inspected_) {
         renderer_->job().noteTime(stopwatch_.milliseconds());
+        areFramesLong_ = stopwatch_.milliseconds() > longFrame;
     }
     progress_ = Progress::Idle;
     holdsFrame_ = !inspected_;

@@ -61,6 +61,10 @@ class FrameLoop : public QObject {
     /// it is on the screen, or a note that says so.
     void announceScene();
 
+    /// Asks for a frame of another size, for which the one that is being drawn is dropped. Where
+    /// frames take long a sketch shows the scene in that size first.
+    void announceSize();
+
     /// Asks for a frame with other blocks.
     void announceCatalog();
 
@@ -155,9 +159,10 @@ class FrameLoop : public QObject {
     void takePrograms();
     void giveUpPrograms();
     void makeTargets();
+    void endWaiting();
     std::optional<Painted> drawSketch(FrameJob& job, unsigned framebuffer);
     Painted drawFrame(FrameJob& job, unsigned framebuffer);
-    void goOnWith(Progress progress);
+    void goOn();
     void proceed();
     void finishSketch();
     void show(unsigned framebuffer);
@@ -180,11 +185,14 @@ class FrameLoop : public QObject {
     int waitCount_ = 0;
     Progress progress_ = Progress::Idle; ///< is that of a frame that takes several turns
     bool sketching_ = false;             ///< that frame is a sketch
-    QTimer turn_;                        ///< begins its next turn
+    QTimer preparing_;                   ///< begins what is done while it waits for programs
+    FrameTurns::Place turn_;             ///< draws its next turn
     OrderedPrograms programs_;           ///< are those of the next frame
     DrawingNote note_;
     bool stale_ = true;                  ///< the picture is not of what would be drawn now
     bool isNew_ = true;                  ///< no frame of this scene has been begun yet
+    bool areFramesLong_ = true;          ///< the last one was, or there is none yet
+    bool sketchesFirst_ = true;          ///< the next frame comes after a sketch
     std::optional<Inspected> inspected_; ///< nothing: the picture is shown
     SampleRefinement refinement_;
     bool moreSamples_ = false; ///< a frame that adds samples is asked for

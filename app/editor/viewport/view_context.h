@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "render/renderer.h"
+#include "viewport/frame_turns.h"
 
 class QOffscreenSurface;
 class QOpenGLContext;
@@ -23,6 +24,9 @@ class ViewContext {
     ~ViewContext();
 
     const std::filesystem::path& programCache() const { return programCache_; }
+
+    /// Returns the queue of the views' frames, which all draw in this context.
+    FrameTurns& turns() { return turns_; }
 
     /// Opens a view whose widget has the context `shown`, and returns what draws it. close() has to
     /// end the view. Fails where the driver does not let contexts share objects or does not offer
@@ -53,6 +57,7 @@ class ViewContext {
     /// Draws nothing; the renderers of the views share its objects.
     std::unique_ptr<Renderer> first_;
     std::size_t openViews_ = 0;
+    FrameTurns turns_;
 };
 
 } // namespace patina

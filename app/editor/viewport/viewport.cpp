@@ -103,7 +103,7 @@ void Viewport::resizeEvent(QResizeEvent* event) {
         last_.reset();
         doneCurrent();
     }
-    frames_.refresh();
+    frames_.announceSize();
     Q_EMIT resized();
 }
 
