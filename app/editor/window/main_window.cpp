@@ -147,6 +147,7 @@ void MainWindow::connectParts() {
     connect(&files_->meshes(), &MeshActions::placed, this,
             [this] { views_->active().frameCurrentObject(); });
     connect(files_, &FileActions::readingAgain, &environments_, &EnvironmentLibrary::readAgain);
+    connect(files_, &FileActions::readingAgain, &presets_, &PresetLibrary::scan);
     connect(files_, &FileActions::sheetWished, this, [this](const QString& file) {
         layout_->bringToFront("sheets");
         qobject_cast<LazyDock*>(dock("sheets"))->build();

@@ -114,9 +114,10 @@ void Menus::makeFileMenu() {
     menu->addSeparator();
     add(menu, tr("&Import Mesh…"), QKeySequence("Ctrl+I"),
         [this] { parts_.files.meshes().askAndImport(); });
-    add(menu, tr("Rea&d Files Again"), QKeySequence(Qt::Key_F5), [this] {
-        parts_.files.readAgain();
-    })->setToolTip(tr("Reads images, meshes and environments that another program has written"));
+    add(menu, tr("Rea&d Files Again"), QKeySequence(Qt::Key_F5),
+        [this] { parts_.files.readAgain(); })
+        ->setToolTip(
+            tr("Reads images, meshes, environments and presets that another program has written"));
     QAction* allow =
         add(menu, tr("Allow Files Ou&tside…"), {}, [this] { parts_.files.allowOutside(); });
     allow->setObjectName("allowOutside");
