@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the mouse drags in a view besides the camera: objects by their handles, and lights.
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <vector>
+
 #include <QApplication>
 #include <QTest>
 
@@ -11,6 +17,7 @@
 #include "docks/light_actions.h"
 #include "document/scene_edits.h"
 #include "render/lights/light_lists.h"
+#include "scene/turntable.h"
 #include "ui/window_fixture.h"
 #include "viewport/light_handles.h"
 #include "viewport/light_pose.h"
@@ -19,6 +26,11 @@
 
 namespace patina::tests::handles_test {
 namespace {
+
+// Parts of a light that have handles, in the order of their numbers.
+constexpr int targetHandle = 1;
+constexpr int coneHandle = 3;
+constexpr int partCount = 4;
 
 class Handles : public WindowFixture {
   protected:
@@ -70,6 +82,35 @@ class Handles : public WindowFixture {
         document().setValues(pathOf(kinds::lights, int(index)), valuesAt(above, camera()), "place");
         newFrames();
         return index;
+    }
+    /// Where the handle of a part of the last light is seen, by its number among them.
+    QPoint handleOf(int part) {
+        const auto meshes = [this](const Object& each) { return window().meshes().pickMesh(each); };
+        std::optional<std::optional<Hit>> onAxis; // a spot asks for that alone
+        const LightHandles handles(document(), window().views().handleModes(), [&](const Ray& ray) {
+            if (!onAxis) {
+                onAxis = castWithGround(ray, document().scene(), eye(camera()), meshes);
+            }
+            return *onAxis;
+        });
+        const ViewGeometry geometry{camera(), size()};
+        std::map<int, std::vector<QPoint>> found;
+        for (int y = 0; y < view().height(); ++y) {
+            for (int x = 0; x < view().width(); ++x) {
+                if (const auto handle = handles.handleAt(geometry, QPointF(x, y))) {
+                    found[*handle].push_back({x, y});
+                }
+            }
+        }
+        const std::vector<QPoint>& at = found[found.rbegin()->first / partCount * partCount + part];
+        EXPECT_FALSE(at.empty()) << part;
+        const QPoint sum = std::accumulate(at.begin(), at.end(), QPoint());
+        return sum / std::max<int>(int(at.size()), 1);
+    }
+    QString undoText() { return document().undoStack().undoText(); }
+    /// The axis of a light as it is seen.
+    double axisAt(std::size_t light, const glm::dvec3& point) {
+        return glm::dot(glm::normalize(point - pose(light).point), *pose(light).direction);
     }
 };
 
@@ -168,6 +209,75 @@ TEST_F(Handles, DragOfALamp_MovesItAsItIsSeen) {
     EXPECT_NEAR(there.x(), from.x() - 30, 2);
     EXPECT_NEAR(there.y(), from.y() + 12, 2);
     EXPECT_EQ(steps(), before + 1);
+    EXPECT_EQ(undoText(), "Move light");
+}
+
+TEST_F(Handles, DragOfALampWithoutAPlace_TurnsTheLight) {
+    document().selection().setLight(0);
+    const LightPose before = pose(0);
+    const int stepsBefore = steps();
+    const LightHandles handles(document(), window().views().handleModes(),
+                               [](const Ray&) { return std::nullopt; });
+    const ViewGeometry geometry{camera(), size()};
+    std::optional<QPoint> lamp;
+    for (int y = 0; y < view().height() && !lamp; ++y) {
+        for (int x = 0; x < view().width() && !lamp; ++x) {
+            const auto found = handles.handleAt(geometry, QPointF(x, y));
+            lamp = found && *found < partCount ? std::optional(QPoint(x, y)) : std::nullopt;
+        }
+    }
+    ASSERT_TRUE(lamp);
+    dragFrom(*lamp, {50, 0});
+    // 0.4 degrees per pixel about the vertical
+    const glm::dvec3 expected = turnedAbout(*before.direction, {0.0, 1.0, 0.0}, 20.0);
+    EXPECT_NEAR(glm::distance(*pose(0).direction, expected), 0.0, 1e-6);
+    EXPECT_EQ(steps(), stepsBefore + 1);
+    EXPECT_EQ(undoText(), "Turn light");
+}
+
+TEST_F(Handles, DragOfALampsTarget_AimsItAtWhatIsUnderThePointer) {
+    const std::size_t spot = addSpot();
+    const LightPose before = pose(spot);
+    const int stepsBefore = steps();
+    const QPoint from = handleOf(targetHandle);
+    const QPoint to = placeOf({0.1, -0.05, 0.2});
+    const auto meshes = [this](const Object& each) { return window().meshes().pickMesh(each); };
+    const auto hit = cast(ViewGeometry{camera(), size()}.ray(to), document().scene(), meshes);
+    ASSERT_TRUE(hit);
+    ASSERT_LT(axisAt(spot, hit->point), 0.999);
+    dragFrom(from, to - from);
+    EXPECT_GT(axisAt(spot, hit->point), 1.0 - 1e-6);
+    EXPECT_EQ(pose(spot).point, before.point);
+    EXPECT_EQ(pose(spot).angle, before.angle);
+    EXPECT_EQ(steps(), stepsBefore + 1);
+    EXPECT_EQ(undoText(), "Aim light");
+}
+
+TEST_F(Handles, DragOfALampsCone_MakesItAsWideAsThePointerIsFromItsAxis) {
+    const std::size_t spot = addSpot();
+    const LightPose before = pose(spot);
+    const int stepsBefore = steps();
+    const QPoint handle = handleOf(coneHandle);
+    const QPointF tip = placeOf(before.point);
+    const QPointF axis = placeOf(before.point + *before.direction) - tip;
+    const QPointF fromTip = handle - tip;
+    const QPointF along =
+        axis * QPointF::dotProduct(fromTip, axis) / QPointF::dotProduct(axis, axis);
+    const QPoint outwards = ((fromTip - along) * 0.5).toPoint();
+    ASSERT_GT(outwards.manhattanLength(), 3) << "the cone is seen from the side";
+    dragFrom(handle, outwards);
+    const LightPose wider = pose(spot);
+    EXPECT_GT(wider.angle, 1.1 * before.angle);
+    EXPECT_LT(wider.angle, 2.0 * before.angle);
+    EXPECT_EQ(wider.point, before.point);
+    EXPECT_EQ(*wider.direction, *before.direction);
+    EXPECT_EQ(steps(), stepsBefore + 1);
+    EXPECT_EQ(undoText(), "Change cone of light");
+    document().undoStack().undo();
+    dragFrom(handle, along.toPoint() / 10); // away from the tip, along the side
+    EXPECT_NEAR(pose(spot).angle, before.angle, 0.2 * before.angle);
+    document().undoStack().undo();
+    EXPECT_EQ(pose(spot).angle, before.angle);
 }
 
 TEST_F(Handles, EscWhileALampIsDragged_PutsItBackWithoutAStep) {
@@ -195,6 +305,8 @@ TEST_F(Handles, DragOfALampsDistance_MovesItAlongItsAxis) {
     dragFrom(handle, placeOf(before.point) - handle);
     EXPECT_GT(glm::distance(pose(spot).point, target->point), 1.2 * target->distance);
     EXPECT_NEAR(glm::distance(*pose(spot).direction, *before.direction), 0.0, 1e-6);
+    EXPECT_EQ(pose(spot).angle, before.angle);
+    EXPECT_EQ(undoText(), "Change distance of light");
 }
 
 /// A new spot light stands above the view: its lamp is seen at the edge and follows the pointer

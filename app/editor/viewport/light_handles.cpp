@@ -70,6 +70,20 @@ void drawDot(QPainter& painter, QPointF at, double radius, const QColor& color) 
     painter.setBrush(Qt::NoBrush);
 }
 
+/// Returns what the undo of a drag is called.
+QString labelOf(int part, bool hasPoint) {
+    switch (part) {
+    case TargetPart:
+        return Document::tr("Aim light");
+    case DistancePart:
+        return Document::tr("Change distance of light");
+    case ConePart:
+        return Document::tr("Change cone of light");
+    default:
+        return hasPoint ? Document::tr("Move light") : Document::tr("Turn light");
+    }
+}
+
 QRectF insideOf(const ViewGeometry& view) {
     return {edgeInset, edgeInset, view.size.x - 2.0 * edgeInset, view.size.y - 2.0 * edgeInset};
 }
@@ -348,7 +362,8 @@ void LightHandles::drag(const ViewGeometry& view, QPointF place, bool isStepped)
 }
 
 void LightHandles::store(const Values& values) {
-    document_.setValues(pathOf(kinds::lights, light_), values, Document::tr("Place light"));
+    document_.setValues(pathOf(kinds::lights, light_), values,
+                        labelOf(part_, start_.place.hasPoint()));
 }
 
 void LightHandles::end() {
