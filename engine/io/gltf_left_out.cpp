@@ -67,14 +67,15 @@ void addTexture(LeftOut& left, const tinygltf::Model& model, const char* use, in
     }
 }
 
-/// Adds an image that KHR_materials_specular has, under a key.
+/// Adds an image that an extension has, under a key.
 void addExtensionTexture(LeftOut& left, const tinygltf::Model& model,
-                         const tinygltf::Material& material, const char* key) {
-    const auto found = material.extensions.find("KHR_materials_specular");
+                         const tinygltf::Material& material, const char* extension, const char* key,
+                         const char* use) {
+    const auto found = material.extensions.find(extension);
     if (found != material.extensions.end() && found->second.IsObject() && found->second.Has(key)) {
         const tinygltf::Value& texture = found->second.Get(key);
         if (texture.IsObject() && texture.Has("index") && texture.Get("index").IsInt()) {
-            addTexture(left, model, "reflectance", texture.Get("index").GetNumberAsInt(), false);
+            addTexture(left, model, use, texture.Get("index").GetNumberAsInt(), false);
         }
     }
 }
@@ -92,8 +93,14 @@ void addMaterials(LeftOut& left, const tinygltf::Model& model) {
         addTexture(left, model, "normals", material.normalTexture.index, true);
         addTexture(left, model, "occlusion", material.occlusionTexture.index, false);
         addTexture(left, model, "glow", material.emissiveTexture.index, true);
-        addExtensionTexture(left, model, material, "specularTexture");
-        addExtensionTexture(left, model, material, "specularColorTexture");
+        for (const char* key : {"specularTexture", "specularColorTexture"}) {
+            addExtensionTexture(left, model, material, "KHR_materials_specular", key,
+                                "reflectance");
+        }
+        addExtensionTexture(left, model, material, "KHR_materials_transmission",
+                            "transmissionTexture", "transmission");
+        addExtensionTexture(left, model, material, "KHR_materials_volume", "thicknessTexture",
+                            "thickness");
     }
 }
 

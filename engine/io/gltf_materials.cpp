@@ -5,6 +5,7 @@
 
 #include <glm/common.hpp>
 
+#include "core/image_place.h"
 #include "io/material_images.h"
 #include "io/material_look.h"
 #include "io/mesh_parts.h"
@@ -19,8 +20,34 @@ glm::dvec3 colorOf(const std::vector<double>& numbers, double missing) {
                               : glm::dvec3(numbers[0], numbers[1], numbers[2]);
 }
 
+/// Returns a number of an array in an extension; `missing` where it has none.
+double numberAt(const tinygltf::Value& extension, const char* key, int at, double missing) {
+    const tinygltf::Value& array = extension.Get(key);
+    return array.IsArray() && std::size_t(at) < array.ArrayLen() && array.Get(at).IsNumber()
+               ? array.Get(at).GetNumberAsDouble()
+               : missing;
+}
+
+/// Says how an image lies, by KHR_texture_transform.
+void addPlace(MeshMaterial& material, const std::string& word,
+              const tinygltf::ExtensionMap& extensions) {
+    const auto found = extensions.find("KHR_texture_transform");
+    if (found == extensions.end() || !found->second.IsObject()) {
+        return;
+    }
+    const tinygltf::Value& place = found->second;
+    const tinygltf::Value& turn = place.Get("rotation");
+    material.values[word + imageScaleWord] = {numberAt(place, "scale", 0, 1.0),
+                                              numberAt(place, "scale", 1, 1.0), 0.0};
+    material.values[word + imageOffsetWord] = {numberAt(place, "offset", 0, 0.0),
+                                               numberAt(place, "offset", 1, 0.0), 0.0};
+    material.values[word + imageTurnWord] =
+        glm::dvec3(turn.IsNumber() ? turn.GetNumberAsDouble() : 0.0);
+}
+
 /// Adds the image of a texture, by its number.
-void addTexture(MeshMaterial& material, const char* word, int index, const tinygltf::Model& model,
+void addTexture(MeshMaterial& material, const char* word, int index,
+                const tinygltf::ExtensionMap& extensions, const tinygltf::Model& model,
                 MeshFolder& folder) {
     if (index < 0 || std::size_t(index) >= model.textures.size()) {
         return;
@@ -30,8 +57,8 @@ void addTexture(MeshMaterial& material, const char* word, int index, const tinyg
         return;
     }
     const std::string& uri = model.images[std::size_t(source)].uri;
-    if (!uri.empty() && !uri.starts_with("data:")) {
-        addImage(material, word, uri, folder);
+    if (!uri.empty() && !uri.starts_with("data:") && addImage(material, word, uri, folder)) {
+        addPlace(material, word, extensions);
     }
 }
 
@@ -76,6 +103,31 @@ void setReflectance(MeshMaterial& material, const tinygltf::Material& from) {
         glm::clamp(factor * glm::min(root * root * tint, glm::dvec3(1.0)), 0.0, 1.0);
 }
 
+/// Gives a material the transmission of KHR_materials_transmission, and the inside that
+/// KHR_materials_volume and KHR_materials_dispersion say. Without a volume it is a wall.
+void setTransmission(MeshMaterial& material, const glm::dvec3& base,
+                     const tinygltf::Material& from) {
+    const double share = glm::clamp(
+        numberIn(from, "KHR_materials_transmission", "transmissionFactor", 0.0), 0.0, 1.0);
+    if (share <= 0.0) {
+        return;
+    }
+    material.values["transmission"] = glm::clamp(base, 0.0, 1.0);
+    material.values["opacity"] = glm::dvec3(1.0 - share);
+    if (numberIn(from, "KHR_materials_volume", "thicknessFactor", 0.0) <= 0.0) {
+        material.values["thickness"] = glm::dvec3(0.0);
+        return;
+    }
+    const double distance = numberIn(from, "KHR_materials_volume", "attenuationDistance", 0.0);
+    if (distance > 0.0) { // it absorbs nothing otherwise
+        material.values["attenuation.color"] =
+            colorIn(from, "KHR_materials_volume", "attenuationColor");
+        material.values["attenuation.distance"] = glm::dvec3(distance);
+    }
+    material.values["dispersion"] =
+        glm::dvec3(numberIn(from, "KHR_materials_dispersion", "dispersion", 0.0));
+}
+
 MeshMaterial materialFrom(const tinygltf::Material& from, const tinygltf::Model& model,
                           MeshFolder& folder) {
     MeshMaterial material;
@@ -88,15 +140,20 @@ MeshMaterial materialFrom(const tinygltf::Material& from, const tinygltf::Model&
         setReflectance(material, from);
     }
     addTexture(material, material.look == "metal" ? "f0" : "diffuse", look.baseColorTexture.index,
+               look.baseColorTexture.extensions, model, folder);
+    addTexture(material, "normal", from.normalTexture.index, from.normalTexture.extensions, model,
+               folder);
+    addTexture(material, "emissive", from.emissiveTexture.index, from.emissiveTexture.extensions,
                model, folder);
-    addTexture(material, "normal", from.normalTexture.index, model, folder);
-    addTexture(material, "emissive", from.emissiveTexture.index, model, folder);
     const double strength =
         numberIn(from, "KHR_materials_emissive_strength", "emissiveStrength", 1.0);
     material.values["emissive"] =
         glm::clamp(colorOf(from.emissiveFactor, 0.0), 0.0, 1.0) * std::max(strength, 0.0);
     if (from.alphaMode == "BLEND" && look.baseColorFactor.size() == 4) {
         material.values["opacity"] = glm::dvec3(glm::clamp(look.baseColorFactor[3], 0.0, 1.0));
+    }
+    if (material.look != "metal") {
+        setTransmission(material, colorOf(look.baseColorFactor, 1.0), from);
     }
     return material;
 }

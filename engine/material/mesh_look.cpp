@@ -2,19 +2,35 @@
 #include "material/mesh_look.h"
 
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "catalog/json_text.h"
+#include "core/image_place.h"
 #include "core/number_text.h"
 #include "material/block_assignment.h"
 #include "material/material_assignment.h"
+#include "material/texture_place.h"
 
 namespace patina {
 namespace {
 
 using Json = nlohmann::json;
+
+/// Holds a look with the block beside the model that states it.
+struct PartLook {
+    const Block* block = nullptr;
+    MeshLook look;
+};
+
+std::filesystem::path looksFile() {
+    return dataFolder() / "presets" / "mesh-looks.json";
+}
 
 MeshLook lookFrom(const Json& json) {
     return {json.at("look").get<std::string>(), json.value("set", std::vector<std::string>()),
@@ -27,6 +43,30 @@ std::string assignmentOf(const std::string& id, const glm::dvec3& value, const P
     return to.type == ParameterType::Color ? fmt::format("{}={},{},{}", id, fullText(held.x),
                                                          fullText(held.y), fullText(held.z))
                                            : fmt::format("{}={}", id, fullText(held.x));
+}
+
+glm::dvec3 valueOf(const MeshMaterial& from, const std::string& word, const glm::dvec3& missing) {
+    const auto found = from.values.find(word);
+    return found == from.values.end() ? missing : found->second;
+}
+
+/// Places an image as the file says, whose coordinates begin at the top. It scales before it turns,
+/// so that an image that is turned by part of a right angle has one scale.
+void placeImage(TextureUse& use, const MeshMaterial& from, const std::string& word) {
+    if (!from.values.contains(word + imageScaleWord)) {
+        return;
+    }
+    const double turn = valueOf(from, word + imageTurnWord, {}).x;
+    use.scale = valueOf(from, word + imageScaleWord, glm::dvec3(1.0));
+    if (std::abs(std::sin(turn)) > std::abs(std::cos(turn))) {
+        std::swap(use.scale.x, use.scale.y);
+    }
+    use.rotation = std::remainder(-glm::degrees(turn), 360.0);
+    use.offset = {};
+    const TexturePlace unmoved = texturePlace(use);
+    const glm::dvec3 offset = valueOf(from, word + imageOffsetWord, {});
+    use.offset = {offset.x - unmoved.across.y - unmoved.across.z,
+                  1.0 - offset.y - unmoved.up.y - unmoved.up.z};
 }
 
 /// Lays the images on the surface and on the parameters that have the values of the same words. An
@@ -44,6 +84,7 @@ void layImages(Material& material, const MeshMaterial& from, const MeshLook& loo
         if (textureRole(key) == TextureRole::Input && isVisible) {
             use.mode = TextureMode::Multiply;
         }
+        placeImage(use, from, word);
         material.textures[key] = use;
     }
 }
@@ -77,7 +118,7 @@ Result<Material> ModelLook::start(const Catalog& catalog) const {
 }
 
 Result<ModelLook> importedLook(const std::string& look, const Catalog& catalog) {
-    const auto document = readJson(dataFolder() / "presets" / "mesh-looks.json");
+    const auto document = readJson(looksFile());
     if (!document) {
         return tl::unexpected(document.error());
     }
@@ -103,6 +144,55 @@ Result<ModelLook> importedLook(const std::string& look, const Catalog& catalog) 
     return ModelLook{*model, *stated};
 }
 
+namespace {
+
+/// Returns the block that refracts what passes, by presets/mesh-looks.json, with its look.
+Result<PartLook> importedTransmission(bool isWall, const Catalog& catalog) {
+    const auto document = readJson(looksFile());
+    if (!document) {
+        return tl::unexpected(document.error());
+    }
+    const char* key = isWall ? "transmission of a wall" : "transmission";
+    const auto block = knownBlock(catalog, kinds::refraction, document->value.value(key, ""));
+    if (!block) {
+        return tl::unexpected(block.error());
+    }
+    const auto looks = meshLooksOf(**block);
+    if (!looks) {
+        return tl::unexpected(looks.error());
+    }
+    const auto stated = std::ranges::find(*looks, "transmission", &MeshLook::look);
+    if (stated == looks->end()) {
+        return failure(
+            fmt::format("the block \"{}\" does not state the look \"transmission\"", (*block)->id));
+    }
+    return PartLook{*block, *stated};
+}
+
+/// Makes the material as transparent as the file says.
+Result<void> addTransmission(Material& material, const MeshMaterial& from, const Catalog& catalog) {
+    if (!from.values.contains("transmission")) {
+        return {};
+    }
+    const auto part = importedTransmission(from.values.contains("thickness"), catalog);
+    if (!part) {
+        return tl::unexpected(part.error());
+    }
+    const std::string kind(kinds::refraction);
+    Result<void> done = choosePart(material, kind, part->block->id, catalog).map([](bool) {});
+    for (const auto& [word, id] : part->look.values) {
+        const auto value = from.values.find(word);
+        const Parameter* parameter = part->block->parameter(id);
+        if (done && value != from.values.end() && parameter != nullptr) {
+            done = assignInMaterial(
+                material, assignmentOf(kind + '.' + id, value->second, *parameter), catalog);
+        }
+    }
+    return done;
+}
+
+} // namespace
+
 Result<Material> materialOf(const MeshMaterial& from, const Catalog& catalog) {
     const auto imported = importedLook(from.look, catalog);
     if (!imported) {
@@ -125,6 +215,7 @@ Result<Material> materialOf(const MeshMaterial& from, const Catalog& catalog) {
             });
         }
     }
+    done = done.and_then([&] { return addTransmission(material, from, catalog); });
     if (!done) {
         return tl::unexpected(done.error());
     }

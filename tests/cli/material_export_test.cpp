@@ -192,6 +192,23 @@ TEST_F(ExportedMaterial, BodyThatRefracts_IsADielectricWithAVolume) {
               nlohmann::json::array({0.5, 0.75, 0.25}));
     EXPECT_EQ(extensions["KHR_materials_dispersion"]["dispersion"], 0.5);
     EXPECT_FALSE(document["materials"][0].contains("alphaMode"));
+    Material back = read("glass.gltf");
+    EXPECT_EQ(back.model.parameters["diffuse.color"], Value(glm::dvec3(1.0)))
+        << "the base colour is that of what passes, too";
+    back.model.parameters["diffuse.color"] = glm::dvec3(0.0);
+    EXPECT_EQ(textOf(back), textOf(glass));
+}
+
+TEST_F(ExportedMaterial, PaneThatRefracts_ComesBackAsAWall) {
+    const Material pane = looking(
+        "dielectric", {"opacity=0.125", "refraction=thin-pane", "refraction.tint=0.5,0.75,0.25"});
+    write(pane, "pane.glb");
+    const Material back = read("pane.glb");
+    ASSERT_NE(back.part("refraction"), nullptr);
+    EXPECT_EQ(back.part("refraction")->id, "thin-pane");
+    EXPECT_EQ(back.part("refraction")->parameters.at("tint"), Value(glm::dvec3(0.5, 0.75, 0.25)));
+    EXPECT_EQ(back.part("refraction")->parameters.at("thickness"), Value(0.0));
+    EXPECT_EQ(back.opacity, 0.125);
 }
 
 TEST_F(ExportedMaterial, TurnedImage_LiesInGltfAsInPatina) {
@@ -216,6 +233,28 @@ TEST_F(ExportedMaterial, TurnedImage_LiesInGltfAsInPatina) {
     };
     EXPECT_LT(glm::length(at(0.5, 0.5) - glm::dvec2(1.25, -0.5)), 1e-12);
     EXPECT_LT(glm::length(at(0.5, 0.25) - glm::dvec2(1.75, -0.5)), 1e-12);
+}
+
+TEST_F(ExportedMaterial, PlacedImages_ComeBackAsTheyLay) {
+    writeFile(folder_ / "wood.png", "an image");
+    for (const auto& [scale, rotation] :
+         {std::pair(glm::dvec2(3.0), 30.0), std::pair(glm::dvec2(2.0), -120.0),
+          std::pair(glm::dvec2(0.5, 4.0), 0.0)}) {
+        Material wood = looking("matte", {});
+        TextureUse use = textureUse("diffuse.color", folder_ / "wood.png");
+        use.mode = TextureMode::Multiply;
+        use.scale = scale;
+        use.offset = {0.25, -1.5};
+        use.rotation = rotation;
+        wood.textures["diffuse.color"] = use;
+        write(wood, "wood.gltf");
+        const Material back = read("wood.gltf");
+        ASSERT_TRUE(back.textures.contains("diffuse.color"));
+        const TextureUse& placed = back.textures.at("diffuse.color");
+        EXPECT_LT(glm::length(placed.scale - scale), 1e-9);
+        EXPECT_LT(glm::length(placed.offset - use.offset), 1e-9) << rotation;
+        EXPECT_NEAR(placed.rotation, rotation, 1e-9);
+    }
 }
 
 TEST_F(ExportedMaterial, MaterialX_NamesItsSurfaceAndItsImages) {
