@@ -182,11 +182,13 @@ enum class DeviceCheckEnd { Done, NoDevice, Stopped };
 /// the search was stopped, and, with a note, where they cannot be drawn.
 std::optional<WaysInFrame> drawn(const ApproximateRequest& request,
                                  const ApproximateSubject& subject, CheaperWays& ways,
+                                 const CheaperSearchOptions& options,
                                  const std::function<bool()>& isStopped) {
     const Block& block = *subject.subject.block.block;
     if (block.kind != kinds::models || ways.ways.empty() || ways.isStopped) {
         return std::nullopt;
     }
+    const std::function<bool()> isOver = [&] { return isStopped() || options.isDeviceLate(); };
     PictureOptions picture;
     picture.model = subject.ofValues ? std::string() : block.id;
     AssetClient files;
@@ -199,10 +201,16 @@ std::optional<WaysInFrame> drawn(const ApproximateRequest& request,
                               [&scene](const Object& object) { return scene->meshes.view(object); },
                               subject.catalog, textures.source(), scene->environment},
                              subject.subject, ways, subject.catalog->roots.front().folder,
-                             shareOfTimes * request.seconds, isStopped);
+                             shareOfTimes * request.seconds, isOver);
     report(textures.takeProblems());
     if (!made && !isStopped()) {
-        ways.notes.push_back({{}, 0, 0, "not drawn: " + made.error().front().text(), {}});
+        ways.notes.push_back(
+            {{},
+             0,
+             0,
+             "not drawn: " + (options.isDeviceLate() ? std::string("the time was over")
+                                                     : made.error().front().text()),
+             {}});
     }
     return made ? std::optional(std::move(*made)) : std::nullopt;
 }
@@ -236,7 +244,7 @@ Checked<DeviceCheck> checkOnDevice(const ApproximateRequest& request,
     if (work.isStopped()) {
         return DeviceCheck{DeviceCheckEnd::Stopped};
     }
-    return DeviceCheck{DeviceCheckEnd::Done, drawn(request, subject, ways, isStopped)};
+    return DeviceCheck{DeviceCheckEnd::Done, drawn(request, subject, ways, options, isStopped)};
 }
 
 /// Returns the folder that the block is written into: the one that is asked for, or one within it
@@ -317,6 +325,10 @@ Checked<int> approximate(const ApproximateRequest& request) {
     options.heldOut = request.cases;
     options.ofValues = subject->ofValues;
     const auto began = std::chrono::steady_clock::now();
+    options.isDeviceLate = [began, seconds = request.seconds] {
+        const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - began;
+        return gone.count() > seconds;
+    };
     auto ways = searched(*subject, options);
     if (!ways) {
         return tl::unexpected(ways.error());
@@ -386,8 +398,8 @@ void addApproximate(CLI::App& program, int& status) {
     addFamiliesOption(*command, options->families);
     command
         ->add_option("--seconds", options->seconds,
-                     "About how long all of it takes, longer where judging what was found takes\n"
-                     "more than two thirds of it; 120 without this")
+                     "How long all of it takes at most, about: what is not judged by then is left\n"
+                     "out; 120 without this")
         ->check(CLI::Range(1.0, 600.0));
     command
         ->add_option("--budget-error", options->budgetError,

@@ -3,6 +3,7 @@
 // off they are, and writes them as blocks that work.
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -346,6 +347,20 @@ TEST(Approximate, WithoutSollyaAndDriver_SaysWhatToInstallAndCountsInstructions)
     const auto json = nlohmann::json::parse(outcome.out);
     EXPECT_EQ(json.at("unit"), "instructions");
     EXPECT_GE(json.at("ways").size(), 2u) << outcome.out;
+}
+
+TEST(Approximate, MoreCasesThanThereIsTimeFor_EndsInTimeAndSaysHowManyWereJudged) {
+    const TemporaryFolder folder;
+    writePaper(disc, folder.path());
+    const auto began = std::chrono::steady_clock::now();
+    const Outcome outcome = approximated({(folder / "models/edwards.glsl").string(), "--seconds",
+                                          "8", "--cases", "10000000", "--json"});
+    const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - began;
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_LT(gone.count(), 8.0 + 7.0) << outcome.out;
+    EXPECT_NE(outcome.err.find("the time was over"), std::string::npos) << outcome.err;
+    const auto json = nlohmann::json::parse(outcome.out);
+    EXPECT_TRUE(json.at("ways").empty() || json.at("unseenCases") < 10000000) << outcome.out;
 }
 
 TEST(Approximate, Interrupted_ChecksAndPrintsWhatItHasFound) {

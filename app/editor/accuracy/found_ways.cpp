@@ -2,6 +2,7 @@
 #include "accuracy/found_ways.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include <QByteArrayView>
 #include <QCoreApplication>
@@ -22,6 +23,8 @@ constexpr std::uintmax_t maxShaderBytes = 8u << 20;
 constexpr double shareOfSearch = 0.9; ///< of the progress; the rest is the check on the device
 constexpr double shareOfDevice = 0.2; ///< of the time, for that check and what it draws
 constexpr double shareOfTimes = 0.1;  ///< of the search's time, for pairs of frames
+
+using Clock = std::chrono::steady_clock;
 
 class WaysText {
     Q_DECLARE_TR_FUNCTIONS(WaysText)
@@ -58,6 +61,9 @@ class WaySearch {
         : wish_(wish), isEnough_(isEnough), control_(control), take_(take),
           shader_(textHash(wish.subject.block.block->shaderFile)) {
         wish_.options.isAbandoned = [this] { return control_.isCancelled(); };
+        wish_.options.isDeviceLate = [began = Clock::now(), seconds = wish_.options.seconds] {
+            return std::chrono::duration<double>(Clock::now() - began).count() > seconds;
+        };
         wish_.options.seconds *= 1.0 - shareOfDevice;
     }
 
@@ -108,10 +114,12 @@ class WaySearch {
     /// Draws what is on screen with each of the ways, as far as it can be drawn.
     void draw(CheaperWays& ways) {
         control_.report(shareOfSearch, WaysText::tr("Drawing what is on screen"), true);
-        auto drawn = waysInFrame(wish_.shown, wish_.subject, ways, shaders(),
-                                 shareOfTimes * wish_.options.seconds,
-                                 [this] { return control_.isCancelled(); });
-        if (!drawn && !control_.isCancelled()) {
+        auto drawn = waysInFrame(
+            wish_.shown, wish_.subject, ways, shaders(), shareOfTimes * wish_.options.seconds,
+            [this] { return control_.isCancelled() || wish_.options.isDeviceLate(); });
+        if (!drawn && wish_.options.isDeviceLate() && !control_.isCancelled()) {
+            ways.notes.push_back({{}, 0, 0, "not drawn: the time was over", {}});
+        } else if (!drawn && !control_.isCancelled()) {
             ways.notes.insert(ways.notes.end(), drawn.error().begin(), drawn.error().end());
         }
         show(ways, true, drawn ? std::optional(std::move(*drawn)) : std::nullopt);
@@ -120,6 +128,7 @@ class WaySearch {
     void show(const CheaperWays& ways, bool isChecked, std::optional<WaysInFrame> inFrame) {
         FoundWays found{wish_, ways, {}, isChecked, std::move(inFrame), shader_};
         found.wish.options.isAbandoned = [] { return false; };
+        found.wish.options.isDeviceLate = [] { return false; };
         writeBlockOf(found, *wish_.catalog);
         control_.show([take = take_, found = std::move(found)] { take(found); });
     }

@@ -48,9 +48,12 @@ constexpr double secondsOfSollya = 60.0;
 /// Are the largest and the smallest share of the time that trials may take; the rest is for the
 /// judgement of what was found.
 constexpr double maxShareOfTrials = 0.9;
-constexpr double minShareOfTrials = 0.3;
+constexpr double minShareOfTrials = 0.4;
+/// Is the largest share of the time that is left in which ways of the front are judged first.
+constexpr double shareOfFront = 0.5;
 constexpr std::size_t casesOfClimbRound = 3000; ///< are judged for each round of a climb
 constexpr std::size_t maxClimbRounds = 30;
+constexpr std::size_t casesOfClimb = 15000; ///< are about as many as one climb judges
 constexpr double slowerThanExact = 1.5; ///< is the evaluation of ways, whose tables are computed
 
 /// Is a set of moves with what is known of it.
@@ -60,8 +63,9 @@ struct TriedWay {
     std::optional<double> cost;
     double guess = 0.0;            ///< is the cost as the single moves let expect
     bool isJudged = false;         ///< its error is that on unseen cases
-    bool isProven = false;         ///< and on all of them, and in the worst cases
-    std::vector<EvalCase> worst{}; ///< are those
+    bool isProven = false;         ///< and in the worst cases
+    std::size_t heldOut = 0;       ///< counts the unseen cases
+    std::vector<EvalCase> worst{}; ///< are the worst ones
 };
 
 bool isBetter(const TriedWay& a, const TriedWay& b) {
@@ -106,11 +110,31 @@ class CheaperSearch {
         return std::chrono::duration<double>(Clock::now() - began_).count();
     }
 
+    /// Tells whether the search is over, and what it has found is to be judged.
     bool isOver() const {
         return found_.isStopped || options_.isAbandoned() ||
-               secondsGone() > std::clamp(options_.seconds - secondsOfJudging_,
+               secondsGone() > std::clamp(options_.seconds - secondsOfJudging(),
                                           minShareOfTrials * options_.seconds,
                                           maxShareOfTrials * options_.seconds);
+    }
+
+    /// Tells whether all is over: what is not judged by now is left out.
+    bool isLate() const { return options_.isAbandoned() || secondsGone() > options_.seconds; }
+
+    /// Returns how long the ways of a front take on the first cases that the search has not seen,
+    /// and in edge cases.
+    double secondsOfFirst(std::size_t ways) const {
+        return secondsOfCase_ * slowerThanExact * static_cast<double>(ways) *
+               static_cast<double>(casesOfFront + lastEdgeCases);
+    }
+
+    /// Returns how long what is in the front will take to be judged, about.
+    double secondsOfJudging() const {
+        const std::size_t kept = std::min(front_.size(), options_.ways);
+        const double cases = static_cast<double>(options_.heldOut + casesOfClimb) *
+                             (1.0 + slowerThanExact * static_cast<double>(kept));
+        return secondsOfCase_ * (cases + static_cast<double>(lastEdgeCases)) +
+               secondsOfFirst(std::min(front_.size(), 2 * options_.ways));
     }
 
     /// Reports, and keeps the wish to stop.
@@ -136,8 +160,7 @@ class CheaperSearch {
         judgeBy(texels, some(options_.cases, quickCases), cases_);
         edgeCases_ = text_->judged(
             texelsOfCases(edgeCases(subject_, some(edgeCaseCount, quickCases), options_.ofValues)));
-        secondsOfJudging_ = each * static_cast<double>(options_.heldOut) *
-                            (1.0 + slowerThanExact * static_cast<double>(options_.ways));
+        secondsOfCase_ = each;
         observed_ = text_->observed(cases_.texels);
     }
 
@@ -150,7 +173,7 @@ class CheaperSearch {
 
     bool priceExact() {
         const double before = secondsGone();
-        const auto prices = price_.of({{}}, [] { return false; });
+        const auto prices = price_.of({{}}, [this] { return isLate(); });
         compiledIn(secondsGone() - before, 1);
         if (!price_.note().empty()) {
             found_.notes.push_back({{},
@@ -427,40 +450,29 @@ class CheaperSearch {
         if (options_.isAbandoned()) {
             return;
         }
+        const EvaluationEnd isEnded = [this] { return isLate(); };
         const std::size_t first = std::min(options_.heldOut, casesOfFront);
         const CaseWish wish{first,          heldOutSeed,       rowsOfSearch,
                             rowsFor(first), options_.ofValues, true};
         unseen_ = commonCases(subject_, wish);
-        const JudgedCases unseen = text_->judged(texelsOfCases(unseen_));
-        const JudgedCases edge =
-            text_->judged(texelsOfCases(edgeCases(subject_, lastEdgeCases, options_.ofValues)));
+        const double before = secondsGone();
+        const JudgedCases unseen = text_->judged(texelsOfCases(unseen_), isEnded);
+        secondsOfCase_ = (secondsGone() - before) / static_cast<double>(first);
+        const JudgedCases edge = text_->judged(
+            texelsOfCases(edgeCases(subject_, lastEdgeCases, options_.ofValues)), isEnded);
+        judgeExact(unseen);
         do {
             do {
-                front_.clear();
-                for (const TriedWay& way : tried_) {
-                    enter(way);
-                }
+                renewFront();
+                leaveOutForTime();
             } while (judgeFront(unseen, edge));
             thin();
         } while (judgeStaying());
+        leaveOutUnjudged();
         publish(front_);
-        found_.heldOut = options_.heldOut;
-        const TextError own = text_->error({}, unseen, std::numeric_limits<double>::infinity());
-        const WorstCases worst = climbed({});
-        found_.exact.error = std::max({found_.exact.error, own.worst, worst.error});
-        found_.exact.meanError = own.mean;
-        found_.worst = worst.cases;
+        noteTime();
         for (const TriedWay& way : front_) {
             found_.worst.insert(found_.worst.end(), way.worst.begin(), way.worst.end());
-        }
-        if (untried_ > 0 && !found_.isStopped) {
-            found_.notes.push_back({{},
-                                    0,
-                                    0,
-                                    fmt::format("the time was over before {} of {} changes were "
-                                                "tried",
-                                                untried_, moves_.size()),
-                                    "a longer search"});
         }
         if (statedError(found_.exact) > options_.maxError) {
             found_.notes.push_back(
@@ -474,17 +486,91 @@ class CheaperSearch {
         }
     }
 
+    void renewFront() {
+        front_.clear();
+        std::ranges::for_each(tried_, [this](const TriedWay& way) { enter(way); });
+    }
+
+    void judgeExact(const JudgedCases& unseen) {
+        const TextError own = text_->error({}, unseen, std::numeric_limits<double>::infinity(),
+                                           [this] { return isLate(); });
+        const WorstCases worst = climbed({});
+        found_.exact.error = std::max({found_.exact.error, own.worst, worst.error});
+        found_.exact.meanError = own.mean;
+        found_.worst = worst.cases;
+    }
+
+    /// Leaves out ways that are not judged, as many as there is no time for, but not more than
+    /// leave as many as are kept at last.
+    void leaveOutForTime() {
+        const double left = shareOfFront * (options_.seconds - secondsGone());
+        const double fitting = std::max(left, 0.0) / secondsOfFirst(1);
+        const auto open = [](const TriedWay& way) { return !way.isJudged; };
+        while (front_.size() > options_.ways &&
+               static_cast<double>(std::ranges::count_if(front_, open)) > fitting) {
+            if (!dropWeakest(open)) {
+                return;
+            }
+        }
+    }
+
+    /// Leaves out what the time was over for.
+    void leaveOutUnjudged() {
+        const auto unproven = std::ranges::count(front_, false, &TriedWay::isProven);
+        std::erase_if(tried_, [](const TriedWay& way) { return !way.isProven; });
+        renewFront();
+        thin();
+        if (unproven > 0) {
+            found_.notes.push_back(
+                {{},
+                 0,
+                 0,
+                 fmt::format("the time was over before {} of the ways could be judged: left out",
+                             unproven),
+                 "a longer search, or fewer cases"});
+        }
+        found_.heldOut = options_.heldOut;
+        for (const TriedWay& way : front_) {
+            found_.heldOut = std::min(found_.heldOut, way.heldOut);
+        }
+    }
+
+    /// Says what there was no time for.
+    void noteTime() {
+        if (untried_ > 0 && !found_.isStopped) {
+            found_.notes.push_back({{},
+                                    0,
+                                    0,
+                                    fmt::format("the time was over before {} of {} changes were "
+                                                "tried",
+                                                untried_, moves_.size()),
+                                    "a longer search"});
+        }
+        if (found_.heldOut < options_.heldOut) {
+            found_.notes.push_back({{},
+                                    0,
+                                    0,
+                                    fmt::format("the time was over after {} of {} unseen cases",
+                                                found_.heldOut, options_.heldOut),
+                                    "a longer search"});
+        }
+    }
+
     /// Looks for where a way is farthest off.
     WorstCases climbed(std::span<const ShaderEdit> edits) {
         ErrorClimb how;
         how.rounds = std::min(options_.heldOut / casesOfClimbRound + 1, maxClimbRounds);
         how.hasOwnValues = options_.ofValues;
+        const EvaluationEnd isEnded = [this] { return isLate(); };
         const CaseErrors errorsOf = [&](const std::vector<EvalCase>& cases) {
-            return text_->errors(edits, text_->judged(texelsOfCases(cases)));
+            const JudgedCases judged = text_->judged(texelsOfCases(cases), isEnded);
+            auto errors = text_->errors(edits, judged, isEnded);
+            errors.resize(cases.size()); // what was not evaluated is no error
+            return isLate() ? std::vector<double>(cases.size()) : errors;
         };
         return worstCases(errorsOf, unseen_, how, [this] {
             report();
-            return options_.isAbandoned();
+            return isLate();
         });
     }
 
@@ -501,18 +587,20 @@ class CheaperSearch {
             }
         }
         inParallel(open.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end && !options_.isAbandoned(); ++i) {
+            for (std::size_t i = begin; i < end && !isLate(); ++i) {
                 const std::vector<ShaderEdit> edits = editsFor(open[i]->moves);
-                const TextError last = text_->error(edits, unseen, limit_);
+                const EvaluationEnd isEnded = [this] { return isLate(); };
+                const TextError last = text_->error(edits, unseen, limit_, isEnded);
                 TextError& error = open[i]->error;
-                error.isSafe = last.isSafe && text_->isSafe(edits, edge);
+                error.isSafe = last.isSafe && text_->isSafe(edits, edge, isEnded);
                 error.worst = std::max(error.worst, last.worst);
                 error.mean = last.mean;
-                open[i]->isJudged = true;
+                open[i]->heldOut = unseen.texels.size();
+                open[i]->isJudged = !isLate();
             }
         });
         std::erase_if(tried_, [this](const TriedWay& way) { return !way.error.isWithin(limit_); });
-        return !open.empty() && !options_.isAbandoned();
+        return !open.empty() && !isLate();
     }
 
     static std::size_t rowsFor(std::size_t cases) { return std::max<std::size_t>(cases / 32, 1); }
@@ -531,54 +619,59 @@ class CheaperSearch {
         const std::size_t parts = parallelParts();
         std::vector<JudgedCases> judged;
         for (std::size_t i = 0; i < parts; ++i) {
-            judged.push_back(text_->judged(texelsOfCases(
-                {cases.begin() + static_cast<std::ptrdiff_t>(i * cases.size() / parts),
-                 cases.begin() + static_cast<std::ptrdiff_t>((i + 1) * cases.size() / parts)})));
+            judged.push_back(text_->judged(
+                texelsOfCases(
+                    {cases.begin() + static_cast<std::ptrdiff_t>(i * cases.size() / parts),
+                     cases.begin() + static_cast<std::ptrdiff_t>((i + 1) * cases.size() / parts)}),
+                [this] { return isLate(); }));
         }
         return judged;
     }
 
-    /// Judges what stays on the rest of the cases, on all cores, and forgets what is too far off or
-    /// breaks there, so that others come back. Returns whether there was one to judge.
+    /// Judges what stays in its worst cases, then on the rest of the cases, on all cores, and
+    /// forgets what is too far off or breaks there, so that others come back. Returns whether there
+    /// was one to judge, and there is time for another.
     bool judgeStaying() {
         std::vector<TriedWay*> open;
         for (TriedWay& way : tried_) {
             const bool isShown =
                 std::ranges::find(front_, way.moves, &TriedWay::moves) != front_.end();
-            if (isShown && !way.isProven) {
+            if (isShown && way.isJudged && !way.isProven) {
                 open.push_back(&way);
             }
         }
-        const std::size_t seen = std::min(options_.heldOut, casesOfFront);
-        for (std::size_t first = 0; first < options_.heldOut - seen && !open.empty();
-             first += casesOfFront) {
-            report();
-            if (options_.isAbandoned()) {
-                return false;
-            }
-            const std::size_t count = std::min(options_.heldOut - seen - first, casesOfFront);
-            judgeOn(open, lastCases(first, count));
-            found_.heldOut = seen + first + count;
-        }
         for (TriedWay* way : open) {
-            const bool isWithin = way->error.isWithin(limit_);
-            WorstCases worst = isWithin ? climbed(editsFor(way->moves)) : WorstCases();
+            WorstCases worst = climbed(editsFor(way->moves));
             way->error.worst = std::max(way->error.worst, worst.error);
             way->worst = std::move(worst.cases);
-            way->isProven = true;
+            way->isProven = !isLate();
+        }
+        const std::size_t seen = std::min(options_.heldOut, casesOfFront);
+        for (std::size_t first = 0; first < options_.heldOut - seen && !open.empty() && !isLate();
+             first += casesOfFront) {
+            report();
+            const std::size_t count = std::min(options_.heldOut - seen - first, casesOfFront);
+            judgeOn(open, lastCases(first, count));
+            if (!isLate()) {
+                found_.heldOut = seen + first + count;
+                std::ranges::for_each(open, [&](TriedWay* way) { way->heldOut = found_.heldOut; });
+            }
         }
         std::erase_if(tried_, [this](const TriedWay& way) { return !way.error.isWithin(limit_); });
-        return !open.empty();
+        renewFront();
+        thin();
+        return !open.empty() && !isLate();
     }
 
     /// Enlarges the errors of ways by what they are in parts of cases.
     void judgeOn(const std::vector<TriedWay*>& ways, const std::vector<JudgedCases>& parts) const {
         std::vector<TextError> errors(parts.size() * ways.size());
         inParallel(errors.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end && !options_.isAbandoned(); ++i) {
+            for (std::size_t i = begin; i < end && !isLate(); ++i) {
                 const TriedWay& way = *ways[i % ways.size()];
                 if (way.error.isWithin(limit_)) {
-                    errors[i] = text_->error(editsFor(way.moves), parts[i / ways.size()], limit_);
+                    errors[i] = text_->error(editsFor(way.moves), parts[i / ways.size()], limit_,
+                                             [this] { return isLate(); });
                 }
             }
         });
@@ -591,21 +684,30 @@ class CheaperSearch {
 
     /// Leaves out, one after the other, the way that its neighbours replace best.
     void thin() {
-        while (front_.size() > options_.ways) {
-            std::size_t weakest = 0;
-            double smallest = std::numeric_limits<double>::infinity();
-            for (std::size_t i = 0; i + 1 < front_.size(); ++i) {
-                const double before = i == 0 ? found_.exact.cost : *front_[i - 1].cost;
-                const double gain = std::log(before / *front_[i].cost) *
-                                    std::log(std::max(front_[i + 1].error.worst, 1e-9) /
-                                             std::max(front_[i].error.worst, 1e-9));
-                if (gain < smallest) {
-                    smallest = gain;
-                    weakest = i;
-                }
-            }
-            front_.erase(front_.begin() + static_cast<std::ptrdiff_t>(weakest));
+        while (front_.size() > options_.ways && dropWeakest([](const TriedWay&) { return true; })) {
         }
+    }
+
+    /// Leaves out the way that its neighbours replace best, of those that may go. Returns whether
+    /// there was one.
+    bool dropWeakest(const std::function<bool(const TriedWay&)>& mayGo) {
+        std::size_t weakest = front_.size();
+        double smallest = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i + 1 < front_.size(); ++i) {
+            const double before = i == 0 ? found_.exact.cost : *front_[i - 1].cost;
+            const double gain = std::log(before / *front_[i].cost) *
+                                std::log(std::max(front_[i + 1].error.worst, 1e-9) /
+                                         std::max(front_[i].error.worst, 1e-9));
+            if (gain < smallest && mayGo(front_[i])) {
+                smallest = gain;
+                weakest = i;
+            }
+        }
+        if (weakest == front_.size()) {
+            return false;
+        }
+        front_.erase(front_.begin() + static_cast<std::ptrdiff_t>(weakest));
+        return true;
     }
 
     const EvalCase& subject_;
@@ -616,8 +718,8 @@ class CheaperSearch {
     ShaderPrice price_;
     double limit_; ///< is the largest error that may be stated
     Clock::time_point began_ = Clock::now();
-    double secondsOfJudging_ = 0.0; ///< is how long what is found will take, about
-    std::size_t textsAtOnce_ = 2;   ///< are compiled together
+    double secondsOfCase_ = 0.0;  ///< is how long the exact text takes on all cores, about
+    std::size_t textsAtOnce_ = 2; ///< are compiled together
     JudgedCases cases_;
     JudgedCases quick_;
     JudgedCases edgeCases_;

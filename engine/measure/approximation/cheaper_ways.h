@@ -19,12 +19,14 @@ inline constexpr std::size_t casesOfFront = 10000;
 /// Says how a search for cheaper ways is made.
 struct CheaperSearchOptions {
     const GpuFamily* family = nullptr; ///< is the one that costs are predicted for
-    double seconds = 120.0;            ///< after so many nothing new is begun
-    double maxError = 0.25;            ///< leaves out what would be stated as farther off
-    std::size_t cases = 1024;          ///< counts those that the search judges by
-    std::size_t heldOut = 100000;      ///< counts those on which the found ways are judged at last
-    std::size_t ways = 5;              ///< limits those that are kept of the front
-    bool ofValues = false;             ///< judges the subject's own values only, and folds them
+    double seconds = 120.0;   ///< is how long it may take; what is not judged by then is left out
+    double maxError = 0.25;   ///< leaves out what would be stated as farther off
+    std::size_t cases = 1024; ///< counts those that the search judges by
+    std::size_t heldOut = 100000; ///< counts those on which the found ways are judged at last
+    std::size_t ways = 5;         ///< limits those that are kept of the front
+    bool ofValues = false;        ///< judges the subject's own values only, and folds them
+    /// Ends the check of the found ways on a graphics device: what is not checked is left out.
+    std::function<bool()> isDeviceLate = [] { return false; };
     /// Ends it with an error, without judging what it has found.
     std::function<bool()> isAbandoned = [] { return false; };
 };

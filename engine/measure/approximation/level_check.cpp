@@ -52,14 +52,30 @@ class DeviceCheck {
         addWorst();
         exact_ = ways_.text->judged(texelsOfCases(cases_));
         std::vector<CheaperWay> kept;
+        std::size_t unchecked = 0;
         for (std::size_t i = 0; i < ways_.ways.size(); ++i) {
+            if (options_.isDeviceLate()) {
+                ++unchecked;
+                continue;
+            }
             auto way = tried(i);
             if (!way) {
                 return tl::unexpected(oneError(way.error()));
             }
-            if (*way) {
+            if (options_.isDeviceLate() && !isStopped_()) {
+                ++unchecked; // its sweep was cut off
+            } else if (*way) {
                 kept.push_back(std::move(**way));
             }
+        }
+        if (unchecked > 0) {
+            ways_.notes.push_back({{},
+                                   0,
+                                   0,
+                                   fmt::format("the time was over before {} of {} ways could be "
+                                               "checked on the graphics device: left out",
+                                               unchecked, ways_.ways.size()),
+                                   "a longer search"});
         }
         ways_.ways = frontOf(kept);
         return count_;
@@ -122,7 +138,8 @@ class DeviceCheck {
         }
         double worst = 0.0;
         const std::size_t results = program->shape().results;
-        for (std::size_t first = 0; first < cases_.size(); first += EvalProgram::largestDraw) {
+        for (std::size_t first = 0; first < cases_.size() && !options_.isDeviceLate();
+             first += EvalProgram::largestDraw) {
             const std::size_t size = std::min(EvalProgram::largestDraw, cases_.size() - first);
             const auto drawn = program->draw(texels(own, first, size, *program), size);
             if (!drawn) {
@@ -183,7 +200,7 @@ class DeviceCheck {
         how.isWhole = false;
         how.shaders = shaders_;
         StabilitySweep sweep(std::move(variants), how);
-        while (!sweep.finished() && !isStopped_()) {
+        while (!sweep.finished() && !isStopped_() && !options_.isDeviceLate()) {
             sweep.step();
         }
         count_ += sweep.report().cases;

@@ -8,7 +8,8 @@ namespace patina {
 /// Tries the found ways of a written block on the graphics device, whose context must be current:
 /// in the stability sweep and on common cases that are not those of the search. Ways that are not
 /// finite or negative there are taken out, and errors become those of the device where these are
-/// larger; what is then too far off is taken out, too. Returns how many cases were tried; an error
+/// larger; what is then too far off is taken out, too, and what there is no time for
+/// (CheaperSearchOptions::isDeviceLate), with a note. Returns how many cases were tried; an error
 /// says why none was.
 Checked<std::size_t> checkedOnDevice(const EvalCase& subject, CheaperWays& ways,
                                      const std::filesystem::path& shaders,

@@ -15,6 +15,10 @@ namespace {
 
 constexpr const char* rootFunction = "evaluated";
 
+bool isOver(const EvaluationEnd& isEnded) {
+    return isEnded && isEnded();
+}
+
 /// Finds the functions whose text is a block's own or the library's, as far as nothing else calls
 /// them: what other blocks and the program call as well stays as it is.
 class OwnFunctions {
@@ -125,19 +129,19 @@ void MeasuredText::evaluate(ShaderEvaluator& evaluator, int function,
     }
 }
 
-JudgedCases MeasuredText::judged(CaseTexels texels) const {
+JudgedCases MeasuredText::judged(CaseTexels texels, const EvaluationEnd& isEnded) const {
     JudgedCases cases{std::move(texels), {}};
     cases.exact.resize(cases.texels.size() * shape_.results);
     const int function = syntax_->functionNamed(rootFunction);
     inParallel(cases.texels.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
         ShaderEvaluator evaluator(*syntax_, ShaderPrecision::Double);
-        for (std::size_t i = begin; i < end; ++i) {
+        for (std::size_t i = begin; i < end && !isOver(isEnded); ++i) {
             evaluate(evaluator, function,
                      isCut_ ? withUnitDirections(cases.texels[i]) : cases.texels[i],
                      std::span(cases.exact).subspan(i * shape_.results, shape_.results));
         }
     });
-    return cases;
+    return isOver(isEnded) ? JudgedCases() : cases;
 }
 
 std::vector<ObservedValues> MeasuredText::observed(const CaseTexels& texels) const {
@@ -178,18 +182,19 @@ bool MeasuredText::isSafe(std::span<const double> exact, std::span<const double>
 }
 
 TextError MeasuredText::error(std::span<const ShaderEdit> edits, const JudgedCases& cases,
-                              double limit) const {
+                              double limit, const EvaluationEnd& isEnded) const {
     const ShaderSource source = editedSource(*source_, *syntax_, edits);
     const auto syntax = parsedShader(source, rootFunction);
     if (!syntax) {
         return {std::numeric_limits<double>::infinity(), 0.0, false};
     }
     ShaderEvaluator evaluator(*syntax, ShaderPrecision::Float);
-    return compared(evaluator, syntax->functionNamed(rootFunction), cases, limit);
+    return compared(evaluator, syntax->functionNamed(rootFunction), cases, limit, isEnded);
 }
 
 std::vector<double> MeasuredText::errors(std::span<const ShaderEdit> edits,
-                                         const JudgedCases& cases) const {
+                                         const JudgedCases& cases,
+                                         const EvaluationEnd& isEnded) const {
     std::vector<double> all(cases.texels.size(), std::numeric_limits<double>::infinity());
     const ShaderSource source = editedSource(*source_, *syntax_, edits);
     const auto syntax = parsedShader(source, rootFunction);
@@ -200,7 +205,7 @@ std::vector<double> MeasuredText::errors(std::span<const ShaderEdit> edits,
     inParallel(all.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
         ShaderEvaluator evaluator(*syntax, ShaderPrecision::Float);
         std::vector<double> got(shape_.results);
-        for (std::size_t i = begin; i < end; ++i) {
+        for (std::size_t i = begin; i < end && !isOver(isEnded); ++i) {
             evaluate(evaluator, function, cases.texels[i], got);
             const auto exact = std::span(cases.exact).subspan(i * shape_.results, shape_.results);
             if (isSafe(exact, got)) {
@@ -215,7 +220,7 @@ TextError MeasuredText::errorInHalf(const std::vector<bool>& halved, const Judge
                                     double limit) const {
     ShaderEvaluator evaluator(*syntax_, ShaderPrecision::Float);
     evaluator.halve(&halved);
-    return compared(evaluator, syntax_->functionNamed(rootFunction), cases, limit);
+    return compared(evaluator, syntax_->functionNamed(rootFunction), cases, limit, {});
 }
 
 std::vector<double> MeasuredText::valuesInHalf(const std::vector<bool>& halved,
@@ -241,10 +246,11 @@ std::vector<bool> MeasuredText::ownFloats() const {
 }
 
 TextError MeasuredText::compared(ShaderEvaluator& evaluator, int function, const JudgedCases& cases,
-                                 double limit) const {
+                                 double limit, const EvaluationEnd& isEnded) const {
     TextError error;
     std::vector<double> got(shape_.results);
-    for (std::size_t i = 0; i < cases.texels.size() && error.isWithin(limit); ++i) {
+    const std::size_t count = cases.texels.size();
+    for (std::size_t i = 0; i < count && error.isWithin(limit) && !isOver(isEnded); ++i) {
         evaluate(evaluator, function, cases.texels[i], got);
         const auto exact = std::span(cases.exact).subspan(i * shape_.results, shape_.results);
         const double off = errorOf(exact, got);
@@ -255,8 +261,9 @@ TextError MeasuredText::compared(ShaderEvaluator& evaluator, int function, const
     return error;
 }
 
-bool MeasuredText::isSafe(std::span<const ShaderEdit> edits, const JudgedCases& cases) const {
-    return error(edits, cases, std::numeric_limits<double>::infinity()).isSafe;
+bool MeasuredText::isSafe(std::span<const ShaderEdit> edits, const JudgedCases& cases,
+                          const EvaluationEnd& isEnded) const {
+    return error(edits, cases, std::numeric_limits<double>::infinity(), isEnded).isSafe;
 }
 
 } // namespace patina

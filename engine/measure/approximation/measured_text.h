@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <set>
 #include <span>
@@ -30,6 +31,9 @@ struct TextError {
     bool isWithin(double limit) const { return isSafe && worst <= limit; }
 };
 
+/// Tells whether to end an evaluation; it is asked between cases, by several threads.
+using EvaluationEnd = std::function<bool()>;
+
 /// Evaluates the text of a block's function, with edits and without.
 class MeasuredText {
   public:
@@ -43,20 +47,22 @@ class MeasuredText {
     const std::set<int>& ownFunctions() const { return own_; }
 
     /// Evaluates the exact text in double precision, on all cores, for directions that are unit in
-    /// double precision, too.
-    JudgedCases judged(CaseTexels texels) const;
+    /// double precision, too. Where it is ended there are no cases.
+    JudgedCases judged(CaseTexels texels, const EvaluationEnd& isEnded = {}) const;
 
     /// Returns the values of all expressions of the exact text in these cases.
     std::vector<ObservedValues> observed(const CaseTexels& texels) const;
 
     /// Evaluates the text with edits in float and compares it; where `limit` is passed it goes no
-    /// further. The error is infinite where the text does not parse.
-    TextError error(std::span<const ShaderEdit> edits, const JudgedCases& cases,
-                    double limit) const;
+    /// further. The error is infinite where the text does not parse; where it is ended it is that
+    /// of some of the cases.
+    TextError error(std::span<const ShaderEdit> edits, const JudgedCases& cases, double limit,
+                    const EvaluationEnd& isEnded = {}) const;
 
     /// Returns the error of each case, as error() evaluates it, on all cores; infinite where it is
-    /// not safe.
-    std::vector<double> errors(std::span<const ShaderEdit> edits, const JudgedCases& cases) const;
+    /// not safe, or it was ended.
+    std::vector<double> errors(std::span<const ShaderEdit> edits, const JudgedCases& cases,
+                               const EvaluationEnd& isEnded = {}) const;
 
     /// Evaluates the text in float, and these of its expressions in floats of 16 bits, and compares
     /// it; where `limit` is passed it goes no further.
@@ -73,7 +79,8 @@ class MeasuredText {
 
     /// Tells whether all numbers of cases are finite, and none negative that must not be, where
     /// that holds for the exact text.
-    bool isSafe(std::span<const ShaderEdit> edits, const JudgedCases& cases) const;
+    bool isSafe(std::span<const ShaderEdit> edits, const JudgedCases& cases,
+                const EvaluationEnd& isEnded = {}) const;
 
     /// Returns the error of a case's numbers.
     double errorOf(std::span<const double> exact, std::span<const double> got) const;
@@ -86,7 +93,7 @@ class MeasuredText {
                   std::span<double> results) const;
     bool isSafe(std::span<const double> exact, std::span<const double> got) const;
     TextError compared(ShaderEvaluator& evaluator, int function, const JudgedCases& cases,
-                       double limit) const;
+                       double limit, const EvaluationEnd& isEnded) const;
 
     std::unique_ptr<ShaderSource> source_;
     std::unique_ptr<ShaderSyntax> syntax_;
