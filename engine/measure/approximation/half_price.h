@@ -23,9 +23,11 @@ struct HalfPrice {
     std::string note; ///< says why the compiler could not be asked; empty where it could
 };
 
-/// Predicts that for a family: beginning with all lines that hold at once, the one without which
-/// the rest is cheapest is left out again and again. Prices are empty where the family's compiler
-/// has no floats of 16 bits or is missing; where it is ended they are those found so far.
+/// Predicts that for a family: for halves of the lines that hold at once, quarters and so on to
+/// each by itself, and for all but these; then lines of the cheapest set are left out one by one,
+/// as often as the number of lines can be halved. So n lines take n log n programs at most. Prices
+/// are empty where the family's compiler has no floats of 16 bits or is missing; where it is ended
+/// they are those found so far.
 HalfPrice halfPrice(const EvalCase& subject, const HalfReport& report, const GpuFamily& family,
                     const HalfProgress& progress);
 
