@@ -27,9 +27,7 @@
 namespace patina {
 namespace {
 
-/// Are shares of --seconds: that of the check on the device with all it draws, and in it that of
-/// the pairs of frames that are timed.
-constexpr double shareOfDevice = 0.2;
+/// Is the share of --seconds for pairs of frames that are timed.
 constexpr double shareOfTimes = 0.08;
 
 struct ApproximateRequest {
@@ -319,16 +317,13 @@ Checked<int> approximate(const ApproximateRequest& request) {
     }
     CheaperSearchOptions options;
     options.family = request.families.empty() ? &gpuFamilies().front() : request.families.front();
-    options.seconds = (1.0 - shareOfDevice) * request.seconds;
+    options.seconds = secondsOfSearch(request.seconds);
     options.maxError = request.budgetError;
     options.ways = request.levels;
     options.heldOut = request.cases;
     options.ofValues = subject->ofValues;
     const auto began = std::chrono::steady_clock::now();
-    options.isDeviceLate = [began, seconds = request.seconds] {
-        const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - began;
-        return gone.count() > seconds;
-    };
+    options.isDeviceLate = isOverAfter(request.seconds);
     auto ways = searched(*subject, options);
     if (!ways) {
         return tl::unexpected(ways.error());

@@ -265,7 +265,7 @@ TEST(Approximate, FolderOfTheBlockItself_IsRefused) {
 TEST(Approximate, ShippedBlock_GetsAnIdOfItsOwnAndItsTables) {
     const TemporaryFolder folder;
     const Outcome outcome = approximated(
-        {"minnaert", "--seconds", "8", "--cases", "1000", "--declared", "-o", folder / "models"});
+        {"minnaert", "--seconds", "30", "--cases", "1000", "--declared", "-o", folder / "models"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("law=table"), std::string::npos) << "its own level, judged too";
     EXPECT_NE(outcome.err.find("models/minnaert-cheaper.glsl"), std::string::npos) << outcome.err;
@@ -276,7 +276,7 @@ TEST(Approximate, ShippedBlock_GetsAnIdOfItsOwnAndItsTables) {
 
 TEST(Approximate, Preset_HasItsValuesFoldedAndIsDrawnAndTimed) {
     const Outcome outcome = approximated({shipped("presets/minnaert/velvet.patina.json"),
-                                          "--seconds", "25", "--cases", "1000", "--json"});
+                                          "--seconds", "90", "--cases", "1000", "--json"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     const auto json = nlohmann::json::parse(outcome.out);
     EXPECT_NE(json.at("frame").at("against").get<std::string>().find("in double precision"),
@@ -339,7 +339,7 @@ TEST(Approximate, WithoutSollyaAndDriver_SaysWhatToInstallAndCountsInstructions)
     const TemporaryFolder folder;
     writePaper(disc, folder.path());
     const Outcome outcome = approximated(
-        {(folder / "models/edwards.glsl").string(), "--seconds", "8", "--cases", "1000", "--json"},
+        {(folder / "models/edwards.glsl").string(), "--seconds", "60", "--cases", "1000", "--json"},
         {{"PATH", "/nowhere"}, {"VK_DRIVER_FILES", "/nowhere.json"}});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_NE(outcome.err.find("apt-get install sollya"), std::string::npos) << outcome.err;

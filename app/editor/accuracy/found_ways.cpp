@@ -2,7 +2,6 @@
 #include "accuracy/found_ways.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include <QByteArrayView>
 #include <QCoreApplication>
@@ -21,10 +20,7 @@ namespace {
 
 constexpr std::uintmax_t maxShaderBytes = 8u << 20;
 constexpr double shareOfSearch = 0.9; ///< of the progress; the rest is the check on the device
-constexpr double shareOfDevice = 0.2; ///< of the time, for that check and what it draws
 constexpr double shareOfTimes = 0.1;  ///< of the search's time, for pairs of frames
-
-using Clock = std::chrono::steady_clock;
 
 class WaysText {
     Q_DECLARE_TR_FUNCTIONS(WaysText)
@@ -61,10 +57,8 @@ class WaySearch {
         : wish_(wish), isEnough_(isEnough), control_(control), take_(take),
           shader_(textHash(wish.subject.block.block->shaderFile)) {
         wish_.options.isAbandoned = [this] { return control_.isCancelled(); };
-        wish_.options.isDeviceLate = [began = Clock::now(), seconds = wish_.options.seconds] {
-            return std::chrono::duration<double>(Clock::now() - began).count() > seconds;
-        };
-        wish_.options.seconds *= 1.0 - shareOfDevice;
+        wish_.options.isDeviceLate = isOverAfter(wish_.options.seconds);
+        wish_.options.seconds = secondsOfSearch(wish_.options.seconds);
     }
 
     MeasureEnd run() {

@@ -2,6 +2,7 @@
 #include "measure/approximation/level_check.h"
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <span>
 
@@ -19,6 +20,9 @@ constexpr std::uint32_t seedOfDevice = 3;
 constexpr std::size_t firstRowOfDevice = 4096; ///< is behind the sets of values of the search
 constexpr std::size_t casesAround = 12;        ///< are tried around each of the worst ones
 constexpr std::size_t sweptCases = 60000;
+constexpr double shareOfDevice = 0.3; ///< of the time, for the check and what is drawn after it
+constexpr double minSecondsOfDevice = 5.0;
+constexpr double secondsLonger = 3.0; ///< are about what checking one way takes
 
 /// Returns what a sweep found that no level may give; null where there is nothing. What the claims
 /// of the exact block are is not asked of its levels.
@@ -225,6 +229,18 @@ class DeviceCheck {
 };
 
 } // namespace
+
+double secondsOfSearch(double seconds) {
+    return seconds - std::min(std::max(shareOfDevice * seconds, minSecondsOfDevice), 0.5 * seconds);
+}
+
+std::function<bool()> isOverAfter(double seconds) {
+    using Clock = std::chrono::steady_clock;
+    return [began = Clock::now(), seconds] {
+        return std::chrono::duration<double>(Clock::now() - began).count() >
+               seconds + secondsLonger;
+    };
+}
 
 Checked<std::size_t> checkedOnDevice(const EvalCase& subject, CheaperWays& ways,
                                      const std::filesystem::path& shaders,
