@@ -127,11 +127,11 @@ CheaperPage::CheaperPage(const DockContext& context, std::shared_ptr<MeasureTurn
     nameWayColumns(*list_);
     list_->setAccessibleName(tr("Cheaper ways"));
     list_->setRootIsDecorated(false);
-    list_->setUniformRowHeights(true);
+    list_->setUniformRowHeights(false); // a line for each thing that a way does
     list_->setFrameShape(QFrame::NoFrame);
     list_->header()->setStretchLastSection(false);
     list_->header()->setSectionResizeMode(WayWords, QHeaderView::Stretch);
-    list_->setTextElideMode(Qt::ElideMiddle);
+    list_->setTextElideMode(Qt::ElideRight);
     fitColumns(*list_, WayCost);
     notes_->setObjectName("notes");
     notes_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -139,8 +139,8 @@ CheaperPage::CheaperPage(const DockContext& context, std::shared_ptr<MeasureTurn
     parts->setChildrenCollapsible(false);
     parts->addWidget(list_);
     parts->addWidget(makeTexts());
-    parts->setStretchFactor(0, 3);
-    parts->setStretchFactor(1, 2);
+    parts->setStretchFactor(0, 1);
+    parts->setStretchFactor(1, 0);
     rows().addWidget(makeControls());
     rows().addWidget(parts, 1);
     rows().addWidget(notes_);
@@ -338,10 +338,11 @@ void CheaperPage::fillList(bool stale) {
     for (std::size_t i = 0; i < ways.ways.size(); ++i) {
         const CheaperWay& way = ways.ways[i];
         auto* row = new NumberRow;
-        const QString words = asText(capitalised(wordsOf(way)));
+        const QString words =
+            asText(capitalised(wordsOf(way))).split(QStringLiteral("; ")).join('\n');
         row->setText(WayWords, words);
         row->setData(WayWords, wayRole, static_cast<int>(i));
-        row->setToolTip(WayWords, words.split("; ").join('\n'));
+        row->setToolTip(WayWords, words);
         row->setNumber(WayCost, numberLocale().toString(way.cost, 'f', 0), way.cost);
         const double share = 100.0 * way.cost / ways.exact.cost;
         row->setNumber(WayShare, tr("%1 %").arg(numberLocale().toString(share, 'f', 0)), share);
