@@ -66,8 +66,8 @@ class LinePrices {
     /// Tells how much of all is priced, where each round of halvedSets() leaves one line out.
     bool isEnded() const {
         const std::size_t lines = report_.together.size();
-        const double most = 2.0 + double(lines) * double(4 + halvings(lines));
-        return !progress_(std::min(double(costs_.size()) / most, 1.0));
+        const double maxSets = 2.0 + double(lines) * double(4 + halvings(lines));
+        return !progress_(std::min(double(costs_.size()) / maxSets, 1.0));
     }
 
     const std::string& note() const { return price_.note(); }
