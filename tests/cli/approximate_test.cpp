@@ -276,7 +276,7 @@ TEST(Approximate, ShippedBlock_GetsAnIdOfItsOwnAndItsTables) {
 
 TEST(Approximate, Preset_HasItsValuesFoldedAndIsDrawnAndTimed) {
     const Outcome outcome = approximated({shipped("presets/minnaert/velvet.patina.json"),
-                                          "--seconds", "90", "--cases", "1000", "--json"});
+                                          "--seconds", "40", "--cases", "1000", "--json"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     const auto json = nlohmann::json::parse(outcome.out);
     EXPECT_NE(json.at("frame").at("against").get<std::string>().find("in double precision"),
@@ -339,7 +339,7 @@ TEST(Approximate, WithoutSollyaAndDriver_SaysWhatToInstallAndCountsInstructions)
     const TemporaryFolder folder;
     writePaper(disc, folder.path());
     const Outcome outcome = approximated(
-        {(folder / "models/edwards.glsl").string(), "--seconds", "60", "--cases", "1000", "--json"},
+        {(folder / "models/edwards.glsl").string(), "--seconds", "40", "--cases", "1000", "--json"},
         {{"PATH", "/nowhere"}, {"VK_DRIVER_FILES", "/nowhere.json"}});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_NE(outcome.err.find("apt-get install sollya"), std::string::npos) << outcome.err;

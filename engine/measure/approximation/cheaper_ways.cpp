@@ -49,8 +49,9 @@ constexpr double secondsOfSollya = 60.0;
 /// judgement of what was found.
 constexpr double maxShareOfTrials = 0.9;
 constexpr double minShareOfTrials = 0.4;
-/// Is the largest share of the time that is left in which ways of the front are judged first.
-constexpr double shareOfFront = 0.5;
+/// Is the largest share of the time that is left in which ways of the front are judged.
+constexpr double shareOfFront = 0.7;
+constexpr double longerForOne = 1.2; ///< is the time, over the search's, for the first of them
 constexpr std::size_t casesOfClimbRound = 3000; ///< are judged for each round of a climb
 constexpr std::size_t maxClimbRounds = 30;
 constexpr std::size_t casesOfClimb = 15000; ///< are about as many as one climb judges
@@ -118,8 +119,12 @@ class CheaperSearch {
                                           maxShareOfTrials * options_.seconds);
     }
 
-    /// Tells whether all is over: what is not judged by now is left out.
-    bool isLate() const { return options_.isAbandoned() || secondsGone() > options_.seconds; }
+    /// Tells whether all is over: what is not judged by now is left out. Before one way is, it may
+    /// take some of the time of the check on the device.
+    bool isLate() const {
+        const double max = hasProven_ ? options_.seconds : longerForOne * options_.seconds;
+        return options_.isAbandoned() || secondsGone() > max;
+    }
 
     /// Returns how long the ways of a front take on the first cases that the search has not seen,
     /// and in edge cases.
@@ -128,13 +133,18 @@ class CheaperSearch {
                static_cast<double>(casesOfFront + lastEdgeCases);
     }
 
-    /// Returns how long what is in the front will take to be judged, about.
+    /// Returns how long so many ways of the front take until those that stay are judged, about.
+    double secondsOfJudging(std::size_t ways) const {
+        const std::size_t kept = std::min(ways, options_.ways);
+        return secondsOfFirst(ways) + secondsOfCase_ * slowerThanExact * static_cast<double>(kept) *
+                                          static_cast<double>(options_.heldOut + casesOfClimb);
+    }
+
+    /// Returns the same of the front as it is, and of the exact way.
     double secondsOfJudging() const {
-        const std::size_t kept = std::min(front_.size(), options_.ways);
-        const double cases = static_cast<double>(options_.heldOut + casesOfClimb) *
-                             (1.0 + slowerThanExact * static_cast<double>(kept));
-        return secondsOfCase_ * (cases + static_cast<double>(lastEdgeCases)) +
-               secondsOfFirst(std::min(front_.size(), 2 * options_.ways));
+        const auto cases = static_cast<double>(options_.heldOut + casesOfClimb + lastEdgeCases);
+        return secondsOfCase_ * cases +
+               secondsOfJudging(std::min(front_.size(), 2 * options_.ways));
     }
 
     /// Reports, and keeps the wish to stop.
@@ -500,17 +510,13 @@ class CheaperSearch {
         found_.worst = worst.cases;
     }
 
-    /// Leaves out ways that are not judged, as many as there is no time for, but not more than
-    /// leave as many as are kept at last.
+    /// Leaves out ways that are not judged, as many as there is no time for, but not all: what is
+    /// judged then makes room for others.
     void leaveOutForTime() {
         const double left = shareOfFront * (options_.seconds - secondsGone());
-        const double fitting = std::max(left, 0.0) / secondsOfFirst(1);
         const auto open = [](const TriedWay& way) { return !way.isJudged; };
-        while (front_.size() > options_.ways &&
-               static_cast<double>(std::ranges::count_if(front_, open)) > fitting) {
-            if (!dropWeakest(open)) {
-                return;
-            }
+        for (auto count = static_cast<std::size_t>(std::ranges::count_if(front_, open));
+             count > 1 && secondsOfJudging(count) > left && dropWeakest(open); --count) {
         }
     }
 
@@ -645,6 +651,7 @@ class CheaperSearch {
             way->error.worst = std::max(way->error.worst, worst.error);
             way->worst = std::move(worst.cases);
             way->isProven = !isLate();
+            hasProven_ = hasProven_ || (way->isProven && way->error.isWithin(limit_));
         }
         const std::size_t seen = std::min(options_.heldOut, casesOfFront);
         for (std::size_t first = 0; first < options_.heldOut - seen && !open.empty() && !isLate();
@@ -728,6 +735,7 @@ class CheaperSearch {
     std::vector<CheapMove> moves_;
     std::set<std::string> words_;  ///< are those of the moves, no two of which are the same
     std::vector<TriedWay> useful_; ///< are single moves that gain something
+    bool hasProven_ = false;       ///< says that there is a way that is judged
     std::size_t untried_ = 0;      ///< counts single moves for which there was no time
     std::vector<TriedWay> tried_;  ///< are all that have a cost
     std::vector<TriedWay> front_;  ///< is sorted by error
