@@ -3,11 +3,9 @@
 // graphics card are dear where they are measured, and shaders without an effect cheaper.
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <initializer_list>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <string>
@@ -16,17 +14,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include <epoxy/gl.h>
-
 #include "benchmarks.h"
 #include "cpu_clock.h"
-#include "gl/program.h"
 #include "material/blocks_in_use.h"
 #include "material/measured_preset.h"
 #include "measure/choice/choices.h"
-#include "measure/prediction/predicted_subject.h"
-#include "measure/time/instruction_count.h"
-#include "pixel_target.h"
 #include "stage.h"
 #include "statistics.h"
 #include "support/program.h"
@@ -106,8 +98,6 @@ struct Way {
     std::map<std::string, double> latency{}; ///< by family, cycles of one wave alone
     double seconds = 0.0;                    ///< of processor time for a frame
     bool readsTable = false;
-    int texels = 0;                          ///< counts those that a pixel reads of tables
-    std::map<std::string, double> weighed{}; ///< cycles by family, those of texels among them
 };
 
 /// Returns a number of each family; nothing where a loop is in it, since how often it runs is the
@@ -193,15 +183,6 @@ std::vector<Way> presetWays(const Catalog& catalog) {
     return ways;
 }
 
-/// Returns how many texels the object's fragments read.
-int texelsOf(const Scene& scene, const Stage& stage) {
-    const auto meshes = [&stage](const Object& object) {
-        return stage.meshes.at(object.mesh).view();
-    };
-    const auto text = surfaceText({scene, 0, meshes, stage.sharedCatalog()});
-    return text ? countInstructions(text->fragment).value_or(InstructionCount()).texture : 0;
-}
-
 /// Measures ways in turns, a frame of each after the other. The smallest time counts: what others
 /// on the machine take from a frame only makes it longer.
 void measure(std::vector<Way>& ways) {
@@ -212,9 +193,6 @@ void measure(std::vector<Way>& ways) {
             frame.scene.objects.front().material = way.material;
             choose(frame, 0, materialChoices(frame.scene, 0, stage.catalog()), way.levels,
                    stage.catalog());
-            if (round == 0 && way.readsTable) {
-                way.texels = texelsOf(frame.scene, stage);
-            }
             const double began = workSeconds();
             stage.draw(frame.scene);
             glFinish();
@@ -222,107 +200,6 @@ void measure(std::vector<Way>& ways) {
             if (round > 0) { // the first one makes the program
                 way.seconds = round == 1 ? seconds : std::min(way.seconds, seconds);
             }
-        }
-    }
-}
-
-/// Reads as tables are read, 2 x 64 texels for each pixel, or computes what stands there instead.
-constexpr const char* readingShader = R"(#version 410 core
-uniform sampler2D table;
-layout(location = 0) out vec4 color;
-vec3 entry(int i) { return ENTRY; }
-void main() {
-    vec3 sum = vec3(gl_FragCoord.xy / 512.0, 0.5);
-    for (int i = 0; i < 64; ++i) {
-        float at = 254.0 * fract(sum.x + sum.y);
-        int low = int(at);
-        sum = mix(entry(low), entry(low + 1), at - float(low));
-    }
-    color = vec4(sum, 1.0);
-})";
-constexpr const char* triangleShader = R"(#version 410 core
-void main() {
-    gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);
-})";
-constexpr int readTexels = 128;
-
-/// Returns the quickest time of a target that is filled with what such a program computes.
-double secondsOfReading(const std::string& entry) {
-    std::string fragment = readingShader;
-    fragment.replace(fragment.find("ENTRY"), 5, entry);
-    const gl::Program program =
-        gl::Program::link(gl::Shader::compile(GL_VERTEX_SHADER, triangleShader).value(),
-                          gl::Shader::compile(GL_FRAGMENT_SHADER, fragment).value())
-            .value();
-    program.use();
-    double quickest = std::numeric_limits<double>::infinity();
-    for (int round = 0; round <= rounds; ++round) {
-        const double began = workSeconds();
-        glDrawArrays(GL_TRIANGLES, 0, 3);
-        glFinish();
-        quickest = round > 0 ? std::min(quickest, workSeconds() - began) : quickest;
-    }
-    return quickest;
-}
-
-/// Returns how long a pixel takes for a texel of a table, in seconds of processor time.
-double secondsOfTexel() {
-    const Stage stage(frameSize); // has the context
-    const PixelTarget target(frameSize.x);
-    std::vector<glm::vec4> entries(256);
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-        const float x = float(i) / 255.0F;
-        entries[i] = {x * x, 1.0F - x, x, 1.0F};
-    }
-    unsigned table = 0;
-    glGenTextures(1, &table);
-    glBindTexture(GL_TEXTURE_2D, table);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, 256, 1, 0, GL_RGBA, GL_FLOAT, entries.data());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    const double more = secondsOfReading("texelFetch(table, ivec2(i, 0), 0).rgb") -
-                        secondsOfReading("vec3(i * i, 255 - i, i) / 255.0");
-    glDeleteTextures(1, &table);
-    return std::max(more, 0.0) / (double(readTexels) * frameSize.x * frameSize.y);
-}
-
-/// Returns how many pixels the object covers: those that are not as the corner.
-double coveredPixels() {
-    Stage stage(frameSize);
-    stage.draw();
-    const std::vector<std::uint32_t> pixels = stage.pixels();
-    return double(std::ranges::count_if(pixels, [&](auto pixel) { return pixel != pixels[0]; }));
-}
-
-/// Returns how much longer a frame of models is for each cycle, by least squares.
-double secondsOfCycle(const std::vector<Way>& models, const std::string& family) {
-    double cycles = 0.0;
-    double seconds = 0.0;
-    for (const Way& model : models) {
-        cycles += model.cycles.at(family) / double(models.size());
-        seconds += model.seconds / double(models.size());
-    }
-    double both = 0.0;
-    double square = 0.0;
-    for (const Way& model : models) {
-        const double off = model.cycles.at(family) - cycles;
-        both += off * (model.seconds - seconds);
-        square += off * off;
-    }
-    return both / square;
-}
-
-/// Counts texels by what they take here: a card has units for them, which cycles leave out. What
-/// one takes is measured by a program of its own, and what a cycle is by models exactly computed.
-void weighTexels(std::vector<Way>& ways, const std::vector<Way>& models) {
-    const double texel = secondsOfTexel();
-    const double pixels = coveredPixels();
-    for (const char* family : families) {
-        const double cycles = texel * pixels / secondsOfCycle(models, family);
-        fmt::print(
-            "    a texel takes {:.2f} ns for a pixel here, as {:.1f} cycles on {}; {} pixels\n",
-            1e9 * texel, cycles, family, pixels);
-        for (Way& way : ways) {
-            way.weighed[family] = way.cycles.at(family) + way.texels * cycles;
         }
     }
 }
@@ -435,9 +312,7 @@ bool predictedCost() {
     bool isKept = areInOrder("cycles of models", models, &Way::cycles);
     std::vector<Way> all = presetWays(catalog);
     measure(all);
-    areInOrder("cycles of presets and levels", all, &Way::cycles);
-    weighTexels(all, models);
-    isKept = areInOrder("cycles and texels of presets and levels", all, &Way::weighed) && isKept;
+    isKept = areInOrder("cycles of presets and levels", all, &Way::cycles) && isKept;
     areInOrder("latency of presets and levels", all, &Way::latency);
     std::erase_if(all, &Way::readsTable);
     return areInOrder("cycles of those without tables", all, &Way::cycles) && isKept;

@@ -2,11 +2,9 @@
 #pragma once
 
 #include <chrono>
-#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include <epoxy/gl.h>
 
@@ -74,14 +72,6 @@ class Stage {
         draw(another);
         glFinish();
         return wallSeconds() - began;
-    }
-
-    /// Returns the pixels of the frame that was drawn last.
-    std::vector<std::uint32_t> pixels() const {
-        std::vector<std::uint32_t> read(std::size_t(view.size.x) * std::size_t(view.size.y));
-        glBindFramebuffer(GL_READ_FRAMEBUFFER, target_.name());
-        glReadPixels(0, 0, view.size.x, view.size.y, GL_RGBA, GL_UNSIGNED_BYTE, read.data());
-        return read;
     }
 
     /// Makes another renderer in the same context.
