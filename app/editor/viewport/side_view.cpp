@@ -148,11 +148,13 @@ SideView::SideView(const ViewSources& sources, const ViewTools& tools, Side side
             [overlay, &turntable = tools.turntable] {
                 overlay->setSuspended(turntable.turning().has_value());
             });
-    connect(&tools.turntable, &ViewTurntable::moved, frames, [frames] {
-        if (!frames->isDrawing()) { // a slow device skips frames
-            frames->refresh();
-        }
-    });
+    connect(&tools.turntable, &ViewTurntable::moved, frames,
+            [frames, &turntable = tools.turntable] {
+                // A slow device skips frames, but not the one after the last turn.
+                if (!frames->isDrawing() || !turntable.turning()) {
+                    frames->refresh();
+                }
+            });
     updateTitle();
 }
 
