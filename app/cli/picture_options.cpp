@@ -10,7 +10,6 @@
 #include "cli/option_numbers.h"
 #include "core/exposure.h"
 #include "core/number_text.h"
-#include "material/material.h"
 
 namespace patina {
 namespace {

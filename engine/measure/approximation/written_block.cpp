@@ -4,7 +4,7 @@
 #include <array>
 #include <system_error>
 
-#include <unistd.h>
+#include <stdlib.h>
 
 #include "catalog/json_text.h"
 #include "core/atomic_file.h"

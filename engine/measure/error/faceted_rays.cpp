@@ -2,7 +2,6 @@
 #include "measure/error/faceted_rays.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
