@@ -2,6 +2,7 @@
 // What a viewer sees of a strip of the ridges of lib/ridges.glsl that is narrower than a period.
 // The viewer looks from the side of +b. A line of sight is called by where it passes the height of
 // the ridges' tops: z radii beyond the line that grazes a ridge on its far side, 0 .. d.
+#include "lib/elementary.glsl"
 #include "lib/ridges.glsl"
 
 // The part of a strip that is seen and lit.
@@ -49,4 +50,39 @@ SeenStrip seenStrip(AcrossRidges l, AcrossRidges v, float from, float width, flo
     seen.floorWidth = partWithin(strip, from, width)
         + partWithin(vec2(strip.x - spacing, strip.y - spacing), from, width);
     return seen;
+}
+
+// ridgeLobe() by 5 Gauss-Legendre points instead of 16, on either side of where the lobe is largest to
+// 2.8 deviations: up to 0.003 of the integral of the lobe alone over all angles off, on an arc that is
+// a deviation long a ten-thousandth.
+float quickRidgeLobe(vec2 arc, vec3 h, float e, vec2 view, vec2 light) {
+    float largest = max(arc.x, min(h.x, arc.y));
+    float off = abs(largest - h.x);
+    float reach2 = 7.84 / (e + 1.0);
+    float reach = reach2 / (sqrt(off * off + reach2) + off);
+    float from = max(arc.x, largest - reach);
+    float to = min(arc.y, largest + reach);
+    if (!(to > from)) {
+        return 0.0;
+    }
+    float nodes[3];
+    float weights[3];
+    nodes[0] = 0.0;
+    nodes[1] = 0.5384693101056831;
+    nodes[2] = 0.906179845938664;
+    weights[0] = 0.28444444444444444; // the middle is summed up twice
+    weights[1] = 0.4786286704993665;
+    weights[2] = 0.2369268850561891;
+    float sum = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        for (int side = -1; side < 2; side += 2) {
+            float psi = 0.5 * (from + to + float(side) * nodes[i] * (to - from));
+            float s = sin(psi - h.x);
+            float c = cos(psi - h.x);
+            float lobe = c > 0.0 ? powSC(h.y + h.z * s * s, h.z * c * c, e) : 0.0;
+            float facing = sin(view.x + view.y * psi) * sin(light.x + light.y * psi);
+            sum += weights[i] * lobe * max(facing, 0.0);
+        }
+    }
+    return 0.5 * (to - from) * sum;
 }

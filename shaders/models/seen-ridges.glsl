@@ -55,7 +55,12 @@ vec2 stripLight(Directions g, SeenRidges p, AcrossRidges l, AcrossRidges v, vec3
     vec2 light = isEven ? vec2(lit.horizon, l.side) : vec2(0.5 * PI, 0.0);
     vec2 view = vec2(looked.horizon, 1.0);
     vec3 turned = vec3(h.x - seen.middle, h.y, h.z);
-    float ridges = ridgeLobe(arc, turned, p.shininess, view, light);
+    float ridges = 0.0;
+    if (p.points == SEEN_RIDGES_POINTS_EXACT) {
+        ridges = ridgeLobe(arc, turned, p.shininess, view, light);
+    } else {
+        ridges = quickRidgeLobe(arc, turned, p.shininess, view, light);
+    }
     float flatPart = seen.floorWidth * powSC(g.sin2h, g.cos2h, p.shininess);
     float lobes = share * ridges * (isEven ? l.across : 1.0) + flatPart * (isEven ? g.nl : 1.0);
     return vec2(matte, lobes);

@@ -269,6 +269,31 @@ TEST(Elementary, RidgeLobe_KeepsItsBound) {
     }
 }
 
+/// The level of fewer points, in units of the whole lobe's integral: an arc of any length, and one
+/// that is shorter than a deviation.
+TEST(SeenRidges, OfFivePoints_AreOffByNoMoreThanTheirLabelSays) {
+    double longArcs = 0.0;
+    double shortArcs = 0.0;
+    for (const double e : {0.0, 1.0, 20.0, 500.0, 1e5}) {
+        const double deviation = std::sqrt(1.0 / (e + 1.0));
+        const double whole = std::sqrt(2.0 * std::numbers::pi) * deviation;
+        for (double from = -4.0; from < 4.0; from += 0.1) {
+            for (const double length : {0.03, 0.3, 1.0, 2.0, 4.0, 8.0}) {
+                const double begin = std::max(from * deviation, -1.4);
+                const double end = std::min((from + length) * deviation, 1.4);
+                const std::vector<double> in{begin, end, 0.0, 0.1, 0.9, e, 1.4, 1.0, 1.57, 0.0};
+                const double error =
+                    std::abs(call("quickRidgeLobe", in)[0] - call("ridgeLobe", in)[0]) / whole;
+                (length > 1.0 ? longArcs : shortArcs) =
+                    std::max(length > 1.0 ? longArcs : shortArcs, error);
+            }
+        }
+    }
+    EXPECT_LT(longArcs, 0.003);
+    EXPECT_GT(longArcs, 0.0005);
+    EXPECT_LT(shortArcs, 1e-4);
+}
+
 /// An arc that ends before the middle of the lobe has its slope alone, however weak.
 TEST(Elementary, RidgeLobesSlope_KeepsItsDigits) {
     for (const double e : {1.0, 20.0, 100.0, 1000.0}) {
