@@ -61,6 +61,12 @@ Worker::Worker(Options options) : options_(std::move(options)), isPaused_(option
 }
 
 Worker::~Worker() {
+    {
+        const std::lock_guard lock(mutex_);
+        if (thread_ != nullptr) {
+            thread_->setPriority(QThread::NormalPriority); // it is waited for from now on
+        }
+    }
     options_.atEnd == AtEnd::Finish ? finish() : forget();
     open_.clear();
     report();
@@ -173,6 +179,10 @@ void Worker::finish() {
 
 /// Runs in the worker's thread, as do the functions below.
 void Worker::run() {
+    {
+        const std::lock_guard lock(mutex_);
+        thread_ = QThread::currentThread();
+    }
     while (const std::shared_ptr<Task> task = next()) {
         Control control(*this, task);
         Delivery delivery = task->work(control);
@@ -183,6 +193,8 @@ void Worker::run() {
         options_.atRest();
     }
     closeContext();
+    const std::lock_guard lock(mutex_);
+    thread_ = nullptr;
 }
 
 /// Returns the next request; null when the thread has to end. A request that comes after that

@@ -189,6 +189,7 @@ class Worker : public QObject {
     std::condition_variable changed_;
     std::deque<std::shared_ptr<Task>> waiting_;
     std::shared_ptr<Task> running_;
+    QThread* thread_ = nullptr; ///< runs requests now; null where none does
     bool hasThread_ = false; ///< tells whether a thread will look at waiting_ again before it ends
     bool isEnding_ = false;
     QThreadPool pool_; ///< has one thread

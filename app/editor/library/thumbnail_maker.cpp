@@ -2,6 +2,7 @@
 #include "library/thumbnail_maker.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -25,6 +26,9 @@
 
 namespace patina {
 namespace {
+
+/// Is how long a picture is drawn until it is asked whether it is still wanted.
+constexpr std::chrono::milliseconds slice{20};
 
 /// Exposes the environment so that its mean, taken in stops, becomes middle grey (18 %).
 QImage seenFromWithin(const EnvironmentRadiance& environment) {
@@ -87,19 +91,28 @@ class ThumbnailMaker::Studio {
         return studio;
     }
 
-    /// Returns null if the program does not compile, since the fallback would be a wrong picture.
-    QImage draw(const Material& material, std::shared_ptr<const Catalog> catalog) {
+    /// Returns null if the program does not compile, since the fallback would be a wrong picture,
+    /// and when cancelled.
+    QImage draw(const Material& material, std::shared_ptr<const Catalog> catalog,
+                const Worker::Control& control) {
         scene_.objects.front().material = material;
-        return draw(scene_, std::move(catalog));
+        return draw(scene_, std::move(catalog), control);
     }
 
-    QImage draw(const Scene& scene, std::shared_ptr<const Catalog> catalog) {
+    QImage draw(const Scene& scene, std::shared_ptr<const Catalog> catalog,
+                const Worker::Control& control) {
         use(std::move(catalog));
         View view;
         view.size = {ThumbnailMaker::pixels, ThumbnailMaker::pixels};
         view.camera = scene.camera;
         const auto meshes = [this](const Object& object) { return mesh(object.mesh); };
-        const Result<Image> image = renderer_->capture(scene, view, meshes, true);
+        FrameJob& job = renderer_->begin(scene, view, meshes, FramePurpose::Capture);
+        while (job.step(slice) == FrameJob::Progress::More) {
+            if (control.isCancelled()) {
+                return {};
+            }
+        }
+        const Result<Image> image = job.failure() ? tl::unexpected(*job.failure()) : job.read(true);
         return image && !isBroken() ? asPicture(*image) : QImage();
     }
 
@@ -179,7 +192,7 @@ void ThumbnailMaker::ask(const QString& name, const Material& material) {
     worker_.ask(
         [this, material, catalog = catalog_](const Worker::Control& control) {
             return picture(keys_.of(material, *catalog), catalog, control,
-                           [&](Studio& studio) { return studio.draw(material, catalog); });
+                           [&](Studio& studio) { return studio.draw(material, catalog, control); });
         },
         [this, name](const Result<QImage>& drawn) { handOver(name, drawn); }, name);
 }
@@ -201,8 +214,9 @@ void ThumbnailMaker::askScene(const QString& name, const std::filesystem::path& 
             if (!read) {
                 return tl::unexpected(read.error().front());
             }
-            return picture(keys_.of(read->scene, file, *catalog), catalog, control,
-                           [&](Studio& studio) { return studio.draw(read->scene, catalog); });
+            return picture(
+                keys_.of(read->scene, file, *catalog), catalog, control,
+                [&](Studio& studio) { return studio.draw(read->scene, catalog, control); });
         },
         [this, name](const Result<QImage>& drawn) { handOver(name, drawn); }, name);
 }
