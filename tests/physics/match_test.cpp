@@ -168,6 +168,9 @@ TEST(Matched, DirectionsOfALitBall_CountAsOneEach) {
     ASSERT_EQ(target->weights.size(), 400u);
     EXPECT_NEAR(std::accumulate(target->weights.begin(), target->weights.end(), 0.0), 400.0, 25.0);
     EXPECT_EQ(target->first(10).weights.size(), 10u);
+    const auto inTheMiddle = std::ranges::count_if(
+        target->pairs, [](const DirectionPair& pair) { return pair.v.z > std::sqrt(0.75); });
+    EXPECT_GT(inTheMiddle, 80) << "a fourth of the ball's picture";
 }
 
 /// Lightness asks for the colour of a surface, and light for its highlight.

@@ -24,7 +24,7 @@ bool isUsable(const DirectionPair& pair) {
     return pair.l.z > minCosine && pair.v.z > minCosine;
 }
 
-/// Of so many pairs on a ball one is of spreadPair().
+/// Counts the pairs on a ball of which one is of spreadPair().
 constexpr std::size_t ballRow = 4;
 constexpr double spreadWeight = 0.1 * double(ballRow);
 constexpr double ballWeight = 0.9 * double(ballRow) / double(ballRow - 1);
@@ -86,14 +86,18 @@ Result<MatchTarget> matchTarget(const EvalCase& model, std::size_t samples, cons
     MatchTarget target;
     target.isIsotropic = false;
     for (std::size_t index = 1; target.pairs.size() < samples; ++index) {
-        const bool isSpread = directions == MatchDirections::Spread || index % ballRow == 0;
-        const DirectionPair pair = isSpread ? spreadPair(index) : ballPair(index);
+        const bool isBall = directions == MatchDirections::LitBall;
+        const bool isSpread = !isBall || index % ballRow == 0;
+        // Each sequence goes through all its indices: a part of them would leave places out.
+        const std::size_t rows = isBall ? index / ballRow : 0;
+        const DirectionPair pair =
+            isSpread ? spreadPair(isBall ? rows : index) : ballPair(index - rows);
         if (!isUsable(pair)) {
             continue;
         }
         target.pairs.push_back(pair);
         target.values.push_back(values->at(pair));
-        if (directions == MatchDirections::LitBall) {
+        if (isBall) {
             target.weights.push_back(isSpread ? spreadWeight : ballWeight);
         }
     }
