@@ -306,6 +306,25 @@ TEST(StraussTerms, ByTheCosine_ErrByAnEighth) {
     expectAbout(worst, 0.13);
 }
 
+TEST(StraussTerms, OfAnyPairByTheCosine_ErrByNoMoreThanIsStated) {
+    const Values values{{"diffuse.color", black}, {"specular.color", white}, {"smoothness", 0.0},
+                        {"metalness", 0.0},       {"transparency", 0.0},     {"k", 0.1}};
+    const Subject exact("models", "strauss", values);
+    const Subject cheap("models", "strauss", values, {{"terms", "cosine"}});
+    double worst = 0.0;
+    for (double a = 1.5; a < 90.0; a += 0.5) {
+        for (const double b : {45.0, 80.0, 89.0, 89.3, 89.5}) {
+            const auto at = geometry(direction(a, 0.0), direction(b, 180.0));
+            const double lobe = std::pow(std::cos((a - b) * std::numbers::pi / 180.0), 3.0);
+            if (lobe > 0.05) {
+                worst = std::max(worst, std::abs(cheap.shade(at).x - exact.shade(at).x) / lobe);
+            }
+        }
+    }
+    EXPECT_LE(worst, 0.1 * 0.14);
+    EXPECT_GT(worst, 0.1 * 0.125);
+}
+
 TEST(AshikhminShirleyFall, AsAGaussian_ErrsAsOfPhong) {
     const auto error = [](double e) {
         const Values values{{"diffuse.color", black},

@@ -10,6 +10,7 @@
 #include "measure/eval/eval_gpu.h"
 #include "measure/eval/eval_reference.h"
 #include "physics_cases.h"
+#include "support/long_form.h"
 
 namespace patina::physics::device_values_test {
 namespace {
@@ -126,6 +127,71 @@ void placeNearMirror(EvalCase& request, double exponent, std::mt19937& random) {
     }
 }
 
+/// Is a case with how far a highlight is off in it.
+struct JudgedCase {
+    EvalCase request;
+    double error = 0.0; ///< is a share of the peak
+};
+
+/// Judges cases whose highlights are `peak` in their middle.
+void judge(std::vector<JudgedCase>& cases, double peak, const RoundedModel& model, EvalGpu& gpu) {
+    std::vector<EvalCase> rounded;
+    for (const JudgedCase& each : cases) {
+        rounded.push_back(each.request);
+        rounded.back().block.accuracy[model.choice] = "rounded";
+    }
+    const auto answers = gpu.evaluate(rounded, catalog());
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        ASSERT_TRUE(answers[i]) << answers[i].error().text();
+        const double exact = evaluatedInDouble(cases[i].request).value()[0];
+        // A lobe that grows as light and viewer graze is off by a share of its own.
+        cases[i].error = std::abs((*answers[i])[0] - exact) / std::max(peak, exact);
+    }
+}
+
+/// Moves one of the three directions by a step of any size; not where light or viewer would be
+/// lower than cases are drawn.
+void move(EvalCase& request, std::mt19937& random) {
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    std::normal_distribution<double> part;
+    const double size = std::pow(10.0, -7.5 + 6.0 * share(random));
+    glm::dvec3* const each[] = {&request.n, &request.l, &request.v};
+    glm::dvec3& moved = *each[std::min(int(3.0 * share(random)), 2)];
+    const glm::dvec3 before = moved;
+    moved += size * glm::dvec3(part(random), part(random), part(random));
+    moved = glm::dvec3(glm::vec3(glm::normalize(moved)));
+    const double lowest = direction(87.0, 0.0).z;
+    if (glm::dot(request.n, request.l) < lowest || glm::dot(request.n, request.v) < lowest) {
+        moved = before;
+    }
+}
+
+/// Returns the largest error that is found from these cases by moves that make it larger.
+double climbed(std::vector<JudgedCase> cases, double peak, const RoundedModel& model, EvalGpu& gpu,
+               std::mt19937& random) {
+    constexpr std::size_t climbers = 24;
+    constexpr std::size_t tries = 6;
+    const int climbingRounds = tests::casesOf(60, 800);
+    std::ranges::sort(cases, std::ranges::greater(), &JudgedCase::error);
+    cases.resize(climbers);
+    for (int i = 0; i < climbingRounds; ++i) {
+        std::vector<JudgedCase> moved;
+        for (const JudgedCase& each : cases) {
+            for (std::size_t k = 0; k < tries; ++k) {
+                moved.push_back(each);
+                move(moved.back().request, random);
+            }
+        }
+        judge(moved, peak, model, gpu);
+        for (std::size_t k = 0; k < moved.size(); ++k) {
+            if (moved[k].error > cases[k / tries].error) {
+                cases[k / tries] = moved[k];
+            }
+        }
+    }
+    return std::ranges::max(cases, {}, &JudgedCase::error).error;
+}
+
 TEST_P(RoundedPower, OfAnySharpness_ErrsByNoMoreThanItStates) {
     constexpr int casesEach = 34000; // a hundred thousand in all
     std::mt19937 random(1);
@@ -133,33 +199,25 @@ TEST_P(RoundedPower, OfAnySharpness_ErrsByNoMoreThanItStates) {
     for (const double exponent : {20.0, 200.0, 1000.0}) {
         EvalCase request = highlightOf(GetParam(), exponent);
         const double peak = evaluatedInDouble(request).value()[0];
-        std::vector<EvalCase> cases;
-        std::vector<double> exact;
+        std::vector<JudgedCase> cases;
         for (int i = 0; i < casesEach; ++i) {
             placeNearMirror(request, exponent, random);
-            exact.push_back(evaluatedInDouble(request).value()[0]);
-            cases.push_back(request);
-            cases.back().block.accuracy[GetParam().choice] = "rounded";
+            cases.push_back({request});
         }
-        const auto answers = gpu.evaluate(cases, catalog());
-        double worst = 0.0;
-        for (int i = 0; i < casesEach; ++i) {
-            ASSERT_TRUE(answers[i]) << answers[i].error().text();
-            // A lobe that grows as light and viewer graze is off by a share of its own.
-            worst =
-                std::max(worst, std::abs((*answers[i])[0] - exact[i]) / std::max(peak, exact[i]));
-        }
-        EXPECT_LE(worst, GetParam().stated * exponent) << exponent;
-        EXPECT_GT(worst, 0.05 * GetParam().stated * exponent) << "it states too much";
+        judge(cases, peak, GetParam(), gpu);
+        const double drawn = std::ranges::max(cases, {}, &JudgedCase::error).error;
+        const double worst = climbed(std::move(cases), peak, GetParam(), gpu, random);
+        EXPECT_LE(worst, GetParam().stated * exponent) << exponent << ", drawn " << drawn;
+        EXPECT_GT(worst, 0.1 * GetParam().stated * exponent) << "it states too much";
     }
 }
 
 INSTANTIATE_TEST_SUITE_P(
     EveryModel, RoundedPower,
-    testing::Values(RoundedModel{"phong", 4.5e-7}, RoundedModel{"heidrich-seidel", 5e-7},
-                    RoundedModel{"lafortune", 3.5e-7, "falloff", {"lobe1.exponent"}},
+    testing::Values(RoundedModel{"phong", 6.5e-7}, RoundedModel{"heidrich-seidel", 5e-7},
+                    RoundedModel{"lafortune", 4.5e-7, "falloff", {"lobe1.exponent"}},
                     RoundedModel{
-                        "ashikhmin-shirley", 8e-7, "falloff", {"shininess.x", "shininess.y"}}),
+                        "ashikhmin-shirley", 1.5e-6, "falloff", {"shininess.x", "shininess.y"}}),
     [](const auto& tested) {
         std::string name = tested.param.id;
         std::erase(name, '-');
