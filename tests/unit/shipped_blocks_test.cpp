@@ -39,6 +39,34 @@ TEST(ShippedBlocks, EveryBlock_SaysWhatItIsAndWhereItIsFrom) {
     }
 }
 
+/// What keeps its size on the screen has another unit than what keeps its share of the picture.
+TEST(ShippedBlocks, Lengths_OnThePictureAndOnTheScreenHaveUnitsOfTheirOwn) {
+    int ofScreen = 0;
+    int ofPicture = 0;
+    for (const Block& block : shipped().blocks) {
+        const bool isOverPicture = block.kind == kinds::pass || block.kind == kinds::strokes;
+        for (const Parameter& parameter : block.parameters) {
+            const bool isOnScreen =
+                parameter.role == roles::screenLength ||
+                (block.kind == kinds::outline && parameter.role == roles::width);
+            EXPECT_EQ(parameter.unit == "px", isOnScreen) << block.id << ' ' << parameter.id;
+            if (parameter.unit == "px") {
+                ++ofScreen;
+                EXPECT_NE(parameter.doc.find("ixels of the screen"), std::string::npos)
+                    << block.id << ' ' << parameter.id;
+            }
+            if (parameter.unit == "px/512") {
+                ++ofPicture;
+                EXPECT_TRUE(isOverPicture) << block.id << ' ' << parameter.id;
+                EXPECT_NE(parameter.doc.find("a picture that is 512"), std::string::npos)
+                    << block.id << ' ' << parameter.id;
+            }
+        }
+    }
+    EXPECT_GE(ofScreen, 10);
+    EXPECT_GE(ofPicture, 15);
+}
+
 TEST(ShippedBlocks, EveryGlow_MayOutshineAWhiteSurface) {
     int glows = 0;
     for (const Block& block : shipped().blocks) {
