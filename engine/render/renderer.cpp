@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/renderer.h"
 
+#include <tuple>
 #include <utility>
 
 #include "gl/driver.h"
 #include "render/frame/frame_job.h"
+#include "render/gpu/stretched_picture.h"
 #include "render/surfaces/inspection_drawer.h"
 #include "render/surfaces/surface_buffer_drawer.h"
 
@@ -76,6 +78,17 @@ const FrameReport& Renderer::draw(const Scene& scene, const View& view, const Me
         job_->show(framebuffer);
     }
     return job_->report();
+}
+
+void Renderer::showInWindow(const StretchedPicture& picture, const OverlayPicture& overlay) {
+    const ScreenTarget window{0, picture.size()};
+    if (!shared_->catalog || !picture.draw(window, *shared_->catalog, shared_->programs())) {
+        picture.show(window.framebuffer, window.size);
+    }
+    if (shared_->catalog && !overlay.isEmpty()) {
+        // Without its program the picture is there, and a frame has the same errors.
+        std::ignore = overlay.draw(window, *shared_->catalog, shared_->programs());
+    }
 }
 
 Result<Image> Renderer::capture(const Scene& scene, const View& view, const MeshSource& meshes,

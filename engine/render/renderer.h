@@ -14,6 +14,8 @@ namespace patina {
 
 class FrameJob;
 class InspectionDrawer;
+class OverlayPicture;
+class StretchedPicture;
 class SurfaceBufferDrawer;
 struct RenderResources;
 
@@ -68,6 +70,9 @@ class Renderer {
     /// until the next frame and has the errors. Drawing allocates nothing when only values changed.
     const FrameReport& draw(const Scene& scene, const View& view, const MeshSource& meshes,
                             unsigned framebuffer);
+
+    /// Draws a finished picture into the window of the current context, and what is laid over it.
+    void showInWindow(const StretchedPicture& picture, const OverlayPicture& overlay);
 
     /// Returns the same frame as FrameJob::read() does. With an environment, a continued view is
     /// not drawn again where its picture is still there.

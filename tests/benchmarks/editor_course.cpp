@@ -15,7 +15,7 @@ constexpr int restMs = 600;
 } // namespace
 
 EditorCourse::EditorCourse(MainWindow& window) : view_(window.views().first().viewport()) {
-    QObject::connect(&view_, &QOpenGLWidget::frameSwapped, &window, [this] { ++swaps_; });
+    QObject::connect(&view_, &Viewport::shown, &window, [this] { ++swaps_; });
 }
 
 EditorCourse::Cost EditorCourse::take(const std::string& name, const std::function<void()>& begin,

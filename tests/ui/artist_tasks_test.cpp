@@ -50,7 +50,7 @@ class ArtistTask : public PresetWindow {
         Viewport& viewport = window().views().view(side)->viewport();
         settle();
         EXPECT_TRUE(QTest::qWaitFor([&] { return viewport.frames().isUpToDate(); }, waitMs));
-        return viewport.grabFramebuffer();
+        return viewport.grabPicture();
     }
     const Material& material(Side side = Side::A) { return *document().material(side); }
     Value value(const std::string& id) {
@@ -264,9 +264,9 @@ TEST_F(ArtistTask, TooBrightMetalIsMended) {
     Viewport& view = window().views().first().viewport();
     hand.click(view);
     hand.key(view, Qt::Key_E, Qt::ShiftModifier);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return redShare(view.grabFramebuffer()) > 0.05; }, waitMs));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return redShare(view.grabPicture()) > 0.05; }, waitMs));
     typeInto(*row("diffuse.color").findChild<HexBox*>(), "000000"); // a metal has no matte light
-    EXPECT_TRUE(QTest::qWaitFor([&] { return redShare(view.grabFramebuffer()) == 0.0; }, waitMs));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return redShare(view.grabPicture()) == 0.0; }, waitMs));
     hand.click(view);
     hand.key(view, Qt::Key_E, Qt::ShiftModifier);
     EXPECT_EQ(steps(), made + 1);

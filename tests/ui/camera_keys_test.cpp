@@ -179,16 +179,16 @@ TEST_F(CameraKeys, FieldOfViewInThePanel_MovesTheCameraWithoutAnEdit) {
 }
 
 TEST_F(CameraKeys, NearPlane_CutsAwayWhatIsBeforeIt) {
-    const QImage whole = view().grabFramebuffer();
+    const QImage whole = view().grabPicture();
     const BlockPath path = document().selection().currentPath(settings::camera);
     document().setValue(path, "near", camera().distance + 100.0);
     newFrames();
-    const QImage cut = view().grabFramebuffer();
+    const QImage cut = view().grabPicture();
     EXPECT_NE(cut.pixel(cut.rect().center()), whole.pixel(whole.rect().center()));
     EXPECT_EQ(cut.pixel(cut.rect().center()), cut.pixel(2, 2));
     document().setValue(path, "near", 0.0);
     newFrames();
-    EXPECT_EQ(view().grabFramebuffer(), whole);
+    EXPECT_EQ(view().grabPicture(), whole);
 }
 
 } // namespace

@@ -47,8 +47,8 @@ class CompareModes : public WindowFixture {
     }
 
     ComposedView& composed() { return *window().views().composed(); }
-    QImage ofA() { return view().grabFramebuffer().convertToFormat(QImage::Format_RGB32); }
-    QImage ofB() { return secondView().grabFramebuffer().convertToFormat(QImage::Format_RGB32); }
+    QImage ofA() { return view().grabPicture().convertToFormat(QImage::Format_RGB32); }
+    QImage ofB() { return secondView().grabPicture().convertToFormat(QImage::Format_RGB32); }
 
     void dragOver(const QPoint& from, const QPoint& to) {
         QTest::mousePress(&composed(), Qt::LeftButton, {}, from);

@@ -52,7 +52,7 @@ class CompareViews : public WindowFixture {
     }
 
     QRgb middleOf(Side side) {
-        const QImage picture = viewOf(side).grabFramebuffer();
+        const QImage picture = viewOf(side).grabPicture();
         return picture.pixel(picture.rect().center());
     }
 };

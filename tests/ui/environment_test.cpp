@@ -29,7 +29,7 @@ class EnvironmentInTheWindow : public WindowFixture {
 
     /// The mean of what is on the screen, 0 to 255.
     double brightness() {
-        const QImage shown = view().grabFramebuffer();
+        const QImage shown = view().grabPicture();
         double sum = 0.0;
         for (int y = 0; y < shown.height(); ++y) {
             for (int x = 0; x < shown.width(); ++x) {

@@ -45,7 +45,7 @@ TEST_F(HistogramPanel, CountsThePixelsThatTheViewShows_WithoutDrawingThem) {
     const int drawn = newFrames();
     settle();
     EXPECT_EQ(newFrames(), 0) << drawn;
-    const QImage shown = view().grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+    const QImage shown = view().grabPicture().convertToFormat(QImage::Format_RGB32);
     H::Counts green(256, 0);
     for (int y = 0; y < shown.height(); ++y) {
         for (int x = 0; x < shown.width(); ++x) {
@@ -70,8 +70,7 @@ TEST_F(HistogramPanel, OfLight_MovesByTheExposure) {
     const auto median = [this] { return brightnessOf(*plot().histogram()).median; };
     const double before = median();
     setExposure(2.0);
-    EXPECT_TRUE(
-        waitFor([&] { return std::abs(median() - before - 2.0) < 1.5 / binsPerStop; }));
+    EXPECT_TRUE(waitFor([&] { return std::abs(median() - before - 2.0) < 1.5 / binsPerStop; }));
     EXPECT_TRUE(plot().textAt(plot().rect().center()).contains("stops from white"));
     EXPECT_TRUE(plot().textAt({-1, -1}).isEmpty());
 }

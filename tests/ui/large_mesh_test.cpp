@@ -83,18 +83,18 @@ TEST_F(LargeMesh, Dropped_IsDrawnOverSeveralTurns) {
 }
 
 TEST_F(LargeMesh, NotYetDrawn_LeavesTheLastPicture) {
-    const QImage before = view().grabFramebuffer();
+    const QImage before = view().grabPicture();
     ASSERT_TRUE(dropAndWait());
     QCoreApplication::processEvents();
     ASSERT_TRUE(view().frames().isDrawing());
-    EXPECT_EQ(view().grabFramebuffer(), before);
+    EXPECT_EQ(view().grabPicture(), before);
 }
 
 TEST_F(LargeMesh, Drawn_ChangesThePicture) {
-    const QImage before = view().grabFramebuffer();
+    const QImage before = view().grabPicture();
     ASSERT_TRUE(dropAndWait());
     ASSERT_TRUE(rests());
-    EXPECT_NE(view().grabFramebuffer(), before);
+    EXPECT_NE(view().grabPicture(), before);
 }
 
 TEST_F(LargeMesh, UndoneWhileItIsDrawn_IsGone) {
@@ -110,19 +110,19 @@ TEST_F(LargeMesh, UndoneWhileItIsDrawn_IsGone) {
 TEST_F(LargeMesh, CameraMovedWhileItIsDrawn_IsDrawnFromThere) {
     ASSERT_TRUE(dropAndWait());
     ASSERT_TRUE(rests());
-    const QImage before = view().grabFramebuffer();
+    const QImage before = view().grabPicture();
     drag(Qt::LeftButton, Qt::NoModifier, {200, 0});
     ASSERT_TRUE(QTest::qWaitFor([this] { return view().frames().isDrawing(); }, limitMs));
     drag(Qt::LeftButton, Qt::NoModifier, {-200, 0});
     ASSERT_TRUE(rests());
-    EXPECT_EQ(view().grabFramebuffer(), before);
+    EXPECT_EQ(view().grabPicture(), before);
 }
 
 TEST_F(LargeMesh, ResizedWhileItIsDrawn_IsDrawnInTheNewSize) {
     ASSERT_TRUE(dropAndWait());
     window().resize(window().size() - QSize(60, 40));
     ASSERT_TRUE(waitForFrame());
-    EXPECT_EQ(view().grabFramebuffer().size(), view().size());
+    EXPECT_EQ(view().grabPicture().size(), view().size());
 }
 
 TEST_F(LargeMesh, CancelledWhileItIsRead_ChangesNothing) {
@@ -163,7 +163,7 @@ TEST_F(LargeMeshExport, Picture_IsDrawnOverSeveralTurns) {
 
 TEST_F(LargeMeshExport, Picture_IsWhatTheViewShows) {
     QSignalSpy saved(&window().pictures(), &PictureExport::saved);
-    const QImage shown = view().grabFramebuffer().convertToFormat(QImage::Format_RGB888);
+    const QImage shown = view().grabPicture().convertToFormat(QImage::Format_RGB888);
     save();
     ASSERT_TRUE(saved.wait(limitMs));
     const QImage picture = written();

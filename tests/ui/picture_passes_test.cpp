@@ -27,16 +27,16 @@ class PicturePasses : public WindowFixture {
 };
 
 TEST_F(PicturePasses, SlidersTick_DrawsThePassAlone) {
-    const QImage before = view().grabFramebuffer();
+    const QImage before = view().grabPicture();
     const int already = restyled();
     set("radius", 20.0);
     EXPECT_EQ(newFrames(), 0);
     EXPECT_EQ(restyled(), already + 1);
-    const QImage restyledPicture = view().grabFramebuffer();
+    const QImage restyledPicture = view().grabPicture();
     EXPECT_NE(restyledPicture, before);
     view().frames().refresh();
     EXPECT_EQ(newFrames(), 1);
-    EXPECT_EQ(view().grabFramebuffer(), restyledPicture);
+    EXPECT_EQ(view().grabPicture(), restyledPicture);
 }
 
 /// The view frees what it draws into once it rests, but not the picture under a pass.
@@ -52,13 +52,13 @@ TEST_F(PicturePasses, SlidersTickAfterARest_DrawsThePassAlone) {
 TEST_F(PicturePasses, RemovedPass_LeavesThePictureWithoutIt) {
     document().undoStack().undo();
     newFrames();
-    const QImage without = view().grabFramebuffer();
+    const QImage without = view().grabPicture();
     addPass(document(), "kuwahara");
     newFrames();
-    EXPECT_NE(view().grabFramebuffer(), without);
+    EXPECT_NE(view().grabPicture(), without);
     removePass(document(), 0);
     newFrames();
-    EXPECT_EQ(view().grabFramebuffer(), without);
+    EXPECT_EQ(view().grabPicture(), without);
 }
 
 TEST_F(PicturePasses, PanelsButtons_MoveAndRemovePasses) {

@@ -102,9 +102,10 @@ TEST_F(ProgramsMadeElsewhere, WindowClosedMeanwhile_LeavesNothingBehind) {
 
 /// A view that looked for it too early would compile it again, in the window.
 TEST_F(ProgramsMadeElsewhere, WhatTheDriverMade_IsOnTheDiskWhenTheyAreFinished) {
-    view().makeCurrent();
-    const bool isSoftware = gl::isSoftware();
-    view().doneCurrent();
+    const bool isSoftware = [this] {
+        const ViewContext::Current current(view().viewed().sources().context);
+        return gl::isSoftware();
+    }();
     const QTemporaryDir driver;
     const QByteArray before = qgetenv("MESA_SHADER_CACHE_DIR");
     qputenv("MESA_SHADER_CACHE_DIR", driver.path().toUtf8());

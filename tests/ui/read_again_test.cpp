@@ -21,7 +21,7 @@ class ReadAgain : public WindowFixture {
 
     QColor middle() {
         newFrames();
-        const QImage picture = view().grabFramebuffer();
+        const QImage picture = view().grabPicture();
         return picture.pixelColor(picture.rect().center());
     }
 
@@ -47,14 +47,15 @@ TEST_F(ReadAgain, ChangedImage_IsOnTheObject) {
     const BlockPath model = document().selection().currentPath(kinds::models);
     document().setModel(Side::A, "lambert");
     TextureUse paint;
-    paint.file = writeImage(Qt::red);
+    // Blue, which no picture before it is: neither that of the first material nor Lambert's own.
+    paint.file = writeImage(Qt::blue);
     document().setTexture(model, "diffuse.color", paint);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return middle().red() > 2 * middle().green(); }, limitMs));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return middle().blue() > 2 * middle().red(); }, limitMs));
     const int steps = document().undoStack().count();
     writeImage(Qt::green);
-    EXPECT_GT(middle().red(), middle().green()) << "images are not watched";
+    EXPECT_GT(middle().blue(), middle().green()) << "images are not watched";
     pressKey();
-    EXPECT_TRUE(QTest::qWaitFor([&] { return middle().green() > 2 * middle().red(); }, limitMs));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return middle().green() > 2 * middle().blue(); }, limitMs));
     EXPECT_EQ(document().undoStack().count(), steps);
 }
 

@@ -43,7 +43,7 @@ TEST_F(SamePicture, OfAPreset_InTheEditorAndFromTheCommandLine) {
     ASSERT_TRUE(window().documentFiles().openPreset(preset));
     window().resize(1200, 490); // views that are narrower than high step back
     newFrames();
-    const QImage shown = view().grabFramebuffer().convertToFormat(QImage::Format_RGB888);
+    const QImage shown = view().grabPicture().convertToFormat(QImage::Format_RGB888);
     EXPECT_LE(largestStep(shown, rendered(preset, shown.size())), 1);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Objects are selected by clicks, and what is done then is done to all of them.
 #include <QDockWidget>
+#include <QPainter>
 #include <QTest>
 
 #include "docks/check_list.h"
@@ -8,6 +9,7 @@
 #include "ui/window_fixture.h"
 #include "viewport/ray_cast.h"
 #include "viewport/side_view.h"
+#include "viewport/view_overlay.h"
 
 namespace patina::tests::selection_test {
 namespace {
@@ -45,7 +47,7 @@ class Selection : public WindowFixture {
     void click(int object, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
         QTest::mouseClick(&view(), Qt::LeftButton, modifiers, placeOf(object));
     }
-    QWidget& overlay() { return *view().findChild<QWidget*>("overlay"); }
+    ViewOverlay& overlay() { return *view().findChild<ViewOverlay*>(); }
     const std::vector<int>& selected() { return document().selection().objects(); }
     double visibleObjects() {
         return double(std::ranges::count(document().scene().objects, true, &Object::visible));
@@ -61,12 +63,14 @@ TEST_F(Selection, Click_SelectsTheObjectUnderThePointer) {
 }
 
 TEST_F(Selection, Click_DrawsLinesAroundTheObjectOnly) {
-    EXPECT_FALSE(overlay().isVisible());
+    EXPECT_FALSE(overlay().isSeen());
     click(1);
-    ASSERT_TRUE(overlay().isVisible());
-    QImage lines(overlay().size(), QImage::Format_ARGB32);
+    ASSERT_TRUE(overlay().isSeen());
+    QImage lines(view().size(), QImage::Format_ARGB32_Premultiplied);
     lines.fill(Qt::transparent);
-    overlay().render(&lines, QPoint(), QRegion(), QWidget::RenderFlags());
+    QPainter painter(&lines);
+    overlay().draw(painter);
+    painter.end();
     int left = 0;
     int elsewhere = 0;
     for (int y = 0; y < lines.height(); ++y) {
@@ -85,7 +89,7 @@ TEST_F(Selection, ClickBesideEverything_KeepsTheCurrentObject) {
     QTest::mouseClick(&view(), Qt::LeftButton, Qt::NoModifier, {3, 3});
     EXPECT_TRUE(selected().empty());
     EXPECT_EQ(document().selection().object(), 1);
-    EXPECT_FALSE(overlay().isVisible());
+    EXPECT_FALSE(overlay().isSeen());
 }
 
 TEST_F(Selection, CtrlClick_AddsAndTakesAway) {

@@ -4,8 +4,6 @@
 #include <vector>
 
 #include <QImage>
-#include <QOpenGLContext>
-#include <QOpenGLFunctions>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -37,19 +35,10 @@ class SlowViews : public WindowFixture {
     }
 };
 
-/// Returns the widget's own buffer as it is now; grabbing it would paint first.
-QImage bufferOf(Viewport& view) {
-    const QSize size = view.size() * view.devicePixelRatioF();
-    QImage buffer(size, QImage::Format_RGBA8888);
-    view.context()->functions()->glReadPixels(0, 0, size.width(), size.height(), GL_RGBA,
-                                              GL_UNSIGNED_BYTE, buffer.bits());
-    return buffer.mirrored().convertToFormat(QImage::Format_RGB32);
-}
-
 TEST_F(SlowViews, ResizedWhileASketchIsDrawn_TakeNoWholeFrameForTheSketch) {
     std::vector<QImage> sketches;
     QObject::connect(&view().frames(), &FrameLoop::sketchDrawn, &view(),
-                     [&] { sketches.push_back(bufferOf(view())); });
+                     [&] { sketches.push_back(view().frames().surface().picture()); });
     view().frames().announceScene();
     const bool isSketching =
         QTest::qWaitFor([&] { return view().frames().isDrawing(); }, 200) && sketches.empty();
@@ -58,7 +47,7 @@ TEST_F(SlowViews, ResizedWhileASketchIsDrawn_TakeNoWholeFrameForTheSketch) {
     window().resize(large - QSize(40, 30));
     ASSERT_TRUE(rest());
     EXPECT_EQ(frames.count(), 1);
-    const QImage whole = view().grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+    const QImage whole = view().grabPicture().convertToFormat(QImage::Format_RGB32);
     ASSERT_LE(sketches.size(), 1U);
     EXPECT_TRUE(!isSketching || sketches.size() == 1) << "the sketch that was dropped comes again";
     for (const QImage& sketch : sketches) {

@@ -159,16 +159,16 @@ TEST_F(Stability, NumericalCheckOfABrokenModel_PaintsItInColour) {
     useBrokenModel();
     newFrames(); // of a model that a process of its own has tried by then
     inspect(true);
-    EXPECT_TRUE(QTest::qWaitFor([this] { return colouredPixels(view().grabFramebuffer()) > 500; },
-                                sweepMs));
+    EXPECT_TRUE(
+        QTest::qWaitFor([this] { return colouredPixels(view().grabPicture()) > 500; }, sweepMs));
 }
 
 TEST_F(Stability, NumericalCheckSwitchedOff_BringsThePictureBack) {
     newFrames();
-    const QImage before = view().grabFramebuffer();
+    const QImage before = view().grabPicture();
     inspect(true);
     inspect(false);
-    EXPECT_EQ(view().grabFramebuffer(), before);
+    EXPECT_EQ(view().grabPicture(), before);
 }
 
 TEST_F(Stability, PointerInTheNumericalCheck_ReadsThePixel) {

@@ -27,17 +27,17 @@ TEST_F(TurntableView, OfObjects_TurnsThePictureAndNotTheDocument) {
     cube.mesh = "builtin:cube";
     setObject(document(), 0, cube);
     newFrames();
-    const QImage before = view().grabFramebuffer();
+    const QImage before = view().grabPicture();
     const DocumentState state = document().state();
     const int frames = view().frames().frameCount();
     trigger("Turn the &Objects");
     ASSERT_TRUE(QTest::qWaitFor([&] { return view().frames().frameCount() >= frames + 3; }, 20000));
-    EXPECT_NE(view().grabFramebuffer(), before);
+    EXPECT_NE(view().grabPicture(), before);
     EXPECT_EQ(document().state(), state);
     EXPECT_EQ(document().undoStack().count(), 1);
     trigger("Turn the &Objects");
     newFrames();
-    EXPECT_EQ(view().grabFramebuffer(), before);
+    EXPECT_EQ(view().grabPicture(), before);
     QTest::qWait(200);
     EXPECT_EQ(newFrames(), 0);
 }
@@ -70,7 +70,7 @@ TEST_F(TurntableSeries, OfObjects_IsAWholeTurnInNumberedFilesAndNoEdit) {
     cube.mesh = "builtin:cube";
     setObject(document(), 0, cube);
     newFrames();
-    const QImage shown = view().grabFramebuffer().convertToFormat(QImage::Format_RGB888);
+    const QImage shown = view().grabPicture().convertToFormat(QImage::Format_RGB888);
     const DocumentState state = document().state();
     QSignalSpy saved(&window().turntables(), &TurntableExport::saved);
     window().turntables().start({TurntableOf::Object, 3, file("turn.png")}, source());
@@ -90,7 +90,7 @@ TEST_F(TurntableSeries, OfObjects_IsAWholeTurnInNumberedFilesAndNoEdit) {
     EXPECT_FALSE(QFile::exists(file("turn.0004.png")));
     EXPECT_EQ(document().state(), state);
     newFrames();
-    EXPECT_EQ(view().grabFramebuffer().convertToFormat(QImage::Format_RGB888), shown);
+    EXPECT_EQ(view().grabPicture().convertToFormat(QImage::Format_RGB888), shown);
 }
 
 TEST_F(TurntableSeries, Cancelled_DrawsNoMore) {

@@ -191,7 +191,7 @@ class UndoneEdit : public WindowFixture, public testing::WithParamInterface<Edit
   protected:
     QImage picture() {
         newFrames();
-        return view().grabFramebuffer();
+        return view().grabPicture();
     }
     void undoAll() {
         while (document().undoStack().canUndo()) {

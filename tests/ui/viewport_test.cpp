@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 
@@ -11,8 +10,6 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QMimeData>
-#include <QOpenGLContext>
-#include <QOpenGLFunctions>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -49,19 +46,14 @@ TEST_F(Viewports, Resized_DrawOneFrameInTheNewSize) {
     window().resize(window().size() - QSize(60, 40));
     ASSERT_TRUE(frames.wait());
     newFrames();
-    EXPECT_EQ(view().grabFramebuffer().size(), view().size());
+    EXPECT_EQ(view().grabPicture().size(), view().size());
     EXPECT_EQ(frames.count(), 1);
 }
 
-/// The widget's own buffer as it is now; grabbing it would paint first.
+/// The picture as it is now; grabbing it would paint first.
 QColor middleOf(Viewport& view) {
-    const QSize size = view.size() * view.devicePixelRatioF();
-    std::array<unsigned char, 4> pixel{};
-    view.makeCurrent();
-    view.context()->functions()->glReadPixels(size.width() / 2, size.height() / 2, 1, 1, GL_RGBA,
-                                              GL_UNSIGNED_BYTE, pixel.data());
-    view.doneCurrent();
-    return {pixel[0], pixel[1], pixel[2]};
+    const QImage shown = view.frames().surface().picture();
+    return shown.pixelColor(shown.rect().center());
 }
 
 TEST_F(Viewports, Resized_ShowTheirLastPictureUntilTheNextFrame) {
@@ -86,22 +78,18 @@ double difference(const QImage& a, const QImage& b) {
 }
 
 TEST_F(Viewports, NewSceneOnASlowDevice_ShowASketchBeforeTheWholeFrame) {
-    const QImage whole = view().grabFramebuffer();
+    const QImage whole = view().grabPicture();
     QSignalSpy frames(&view().frames(), &FrameLoop::frameDrawn);
     QImage sketch;
     int framesBefore = -1;
     QObject::connect(&view().frames(), &FrameLoop::sketchDrawn, &view(), [&] {
         framesBefore = int(frames.count());
-        const QSize size = view().size() * view().devicePixelRatioF();
-        sketch = QImage(size, QImage::Format_RGBA8888);
-        view().context()->functions()->glReadPixels(0, 0, size.width(), size.height(), GL_RGBA,
-                                                    GL_UNSIGNED_BYTE, sketch.bits());
-        sketch = sketch.mirrored();
+        sketch = view().frames().surface().picture();
     });
     view().frames().announceScene();
     ASSERT_TRUE(frames.wait());
     newFrames();
-    EXPECT_EQ(view().grabFramebuffer(), whole);
+    EXPECT_EQ(view().grabPicture(), whole);
     if (sketch.isNull()) { // a device that takes next to nothing for a whole frame
         EXPECT_LT(view().frames().stopwatch().text().split(' ').first().toDouble(), 50.0);
         return;
@@ -112,11 +100,11 @@ TEST_F(Viewports, NewSceneOnASlowDevice_ShowASketchBeforeTheWholeFrame) {
 }
 
 TEST_F(Viewports, Repainted_KeepTheirPictureWithoutAFrame) {
-    const QImage before = view().grabFramebuffer();
+    const QImage before = view().grabPicture();
     newFrames();
     view().update();
     EXPECT_EQ(newFrames(), 0);
-    EXPECT_EQ(view().grabFramebuffer(), before);
+    EXPECT_EQ(view().grabPicture(), before);
 }
 
 TEST_F(Viewports, ComparedForTheFirstTime_NameWhatTheyShow) {

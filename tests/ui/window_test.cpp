@@ -255,7 +255,7 @@ TEST_F(Window, ExportedPicture_IsWhatTheViewShows) {
     const QString file = QString::fromStdString(home("a.png").string());
     window().pictures().save(file, pictureOf(view()));
     ASSERT_TRUE(saved.wait(waitMs)) << messagesIn(window()).toStdString();
-    const QImage shown = view().grabFramebuffer().convertToFormat(QImage::Format_RGB888);
+    const QImage shown = view().grabPicture().convertToFormat(QImage::Format_RGB888);
     const QImage written = QImage(file).convertToFormat(QImage::Format_RGB888);
     ASSERT_EQ(written.size(), shown.size());
     int largest = 0;
@@ -332,13 +332,13 @@ TEST_F(Window, ShaderThatStopsCompiling_KeepsThePictureAndNamesTheLine) {
     document().setModel(Side::A, "homemade");
     window().dock("messages")->show(); // or its coming would make the view smaller
     newFrames();
-    const QImage before = view().grabFramebuffer();
+    const QImage before = view().grabPicture();
     std::string broken = good;
     broken.replace(broken.find("d.nl"), 4, "d.no");
     writeFile(folder / "homemade.glsl", broken);
     EXPECT_TRUE(waitUntil([&] { return messagesIn(window()).contains("homemade.glsl:4"); }))
         << messagesIn(window()).toStdString();
-    EXPECT_EQ(view().grabFramebuffer(), before);
+    EXPECT_EQ(view().grabPicture(), before);
 }
 
 TEST_F(Window, ProgramKilledWithUnsavedWork_OffersItAtTheNextStart) {

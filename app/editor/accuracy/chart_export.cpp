@@ -16,7 +16,7 @@
 #include "gl/driver.h"
 #include "session/session.h"
 #include "text/png.h"
-#include "viewport/viewport.h"
+#include "viewport/view_context.h"
 
 namespace patina {
 namespace {
@@ -196,9 +196,9 @@ class ChartPicture {
 
 QString askForChartFile(QWidget* parent, const QString& ending, const QString& name) {
     Session session;
-    QFileDialog dialog(
-        parent, QCoreApplication::translate("ChartExport", "Export the plot"),
-        session.folder("chart"), QStringLiteral("%1 (*.%2)").arg(ending.toUpper(), ending));
+    QFileDialog dialog(parent, QCoreApplication::translate("ChartExport", "Export the plot"),
+                       session.folder("chart"),
+                       QStringLiteral("%1 (*.%2)").arg(ending.toUpper(), ending));
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(ending);
     dialog.selectFile(name + '.' + ending);
@@ -224,7 +224,7 @@ QByteArray chartSvg(const PlotMarks::Content& content, const ChartHeading& headi
 
 QString driverLine() {
     QOpenGLContext context;
-    context.setFormat(Viewport::surfaceFormat());
+    context.setFormat(ViewContext::format());
     QOffscreenSurface surface;
     surface.create();
     return context.create() && context.makeCurrent(&surface)

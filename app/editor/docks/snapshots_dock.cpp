@@ -19,7 +19,7 @@ constexpr int snapshotEdge = 96; ///< pixels, width and height of an image
 
 /// Returns the square in the middle of a view, scaled down, as PNG.
 std::string smallPicture(Viewport& view) {
-    const QImage whole = view.grabFramebuffer();
+    const QImage whole = view.grabPicture();
     const int edge = std::min(whole.width(), whole.height());
     const QImage square =
         whole.copy((whole.width() - edge) / 2, (whole.height() - edge) / 2, edge, edge)

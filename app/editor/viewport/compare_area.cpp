@@ -241,6 +241,9 @@ void CompareArea::showComposed(bool shown) {
         layout()->activate();
         placeComposed();
     }
+    for (SideView* view : {&first(), second()}) {
+        view->viewport().frames().surface().setCovered(shown);
+    }
     composed_->setVisible(shown);
 }
 

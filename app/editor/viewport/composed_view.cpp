@@ -161,8 +161,7 @@ void ComposedView::readSoon(Side side) {
 void ComposedView::read() {
     for (const Side side : {Side::A, Side::B}) {
         if (std::exchange(isNew_[indexOf(side)], false)) {
-            pictures_[indexOf(side)] =
-                view(side).viewport().grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+            pictures_[indexOf(side)] = view(side).viewport().grabPicture();
         }
     }
     update();

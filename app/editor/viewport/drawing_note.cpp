@@ -3,9 +3,8 @@
 
 #include <QEvent>
 #include <QLabel>
-#include <QOpenGLContext>
-#include <QOpenGLFunctions>
-#include <QOpenGLWidget>
+
+#include "viewport/view_surface.h"
 
 namespace patina {
 namespace {
@@ -38,22 +37,16 @@ class CenteredLabel : public QLabel {
 
 } // namespace
 
-DrawingNote::DrawingNote(QOpenGLWidget& widget)
-    : widget_(widget), label_(new CenteredLabel(QLabel::tr("Drawing the scene …"), widget)) {
+DrawingNote::DrawingNote(QWidget& widget, ViewSurface& surface)
+    : label_(new CenteredLabel(QLabel::tr("Drawing the scene …"), widget)) {
     label_->setContentsMargins(12, 6, 12, 6);
     label_->setAutoFillBackground(true);
     label_->hide();
+    surface.addToOverlay(*label_);
 }
 
-void DrawingNote::show(bool hasPicture) {
-    if (!hasPicture) {
-        QOpenGLFunctions& gl = *widget_.context()->functions();
-        const QColor empty = widget_.palette().color(QPalette::Dark);
-        gl.glBindFramebuffer(GL_FRAMEBUFFER, widget_.defaultFramebufferObject());
-        gl.glClearColor(empty.redF(), empty.greenF(), empty.blueF(), 1.0f);
-        gl.glClear(GL_COLOR_BUFFER_BIT);
-    }
-    label_->show(); // it is small: Qt would not paint a view that a note covers completely
+void DrawingNote::show() {
+    label_->show();
 }
 
 void DrawingNote::hide() {

@@ -2,23 +2,23 @@
 #pragma once
 
 class QLabel;
-class QOpenGLWidget;
+class QWidget;
 
 namespace patina {
+
+class ViewSurface;
 
 /// Says in a view that its picture is still being drawn.
 class DrawingNote {
   public:
-    /// `widget` owns the label and outlives this.
-    explicit DrawingNote(QOpenGLWidget& widget);
+    /// `widget` owns the label and outlives this; `surface` shows its picture.
+    DrawingNote(QWidget& widget, ViewSurface& surface);
 
-    /// Shows the note over the last picture, or over a cleared view where there is none; then the
-    /// widget's context has to be current.
-    void show(bool hasPicture);
+    /// Shows the note over the last picture, or over an empty view where there is none.
+    void show();
     void hide();
 
   private:
-    QOpenGLWidget& widget_;
     QLabel* label_;
 };
 

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <QOpenGLWidget>
-
 #include "background/free_memory.h"
 #include "render/frame/frame_job.h"
 #include "render/surfaces/inspection_drawer.h"
@@ -26,13 +24,13 @@ constexpr double longFrame = 400.0;
 
 } // namespace
 
-FrameLoop::FrameLoop(QOpenGLWidget& widget, const ViewedScene& viewed)
-    : widget_(widget), viewed_(viewed), context_(viewed.sources().context),
-      surface_(widget, context_), stopwatch_(context_),
-      turn_(context_.turns(), [this] { proceed(); }), programs_(viewed), note_(widget),
-      refinement_(viewed),
+FrameLoop::FrameLoop(QWidget& widget, const ViewedScene& viewed)
+    : viewed_(viewed), context_(viewed.sources().context), surface_(widget, context_),
+      stopwatch_(context_), turn_(context_.turns(), [this] { proceed(); }), programs_(viewed),
+      note_(widget, surface_), refinement_(viewed),
       targets_([this] { return isDrawing() || wantsSamples(); }, [this] { releaseTargets(); }) {
     preparing_.setSingleShot(true);
+    connect(&surface_, &ViewSurface::paintDue, this, &FrameLoop::paint);
     connect(&preparing_, &QTimer::timeout, this, &FrameLoop::makeTargets);
     connect(&refinement_, &SampleRefinement::due, this, &FrameLoop::addSamples);
     connect(&programs_, &OrderedPrograms::came, this, &FrameLoop::takePrograms);
@@ -58,6 +56,7 @@ void FrameLoop::open() {
 void FrameLoop::close() {
     giveUp();
     Q_EMIT closing();
+    isClosed_ = true;
     if (renderer_) {
         {
             const ViewContext::Current current(context_);
@@ -69,13 +68,20 @@ void FrameLoop::close() {
 }
 
 void FrameLoop::paint() {
+    if (!renderer_ && !isClosed_ && failure_.isEmpty()) {
+        open();
+    }
     const bool isNew = isNew_;
-    switch (paintNext()) {
+    const Painted painted = paintNext();
+    if (painted != Painted::Nothing && painted != Painted::Later) {
+        surface_.notePicture();
+    }
+    switch (painted) {
     case Painted::Nothing:
         break;
     case Painted::Later:
         if (isNew) {
-            note_.show(frameCount_ > 0);
+            note_.show();
         }
         break;
     case Painted::Sketch:
@@ -89,19 +95,22 @@ void FrameLoop::paint() {
         targets_.noteUse();
         Q_EMIT frameDrawn();
         if (moreSamples_) {
-            widget_.update();
+            surface_.requestPaint();
         } else {
             continueSoon();
         }
         break;
     }
+    if (renderer_) {
+        surface_.show(*renderer_);
+    }
 }
 
 FrameLoop::Painted FrameLoop::paintNext() {
     if (renderer_ && progress_ == Progress::Idle && std::exchange(restyles_, false) && !stale_) {
-        const ViewSurface::Painting painting(surface_);
+        const ViewContext::Current current(context_);
         if (holdsFrame_ && takePasses()) {
-            renderer_->job().show(painting.framebuffer());
+            renderer_->job().show(surface_.framebuffer());
             return Painted::Restyled;
         }
         stale_ = true;
@@ -111,12 +120,13 @@ FrameLoop::Painted FrameLoop::paintNext() {
     if (!renderer_ || !(isDrawn || isWanted)) {
         return Painted::Nothing;
     }
-    const ViewSurface::Painting painting(surface_);
+    const ViewContext::Current current(context_);
+    const unsigned framebuffer = surface_.framebuffer();
     if (isWanted) {
         refinement_.beginFrame(std::exchange(stale_, false), samples());
-        return beginFrame(painting.framebuffer());
+        return beginFrame(framebuffer);
     }
-    show(painting.framebuffer());
+    show(framebuffer);
     return std::exchange(sketching_, false) ? Painted::Sketch : Painted::Frame;
 }
 
@@ -127,7 +137,7 @@ void FrameLoop::refresh() {
         giveUp(); // it only refines a picture that is gone, or objects have come or gone
     }
     stale_ = true;
-    widget_.update();
+    surface_.requestPaint();
 }
 
 void FrameLoop::restyle() {
@@ -136,7 +146,7 @@ void FrameLoop::restyle() {
         return;
     }
     restyles_ = true;
-    widget_.update();
+    surface_.requestPaint();
 }
 
 bool FrameLoop::takePasses() {
@@ -271,7 +281,7 @@ void FrameLoop::takePrograms() {
     if (progress_ == Progress::Waiting) {
         endWaiting();
         (refinement_.isAtRest() ? moreSamples_ : stale_) = true;
-        widget_.update();
+        surface_.requestPaint();
     }
 }
 
@@ -279,7 +289,7 @@ void FrameLoop::takePrograms() {
 void FrameLoop::giveUpPrograms() {
     if (progress_ == Progress::Waiting) {
         endWaiting();
-        widget_.update();
+        surface_.requestPaint();
     }
 }
 
@@ -336,7 +346,7 @@ void FrameLoop::proceed() {
     if (progress == FrameJob::Progress::Done) {
         turn_.leave();
         progress_ = Progress::Drawn;
-        widget_.update();
+        surface_.requestPaint();
     }
 }
 
@@ -345,7 +355,7 @@ void FrameLoop::finishSketch() {
     progress_ = Progress::Idle;
     note_.hide();
     stale_ = true;
-    widget_.update();
+    surface_.requestPaint();
     Q_EMIT sketchDrawn();
 }
 
@@ -367,7 +377,7 @@ void FrameLoop::finishFrame() {
     Q_EMIT frameDrawn();
     stale_ = stale_ || report.isWaiting;
     if (stale_ || restyles_) {
-        widget_.update();
+        surface_.requestPaint();
     } else {
         continueSoon();
     }
@@ -387,7 +397,7 @@ void FrameLoop::continueSoon() {
 void FrameLoop::addSamples() {
     if (wantsSamples() && !stale_ && !isDrawing()) {
         moreSamples_ = true;
-        widget_.update();
+        surface_.requestPaint();
     }
 }
 
@@ -436,7 +446,7 @@ void FrameLoop::takeBack(bool isAnother) {
     if (isAnother) {
         refresh();
     } else if (stale_) {
-        widget_.update();
+        surface_.requestPaint();
     } else {
         continueSoon();
     }
@@ -449,7 +459,7 @@ void FrameLoop::drawUnseen(const Scene& scene, const View& view) {
     targets_.noteUse();
 }
 
-/// The picture that is shown is the widget's; what it was made in is a third of the editor's
+/// The picture that is shown is the surface's; what it was made in is a third of the editor's
 /// memory.
 void FrameLoop::releaseTargets() {
     if (renderer_) {

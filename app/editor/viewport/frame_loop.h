@@ -20,7 +20,7 @@
 #include "viewport/view_surface.h"
 #include "viewport/viewed_scene.h"
 
-class QOpenGLWidget;
+class QWidget;
 
 namespace patina {
 
@@ -37,12 +37,17 @@ class FrameLoop : public QObject {
     static constexpr std::chrono::milliseconds stepPatience{20};
 
     /// Both outlive it.
-    FrameLoop(QOpenGLWidget& widget, const ViewedScene& viewed);
+    FrameLoop(QWidget& widget, const ViewedScene& viewed);
 
-    // Are called once the widget's context is there; it is current in open() and paint().
-    void open();
-    void close();
+    /// Draws what is due at once, as it is done by itself whenever the event loop turns and the
+    /// widget is visible.
     void paint();
+
+    /// Gives back all that is on the device; nothing is drawn any more.
+    void close();
+
+    /// Returns what shows the picture.
+    ViewSurface& surface() { return surface_; }
 
     /// Tells whether something can be drawn: there is a context that offers what a Renderer needs.
     bool canDraw() const { return renderer_ != nullptr; }
@@ -151,6 +156,7 @@ class FrameLoop : public QObject {
         Restyled ///< the last frame with other passes over it
     };
 
+    void open();
     Painted paintNext();
     bool takePasses();
     Painted beginFrame(unsigned framebuffer);
@@ -172,12 +178,13 @@ class FrameLoop : public QObject {
     void addSamples();
     void releaseTargets();
 
-    QOpenGLWidget& widget_;
     const ViewedScene& viewed_;
     ViewContext& context_;
     ViewSurface surface_;
     bool catalogIsNew_ = false;
-    std::unique_ptr<Renderer> renderer_;
+    std::unique_ptr<Renderer>
+        renderer_; ///< is null before the first paint(), and where that failed
+    bool isClosed_ = false;
     QString failure_;
     Errors messages_; ///< are those of the last frame
     FrameStopwatch stopwatch_;

@@ -193,6 +193,7 @@ void SideView::setInspected(std::optional<Inspected> shown) {
         auto* layout = new QVBoxLayout(viewport_);
         layout->setSizeConstraint(QLayout::SetNoConstraint);
         layout->addWidget(inspection_, 0, Qt::AlignLeft | Qt::AlignBottom);
+        viewport_->frames().surface().addToOverlay(*inspection_);
         connect(&viewport_->prober(), &PixelProber::probed, inspection_,
                 [this](const std::optional<PixelProbe>& numbers) {
                     inspection_->showNumbers(numbers, document_.scene(side_));

@@ -6,15 +6,43 @@
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 
+#include "gl/driver.h"
+
 namespace patina {
+namespace {
+
+/// Returns what this machine offers instead of OpenGL 4.1.
+std::string foundOpenGL() {
+    QOpenGLContext context;
+    context.setFormat(QSurfaceFormat());
+    QOffscreenSurface surface;
+    surface.create();
+    if (!context.create() || !context.makeCurrent(&surface)) {
+        return "no OpenGL at all";
+    }
+    return gl::driverText();
+}
+
+} // namespace
 
 ViewContext::ViewContext(std::filesystem::path programCache)
     : programCache_(std::move(programCache)) {}
 
 ViewContext::~ViewContext() = default;
 
-Result<std::unique_ptr<Renderer>> ViewContext::open(QOpenGLContext& shown) {
-    if (auto created = create(shown); !created) {
+QSurfaceFormat ViewContext::format() {
+    QSurfaceFormat format;
+    format.setVersion(4, 1);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    // The renderer has buffers of its own; a window only takes the finished picture.
+    format.setDepthBufferSize(0);
+    format.setStencilBufferSize(0);
+    format.setSwapInterval(0); // views would wait for the screen one after the other
+    return format;
+}
+
+Result<std::unique_ptr<Renderer>> ViewContext::open() {
+    if (auto created = create(); !created) {
         destroyUnused();
         return tl::unexpected(created.error());
     }
@@ -33,19 +61,16 @@ void ViewContext::close(std::unique_ptr<Renderer> renderer) {
 }
 
 /// Creates the context and the objects that all views share, unless they exist.
-Result<void> ViewContext::create(QOpenGLContext& shown) {
+Result<void> ViewContext::create() {
     if (!context_) {
         context_ = std::make_unique<QOpenGLContext>();
-        context_->setFormat(shown.format());
-        context_->setShareContext(&shown);
-        context_->setScreen(shown.screen());
-        context_->create();
-        surface_ = std::make_unique<QOffscreenSurface>(shown.screen());
+        context_->setFormat(format());
+        if (!context_->create()) {
+            return failure("OpenGL 4.1 is needed, but this machine has " + foundOpenGL());
+        }
+        surface_ = std::make_unique<QOffscreenSurface>();
         surface_->setFormat(context_->format());
         surface_->create();
-    }
-    if (!QOpenGLContext::areSharing(context_.get(), &shown)) {
-        return failure("the graphics driver does not let the views share a context");
     }
     if (!first_) {
         const Current current(*this);
@@ -69,11 +94,11 @@ void ViewContext::destroyUnused() {
     }
 }
 
-ViewContext::Current::Current(const ViewContext& context)
+ViewContext::Current::Current(const ViewContext& context, QSurface* window)
     : before_(QOpenGLContext::currentContext()),
       surfaceBefore_(before_ != nullptr ? before_->surface() : nullptr) {
     if (context.context_) {
-        context.context_->makeCurrent(context.surface_.get());
+        context.context_->makeCurrent(window != nullptr ? window : context.surface_.get());
     }
 }
 

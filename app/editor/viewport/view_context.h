@@ -11,12 +11,13 @@
 class QOffscreenSurface;
 class QOpenGLContext;
 class QSurface;
+class QSurfaceFormat;
 
 namespace patina {
 
 /// Holds the OpenGL context that all views of a window draw in, so that meshes, images, programs
 /// and shadow maps exist once however many views show them. The context exists while a view is
-/// open; it shares objects with the contexts of the views' widgets.
+/// open; the windows that show the views are drawn in it, too.
 class ViewContext {
   public:
     /// `programCache` is what Renderer::Options has under that name.
@@ -28,16 +29,19 @@ class ViewContext {
     /// Returns the queue of the views' frames, which all draw in this context.
     FrameTurns& turns() { return turns_; }
 
-    /// Opens a view whose widget has the context `shown`, and returns what draws it. close() has to
-    /// end the view. Fails where the driver does not let contexts share objects or does not offer
-    /// what a Renderer needs.
-    Result<std::unique_ptr<Renderer>> open(QOpenGLContext& shown);
+    /// Returns the OpenGL format that the views need, of a context or a window.
+    static QSurfaceFormat format();
+
+    /// Opens a view and returns what draws it. close() has to end the view. Fails where the driver
+    /// does not offer what a Renderer needs.
+    Result<std::unique_ptr<Renderer>> open();
     void close(std::unique_ptr<Renderer> renderer);
 
     /// Makes the views' context current for as long as it lives, and then the one before again.
     class Current {
       public:
-        explicit Current(const ViewContext& context);
+        /// `window` is what framebuffer 0 is; without one nothing may be drawn there.
+        explicit Current(const ViewContext& context, QSurface* window = nullptr);
         ~Current();
         Current(const Current&) = delete;
         Current& operator=(const Current&) = delete;
@@ -48,7 +52,7 @@ class ViewContext {
     };
 
   private:
-    Result<void> create(QOpenGLContext& shown);
+    Result<void> create();
     void destroyUnused();
 
     std::filesystem::path programCache_;

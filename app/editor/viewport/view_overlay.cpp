@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/view_overlay.h"
 
+#include <utility>
+
 #include <QPainter>
 
 #include "viewport/handle_modes.h"
@@ -24,12 +26,9 @@ bool mayMove(const DocumentChange& change) {
 
 ViewOverlay::ViewOverlay(Viewport& viewport, Document& document, MeshLibrary& meshes,
                          const ViewHandles& handles, const HandleModes& modes)
-    : QWidget(&viewport), viewport_(viewport), document_(document), meshes_(meshes),
+    : QObject(&viewport), viewport_(viewport), document_(document), meshes_(meshes),
       handles_(handles) {
-    setAttribute(Qt::WA_TransparentForMouseEvents);
-    setAttribute(Qt::WA_NoSystemBackground);
-    setObjectName("overlay");
-    hide();
+    viewport.frames().surface().setOverlay(*this);
     onChange(document, DocumentChange::Drawn | DocumentChange::Current, this,
              [this](const DocumentChange& change) {
                  if (mayMove(change)) {
@@ -44,14 +43,15 @@ ViewOverlay::ViewOverlay(Viewport& viewport, Document& document, MeshLibrary& me
     follow();
 }
 
+bool ViewOverlay::isSeen() const {
+    return !isSuspended_ && (!document_.selection().objects().empty() || handles_.isShown());
+}
+
 void ViewOverlay::follow() {
-    const bool isSeen =
-        !isSuspended_ && (!document_.selection().objects().empty() || handles_.isShown());
-    if (isSeen) {
-        setGeometry(viewport_.rect());
-        update();
+    const bool wasSeen = std::exchange(wasSeen_, isSeen());
+    if (wasSeen || wasSeen_) {
+        viewport_.frames().surface().noteOverlay();
     }
-    setVisible(isSeen);
 }
 
 void ViewOverlay::setSuspended(bool suspended) {
@@ -59,8 +59,7 @@ void ViewOverlay::setSuspended(bool suspended) {
     follow();
 }
 
-void ViewOverlay::paintEvent(QPaintEvent* /*event*/) {
-    QPainter painter(this);
+void ViewOverlay::draw(QPainter& painter) {
     if (!document_.selection().objects().empty()) {
         drawSelection(painter);
     }
@@ -69,10 +68,10 @@ void ViewOverlay::paintEvent(QPaintEvent* /*event*/) {
 
 void ViewOverlay::drawSelection(QPainter& painter) {
     const auto mesh = [this](const Object& object) { return meshes_.view(object); };
-    const glm::ivec2 pixels = pixelsOf(viewport_, size());
-    QImage image = outline_.draw(document_.scene(), document_.selection().objects(),
-                                 viewport_.camera(), {pixels.x, pixels.y}, mesh);
-    painter.drawImage(rect(), image);
+    const glm::ivec2 pixels = pixelsOf(viewport_, viewport_.size());
+    const QImage& image = outline_.draw(document_.scene(), document_.selection().objects(),
+                                        viewport_.camera(), {pixels.x, pixels.y}, mesh);
+    painter.drawImage(viewport_.rect(), image);
 }
 
 } // namespace patina

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QWidget>
+#include <QObject>
 
 #include "document/document.h"
 #include "resources/mesh_library.h"
 #include "viewport/selection_outline.h"
+#include "viewport/view_surface.h"
 
 namespace patina {
 
@@ -13,10 +14,9 @@ class HandleModes;
 class ViewHandles;
 class Viewport;
 
-/// Lies over a view and draws what is not part of its picture: the lines around what is selected,
-/// and the handles. Mouse events go through it. It is hidden while there is nothing to draw, so
-/// that it costs nothing then.
-class ViewOverlay : public QWidget {
+/// Draws what lies over a view and is not part of its picture: the lines around what is selected,
+/// and the handles. It costs nothing while there is nothing to draw.
+class ViewOverlay : public QObject, public OverlaySource {
     Q_OBJECT
 
   public:
@@ -27,8 +27,8 @@ class ViewOverlay : public QWidget {
     /// the document has them.
     void setSuspended(bool suspended);
 
-  protected:
-    void paintEvent(QPaintEvent* event) override;
+    bool isSeen() const override;
+    void draw(QPainter& painter) override;
 
   private:
     void follow();
@@ -40,6 +40,7 @@ class ViewOverlay : public QWidget {
     const ViewHandles& handles_;
     SelectionOutline outline_;
     bool isSuspended_ = false;
+    bool wasSeen_ = false;
 };
 
 } // namespace patina

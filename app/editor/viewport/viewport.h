@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include <QOpenGLWidget>
+#include <QWidget>
 
 #include "parameters/color_source.h"
 #include "viewport/camera_navigation.h"
@@ -15,20 +15,15 @@
 
 namespace patina {
 
-class StretchedPicture;
-
 /// Shows a view as a widget: it hands the mouse and the keys to a CameraNavigation and its context
-/// to a FrameLoop. While its size changes it shows the last picture, stretched.
-class Viewport : public QOpenGLWidget, public ColorSource {
+/// to a FrameLoop. After a change of its size it shows the last picture, stretched, until there is
+/// one of that size.
+class Viewport : public QWidget, public ColorSource {
     Q_OBJECT
 
   public:
     explicit Viewport(ViewedScene::Sources sources, QWidget* parent = nullptr);
     ~Viewport() override;
-
-    /// Returns the OpenGL format that a view needs; it has to be the application's default before
-    /// the first window is made.
-    static QSurfaceFormat surfaceFormat();
 
     CameraNavigation& navigation() { return navigation_; }
     FrameLoop& frames() { return frames_; }
@@ -46,9 +41,13 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     /// under the pointer.
     void setInspected(std::optional<Inspected> shown);
 
+    /// Draws what is due and returns the picture, without lines and handles.
+    QImage grabPicture();
+
     Image linearPicture() override { return capture_.linearPicture(); }
 
   Q_SIGNALS:
+    void shown();     ///< a picture has come on the screen
     void activated(); ///< the mouse was pressed in it
     void resized();   ///< its size has changed
     void cameraChanged();
@@ -57,8 +56,6 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     void filesDropped(QStringList files, QPointF place);
 
   protected:
-    void initializeGL() override;
-    void paintGL() override;
     void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
@@ -82,9 +79,6 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     Prewarmer prewarmer_;
     PixelProber prober_;
     PictureCapture capture_;
-    bool resizing_ = false;
-    /// Holds the last picture; null unless the size is changing.
-    std::unique_ptr<StretchedPicture> last_;
 };
 
 } // namespace patina

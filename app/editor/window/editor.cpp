@@ -43,28 +43,6 @@ void explainNoDisplay(QtMsgType type, const QMessageLogContext&, const QString&)
     }
 }
 
-/// Returns what this machine offers instead of OpenGL 4.1.
-QString foundOpenGL() {
-    QOpenGLContext context;
-    context.setFormat(QSurfaceFormat());
-    QOffscreenSurface surface;
-    surface.create();
-    if (!context.create() || !context.makeCurrent(&surface)) {
-        return QStringLiteral("no OpenGL at all");
-    }
-    return QString::fromStdString(gl::driverText());
-}
-
-/// Says why the view cannot draw; empty when it can.
-QString whyNothingIsDrawn(const Viewport& viewport) {
-    if (!viewport.frames().failure().isEmpty()) {
-        return viewport.frames().failure();
-    }
-    return viewport.isValid()
-               ? QString()
-               : QStringLiteral("OpenGL 4.1 is needed, but this machine has %1").arg(foundOpenGL());
-}
-
 /// Returns the first word that looks like an option and is not a file, among those that Qt left of
 /// the command line.
 std::optional<QString> unknownOption(const QStringList& arguments) {
@@ -89,7 +67,7 @@ void whenShown(Viewport& viewport, void (FrameLoop::*drawn)(), const std::functi
     QObject::connect(
         &viewport.frames(), drawn, &viewport,
         [&viewport, then] {
-            QObject::connect(&viewport, &QOpenGLWidget::frameSwapped, &viewport, then,
+            QObject::connect(&viewport, &Viewport::shown, &viewport, then,
                              Qt::SingleShotConnection);
         },
         Qt::SingleShotConnection);
@@ -161,7 +139,7 @@ int runEditor(int argc, char** argv) {
         window.offerRecovery(); // comes before the first frame, for which a slow model may take
                                 // seconds
     }
-    if (const QString why = whyNothingIsDrawn(viewport); !why.isEmpty()) {
+    if (const QString why = viewport.frames().failure(); !why.isEmpty()) {
         say(why);
         return 1;
     }

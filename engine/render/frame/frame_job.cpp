@@ -350,7 +350,7 @@ void FrameJob::show(unsigned framebuffer, double share) {
     }
     const StretchedPicture picture(view_.size);
     showIn(picture.framebuffer(), view_.size, exposure_);
-    if (!picture.draw(framebuffer, size_, *catalog_, shared_->programs())) {
+    if (!picture.draw({framebuffer, size_}, *catalog_, shared_->programs())) {
         picture.show(framebuffer, size_);
     }
     leaveState();

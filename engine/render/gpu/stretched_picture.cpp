@@ -2,14 +2,9 @@
 #include "render/gpu/stretched_picture.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <string>
 
 #include <epoxy/gl.h>
-
-#include "gl/vertex_array.h"
-#include "shading/program/program_source.h"
 
 namespace patina {
 namespace {
@@ -40,6 +35,12 @@ void StretchedPicture::take(unsigned framebuffer) {
     stretch(framebuffer, size_, kept_.name(), size_);
 }
 
+void StretchedPicture::read(unsigned char* pixels) const {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, kept_.name());
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(0, 0, size_.x, size_.y, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
+}
+
 void StretchedPicture::show(unsigned framebuffer, glm::ivec2 size) const {
     stretch(kept_.name(), size_, framebuffer, size);
 }
@@ -61,34 +62,9 @@ void StretchedPicture::showUndistorted(unsigned framebuffer, glm::ivec2 size) co
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
 }
 
-Checked<void> StretchedPicture::draw(unsigned framebuffer, glm::ivec2 size, const Catalog& catalog,
+Checked<void> StretchedPicture::draw(const ScreenTarget& target, const Catalog& catalog,
                                      ProgramCache& cache) const {
-    const std::array<std::string, 1> files{"passes/stretched.frag"};
-    const auto source = passProgram(catalog, "passes/screen.vert", files);
-    if (!source) {
-        return tl::unexpected(source.error());
-    }
-    const ProgramCache::Found found = cache.get(*source);
-    if (!found.program) {
-        return tl::unexpected(found.errors);
-    }
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glViewport(0, 0, size.x, size.y);
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_BLEND);
-    glDisable(GL_DITHER);
-    glDisable(GL_FRAMEBUFFER_SRGB);
-    found.program->use();
-    glUniform2f(found.program->uniform("newSize"), float(size.x), float(size.y));
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, image_.name());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    const gl::VertexArray noVertices = gl::VertexArray::create();
-    noVertices.bind();
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    glBindVertexArray(0);
-    return {};
+    return drawPicture(image_, "passes/stretched.frag", target, false, catalog, cache);
 }
 
 } // namespace patina

@@ -3,10 +3,9 @@
 
 #include <glm/vec2.hpp>
 
-#include "catalog/catalog.h"
 #include "gl/framebuffer.h"
 #include "gl/texture.h"
-#include "shading/program/program_cache.h"
+#include "render/gpu/screen_picture.h"
 
 namespace patina {
 
@@ -16,11 +15,17 @@ class StretchedPicture {
   public:
     explicit StretchedPicture(glm::ivec2 size);
 
+    glm::ivec2 size() const { return size_; }
+
     /// Returns the framebuffer that holds the picture; it may be drawn into.
     unsigned framebuffer() const { return kept_.name(); }
 
     /// Copies the picture from a framebuffer of the same size.
     void take(unsigned framebuffer);
+
+    /// Reads the picture into `pixels`, as many as size() has: rows from the bottom, 4 bytes of
+    /// red, green, blue and opacity.
+    void read(unsigned char* pixels) const;
 
     /// Draws the picture, stretched, into a framebuffer of `size` pixels and leaves that bound.
     void show(unsigned framebuffer, glm::ivec2 size) const;
@@ -33,7 +38,7 @@ class StretchedPicture {
     /// Does the same as show() by a program, since drivers that draw on the CPU keep what they
     /// compile of it and compile what show() takes for each context anew. An error says why there
     /// is none.
-    Checked<void> draw(unsigned framebuffer, glm::ivec2 size, const Catalog& catalog,
+    Checked<void> draw(const ScreenTarget& target, const Catalog& catalog,
                        ProgramCache& cache) const;
 
   private:
