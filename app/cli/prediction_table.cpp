@@ -212,8 +212,9 @@ std::string predictionLegend(const std::string& driver, Families families) {
     std::string text = fmt::format(
         "predicted by the compiler of {} for cards that are not here: the fragment stage of the "
         "object's shader, on each pixel of 1920 x 1080\n"
-        "cycles: of a SIMD unit for 64 pixels, when it holds as many waves as it can; latency: of "
-        "one wave alone\n"
+        "cycles: of a SIMD unit for 64 pixels, when it holds as many waves as it can, with what "
+        "its look-ups of texels take in texture units, as if nothing were computed meanwhile; "
+        "latency: of one wave alone\n"
         "loops: those of which the compiler does not know how often they run; it takes 8 times, "
         "and one within another 4 times for each of these; 0+12r: 12 rounds of loops that run for "
         "each pixel as often as its series needs, counted as the mean of 256 pairs of directions\n"

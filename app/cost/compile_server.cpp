@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cost/compile_server.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -11,6 +12,7 @@
 
 #include "cost/mali_core.h"
 #include "predict/compile_request.h"
+#include "predict/gpu_family.h"
 #include "vulkan/null_device.h"
 #include "vulkan/spirv_loops.h"
 #include "vulkan/spirv_program.h"
@@ -23,7 +25,15 @@ int number(const NullDevice::Statistics& statistics, const std::string& name) {
     return found == statistics.end() ? 0 : int(found->second);
 }
 
-StageStatistics stageStatistics(const NullDevice::Statistics& numbers) {
+/// Returns GpuFamily::lookUpCycles() of a family by its id.
+double lookUpCycles(const std::string& family) {
+    const auto found = std::ranges::find(gpuFamilies(), family, &GpuFamily::id);
+    return found == gpuFamilies().end() ? 0.0 : found->lookUpCycles();
+}
+
+/// Reading texels counts as if nothing were computed meanwhile: how much of it other waves hide is
+/// not known.
+StageStatistics stageStatistics(const NullDevice::Statistics& numbers, double cyclesOfLookUp) {
     StageStatistics stage;
     stage.instructions = number(numbers, "Instructions");
     stage.vectorRegisters = number(numbers, "VGPRs");
@@ -33,7 +43,8 @@ StageStatistics stageStatistics(const NullDevice::Statistics& numbers) {
     stage.lanesOfWave = number(numbers, "Subgroup size");
     stage.loops = number(numbers, "Loops");
     stage.latency = number(numbers, "Latency");
-    stage.cycles = number(numbers, "Inverse Throughput");
+    stage.cycles =
+        number(numbers, "Inverse Throughput") + cyclesOfLookUp * number(numbers, "Look-ups");
     return stage;
 }
 
@@ -55,7 +66,8 @@ class KnownRounds {
     /// Corrects the cycles of a fragment stage. The loops that are left in it are those that are
     /// still guessed. Which loops the driver leaves is asked of the first device, as all chips have
     /// that from the same passes, and telling it takes the driver long.
-    void correct(StageStatistics& stage, const NullDevice& device) {
+    void correct(StageStatistics& stage, const NullDevice& device, double cyclesOfLookUp) {
+        cyclesOfLookUp_ = cyclesOfLookUp;
         if (!isGrouped_) {
             group(device);
         }
@@ -120,13 +132,15 @@ class KnownRounds {
         return true;
     }
 
-    static std::optional<StageStatistics> fragmentOf(const SpirvProgram& program,
-                                                     const NullDevice& device, bool countsLoops) {
+    std::optional<StageStatistics> fragmentOf(const SpirvProgram& program, const NullDevice& device,
+                                              bool countsLoops) const {
         auto stages = device.compile(program, countsLoops);
-        return stages ? std::optional(stageStatistics((*stages)["fragment"])) : std::nullopt;
+        return stages ? std::optional(stageStatistics((*stages)["fragment"], cyclesOfLookUp_))
+                      : std::nullopt;
     }
 
     SpirvProgram program_;
+    double cyclesOfLookUp_ = 0.0; ///< is of the device that is corrected for
     std::vector<CountedLoop> loops_;
     bool isGrouped_ = false;
     std::vector<Group> groups_;
@@ -137,9 +151,7 @@ class KnownRounds {
 class FamilyTarget {
   public:
     static Result<FamilyTarget> create(const CompileRequest::Family& family) {
-        const auto target = [&family](auto made) {
-            return FamilyTarget(family.id, std::move(made));
-        };
+        const auto target = [&family](auto made) { return FamilyTarget(family, std::move(made)); };
         return family.isMali
                    ? MaliCore::create(family.chips.empty() ? "" : family.chips.front()).map(target)
                    : NullDevice::create(family.chips).map(target);
@@ -163,22 +175,24 @@ class FamilyTarget {
         if (!stages) {
             return tl::unexpected(stages.error());
         }
-        PipelineStatistics statistics{stageStatistics((*stages)["vertex"]),
-                                      stageStatistics((*stages)["fragment"])};
+        PipelineStatistics statistics{stageStatistics((*stages)["vertex"], cyclesOfLookUp_),
+                                      stageStatistics((*stages)["fragment"], cyclesOfLookUp_)};
         if (statistics.fragment.loops > 0) {
             if (!rounds) {
                 rounds.emplace(program);
             }
-            rounds->correct(statistics.fragment, device);
+            rounds->correct(statistics.fragment, device, cyclesOfLookUp_);
         }
         return statistics;
     }
 
   private:
-    FamilyTarget(std::string family, std::variant<NullDevice, MaliCore> compiler)
-        : family_(std::move(family)), compiler_(std::move(compiler)) {}
+    FamilyTarget(const CompileRequest::Family& family, std::variant<NullDevice, MaliCore> compiler)
+        : family_(family.id), cyclesOfLookUp_(lookUpCycles(family.id)),
+          compiler_(std::move(compiler)) {}
 
     std::string family_;
+    double cyclesOfLookUp_; ///< is GpuFamily::lookUpCycles()
     std::variant<NullDevice, MaliCore> compiler_;
 };
 

@@ -28,6 +28,10 @@ struct GpuFamily {
     std::vector<GraphicsCard> cards; ///< are one or more
     bool isMali = false; ///< is compiled for by ARM's `malioc`, the others by Mesa's RADV
 
+    /// Returns the cycles of a SIMD unit that 64 look-ups of a texel take, when all SIMD units of a
+    /// compute unit share its four texture units: one look-up each in a clock. 0 of a Mali.
+    double lookUpCycles() const { return isMali ? 0.0 : 16.0 * simdsPerUnit; }
+
     /// Returns the card that stands for all where none is named: the middle one, as they are listed
     /// from the slowest on.
     const GraphicsCard& middleCard() const { return cards.at((cards.size() - 1) / 2); }
@@ -49,7 +53,7 @@ inline constexpr double fullHdPixels = 1920.0 * 1080.0;
 
 /// Names what a prediction leaves out, for users.
 inline constexpr const char* leftOutOfPrediction =
-    "memory, caches and texture units, the rasteriser, the vertex stage and all other passes";
+    "memory and caches, the rasteriser, the vertex stage and all other passes";
 
 /// Returns all families that costs are predicted for, the oldest first: AMD's, and behind them the
 /// Mali cores that the `malioc` in PATH knows, which is asked the first time.

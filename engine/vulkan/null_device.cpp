@@ -203,6 +203,35 @@ double numberIn(const VkPipelineExecutableStatisticKHR& statistic) {
     }
 }
 
+/// Is how often the driver's compiler takes a loop to run whose rounds it does not know, and one
+/// within another for each round of that.
+constexpr double guessedRounds[] = {1.0, 8.0, 32.0};
+
+/// Counts how often a stage looks up texels, by the driver's listing of it. What is in a loop
+/// counts as often as the driver takes it to run.
+double lookUpsIn(std::string_view listing) {
+    double count = 0.0;
+    std::size_t depth = 0;
+    for (std::size_t at = 0; at < listing.size();) {
+        const std::size_t end = std::min(listing.find('\n', at), listing.size());
+        const std::string_view line = listing.substr(at, end - at);
+        at = end + 1;
+        if (line.find("loop-exit") != std::string_view::npos && depth > 0) {
+            --depth;
+        }
+        if (line.find("loop-header") != std::string_view::npos) {
+            ++depth;
+        }
+        const bool isLookUp = std::ranges::any_of(
+            std::array{"image_load", "image_sample", "image_gather"},
+            [line](const char* word) { return line.find(word) != std::string_view::npos; });
+        if (isLookUp) {
+            count += guessedRounds[std::min(depth, std::size(guessedRounds) - 1)];
+        }
+    }
+    return count;
+}
+
 int occurrences(std::string_view text, std::string_view word) {
     int count = 0;
     for (std::size_t at = text.find(word); at != std::string_view::npos;
@@ -257,9 +286,11 @@ class NullDevice::Implementation {
         if (!vertex || !fragment) {
             return tl::unexpected(vertex ? fragment.error() : vertex.error());
         }
-        // Listings take the driver longer than all else, and say nothing but which loops are left.
+        // Listings take the driver longer than all else, and say nothing but which loops are left
+        // and which texels are read.
         const bool hasListings =
-            countsLoops && (hasLoops(program.vertex) || hasLoops(program.fragment));
+            (countsLoops && (hasLoops(program.vertex) || hasLoops(program.fragment))) ||
+            readsTexels(program.fragment);
         const auto built =
             pipeline(program, whole->handle, vertex->handle, fragment->handle, hasListings);
         return built ? Result<StageStatistics>(statisticsOf(built->handle, hasListings))
@@ -438,7 +469,9 @@ class NullDevice::Implementation {
             Statistics& numbers = all[stageName(executables[i].stages)];
             numbers = executableStatistics(one);
             numbers["Subgroup size"] = executables[i].subgroupSize;
-            numbers["Loops"] = hasListings ? loopsOf(one) : 0;
+            const std::string listing = hasListings ? listingOf(one) : std::string();
+            numbers["Loops"] = occurrences(listing, "loop-header");
+            numbers["Look-ups"] = lookUpsIn(listing);
             // RADV counts the smallest waves, of which a larger one takes the room of several.
             numbers["Subgroups per SIMD"] *= double(smallestWave_) / executables[i].subgroupSize;
         }
@@ -455,8 +488,8 @@ class NullDevice::Implementation {
         return numbers;
     }
 
-    /// Counts the loops that are left in a stage, by the driver's listing of its code.
-    int loopsOf(const VkPipelineExecutableInfoKHR& executable) const {
+    /// Returns the driver's listing of a stage's code; empty where it gives none.
+    std::string listingOf(const VkPipelineExecutableInfoKHR& executable) const {
         auto listings =
             listed(device_.handle, executable,
                    VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_INTERNAL_REPRESENTATION_KHR, listings_);
@@ -469,10 +502,10 @@ class NullDevice::Implementation {
         listings_(device_.handle, &executable, &count, listings.data());
         for (std::size_t i = 0; i < listings.size(); ++i) {
             if (std::string_view(listings[i].name) == "ACO IR") {
-                return occurrences(texts[i], "loop-header");
+                return texts[i];
             }
         }
-        return 0;
+        return {};
     }
 
     Instance instance_;

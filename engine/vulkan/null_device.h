@@ -16,7 +16,8 @@ namespace patina {
 class NullDevice {
   public:
     /// Holds the driver's numbers about one compiled stage by the driver's own names, such as
-    /// "Instructions", "Subgroup size", and "Loops", those that are left.
+    /// "Instructions", "Subgroup size", and by ours "Loops", those that are left, and "Look-ups" of
+    /// texels.
     using Statistics = std::map<std::string, double>;
 
     /// Holds the statistics of each stage: "vertex", "fragment".

@@ -163,6 +163,13 @@ bool hasLoops(std::span<const std::uint32_t> module) {
     });
 }
 
+bool readsTexels(std::span<const std::uint32_t> module) {
+    return std::ranges::any_of(instructionsIn(module), [](const Instruction& instruction) {
+        return instruction.op >= spv::OpImageSampleImplicitLod &&
+               instruction.op <= spv::OpImageDrefGather;
+    });
+}
+
 Result<std::vector<std::uint32_t>> optimisedSpirv(std::span<const std::uint32_t> module) {
     spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_1);
     optimizer.RegisterPerformancePasses();

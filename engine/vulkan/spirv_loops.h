@@ -22,6 +22,9 @@ struct CountedLoop {
 /// Tells whether a module has loops at all.
 bool hasLoops(std::span<const std::uint32_t> module);
 
+/// Tells whether a module reads texels.
+bool readsTexels(std::span<const std::uint32_t> module);
+
 /// Returns a fragment stage in SPIR-V after the optimiser's passes: functions inlined, constants
 /// followed to where they are used.
 Result<std::vector<std::uint32_t>> optimisedSpirv(std::span<const std::uint32_t> module);

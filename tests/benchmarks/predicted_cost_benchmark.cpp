@@ -28,7 +28,7 @@ namespace {
 
 constexpr double wantedCorrelation = 0.9;
 constexpr const char* families[] = {"gcn", "rdna2", "rdna3"};
-constexpr glm::ivec2 frameSize{512, 512};
+constexpr glm::ivec2 frameSize{256, 256};
 constexpr int rounds = 3;
 constexpr double wantedShareOfEffects = 0.95;
 constexpr std::size_t stepOfPresets = 4; ///< of those whose effects are left out
@@ -125,8 +125,7 @@ bool isShadingAlone(const Material& material, const Catalog& catalog) {
            !hasMarks;
 }
 
-/// Tells whether a level reads a table: a texture, whose time a prediction leaves out, and which a
-/// software driver computes.
+/// Tells whether a level reads a table: a texture, which a software driver computes.
 bool readsTable(const Way& way, const Catalog& catalog) {
     return std::ranges::any_of(blocksInUse(way.material, catalog), [&way](const Block* block) {
         return std::ranges::any_of(block->accuracy, [&](const AccuracyChoice& choice) {

@@ -229,6 +229,35 @@ TEST(PredictedCost, RoundsThatNobodyKnows_AreSaidToBeGuessed) {
 }
 
 /// He-Torrance's series has as many terms as the directions call for.
+/// Four texture units take 16 clocks for 64 lanes, which four SIMD units of GCN share, and two of
+/// RDNA. Eight more look-ups need some instructions of their own.
+TEST(PredictedCost, LookUpsOfTexels_TakeTheTextureUnitsThatSimdUnitsShare) {
+    const auto texts = [](int lookUps) {
+        const std::string vertex =
+            "#version 410 core\nin vec2 corner;\nout vec2 at;\nvoid main() {\n"
+            "    at = corner;\n    gl_Position = vec4(corner, 0.0, 1.0);\n}\n";
+        std::string sum;
+        for (int i = 0; i < lookUps; ++i) {
+            sum += "    color += texelFetch(picture, ivec2(at) + ivec2(" + std::to_string(3 * i) +
+                   ", 1), 0);\n";
+        }
+        return ProgramText{vertex, "#version 410 core\nuniform sampler2D picture;\nin vec2 at;\n"
+                                   "out vec4 color;\nvoid main() {\n    color = vec4(0.0);\n" +
+                                       sum + "}\n"};
+    };
+    const auto families = gpuFamiliesIn("gcn,rdna2").value();
+    const auto compiled = compileForFamilies(families, {texts(2), texts(10)}, {});
+    ASSERT_TRUE(compiled) << compiled.error().text();
+    for (const GpuFamily* family : families) {
+        ASSERT_TRUE(compiled->programs[0] && compiled->programs[1]);
+        const double more = compiled->programs[1]->at(family->id).fragment.cycles -
+                            compiled->programs[0]->at(family->id).fragment.cycles;
+        const double inTextureUnits = 8.0 * 16.0 * family->simdsPerUnit;
+        EXPECT_GE(more, inTextureUnits) << family->id;
+        EXPECT_LE(more, 1.7 * inTextureUnits) << family->id;
+    }
+}
+
 TEST(VaryingLoops, RoundsOfASeries_AreFewerWhereItIsShortened) {
     const Catalog catalog = loadCatalog(std::vector<BlockRoot>{{shipped("shaders"), true}});
     Material material = defaultMaterial(*catalog.find(kinds::models, "he-torrance"));
