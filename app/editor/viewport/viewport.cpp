@@ -8,6 +8,7 @@
 #include <QKeySequenceEdit>
 #include <QLineEdit>
 #include <QMouseEvent>
+#include <QPainter>
 #include <QPlainTextEdit>
 #include <QResizeEvent>
 
@@ -31,8 +32,7 @@ Viewport::Viewport(ViewedScene::Sources sources, QWidget* parent)
     setAcceptDrops(true);
     setMouseTracking(true);
     setMinimumSize(160, 120);
-    setBackgroundRole(QPalette::Dark); // is seen before the first picture
-    setAutoFillBackground(true);
+    setAttribute(Qt::WA_OpaquePaintEvent);
     connect(&frames_.surface(), &ViewSurface::shown, this, &Viewport::shown);
 }
 
@@ -60,6 +60,11 @@ void Viewport::setInspected(std::optional<Inspected> shown) {
 QImage Viewport::grabPicture() {
     frames_.paint();
     return frames_.surface().picture();
+}
+
+/// Paints what is seen before the first picture.
+void Viewport::paintEvent(QPaintEvent* event) {
+    QPainter(this).fillRect(event->rect(), palette().dark());
 }
 
 void Viewport::resizeEvent(QResizeEvent* event) {

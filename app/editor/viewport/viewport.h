@@ -56,6 +56,7 @@ class Viewport : public QWidget, public ColorSource {
     void filesDropped(QStringList files, QPointF place);
 
   protected:
+    void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
