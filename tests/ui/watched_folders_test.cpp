@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The user's folders while the editor runs: what comes, goes and changes there.
+#include <QAction>
 #include <QDockWidget>
 #include <QTest>
 #include <QTimer>
@@ -81,6 +82,24 @@ class WatchedFolders : public WindowFixture {
 
     std::string messages() { return text(window().messages().messages()); }
 };
+
+TEST_F(WatchedFolders, MessagesThatCameByThemselves_GoWithWhatTheySaid) {
+    QDockWidget& dock = *window().dock("messages");
+    fs::create_directories(presets());
+    for (const bool byHand : {false, true}) {
+        ASSERT_FALSE(dock.isVisible());
+        writeFile(presets() / "mine.patina.json", "{");
+        ASSERT_TRUE(isTold("mine.patina.json"));
+        EXPECT_TRUE(dock.isVisible());
+        if (byHand) {
+            dock.toggleViewAction()->trigger();
+            dock.toggleViewAction()->trigger();
+        }
+        writePresetNamed("Mine");
+        ASSERT_TRUE(QTest::qWaitFor([&] { return messages().empty(); }, waitMs));
+        EXPECT_EQ(dock.isVisible(), byHand);
+    }
+}
 
 TEST_F(WatchedFolders, ShadersMadeAgain_AreSeenAndWatched) {
     writeModel("First");
@@ -169,8 +188,8 @@ TEST_F(WatchedFolders, CheckOfAnEndlessShader_IsCancelledUntilItIsMended) {
     EXPECT_TRUE(isTold("checking your blocks was stopped")) << messages();
     EXPECT_FALSE(row());
     writeModel("Second");
-    EXPECT_TRUE(QTest::qWaitFor(
-        [&] { return messages().find("was stopped") == std::string::npos; }, waitMs))
+    EXPECT_TRUE(QTest::qWaitFor([&] { return messages().find("was stopped") == std::string::npos; },
+                                waitMs))
         << messages();
     EXPECT_TRUE(isShown("Second"));
 }

@@ -27,6 +27,9 @@
 namespace patina {
 namespace {
 
+/// Is how long the library and the rest wait for the first frame, which they would slow down.
+constexpr std::chrono::milliseconds restPatience{700};
+
 void say(const QString& text) {
     std::fprintf(stderr, "patina: %s\n", qUtf8Printable(text));
 }
@@ -73,12 +76,22 @@ void whenShown(Viewport& viewport, void (FrameLoop::*drawn)(), const std::functi
         Qt::SingleShotConnection);
 }
 
-/// Starts the rest of the program in the turn after the first frame is on the screen.
+/// Starts the rest of the program in the turn after the first frame is on the screen, or while a
+/// slow one is drawn.
 void afterFirstFrame(MainWindow& window, Viewport& viewport) {
+    auto* rest = new QTimer(&window);
+    rest->setSingleShot(true);
+    QObject::connect(rest, &QTimer::timeout, &window, &MainWindow::startRest);
+    rest->start(restPatience);
+    QObject::connect(
+        &window.dockContext().presets, &PresetLibrary::checked, &window,
+        [] { tellTime("presets"); }, Qt::SingleShotConnection);
     whenShown(viewport, &FrameLoop::sketchDrawn, [] { tellTime("sketch"); });
-    whenShown(viewport, &FrameLoop::frameDrawn, [&window] {
+    whenShown(viewport, &FrameLoop::frameDrawn, [rest] {
         tellTime("first frame");
-        QTimer::singleShot(0, &window, [&window] { window.startRest(); });
+        if (rest->isActive()) {
+            rest->start(0);
+        }
     });
 }
 

@@ -10,7 +10,8 @@ namespace patina {
 /// With PATINA_TIME_STARTUP set it writes a line to standard error when the first frame is on the
 /// screen: "patina: first frame at <seconds> s", of the monotonic clock, so that whoever started
 /// the program can subtract when that was. Where that frame takes long there is a line before it
-/// for the sketch that the device shows sooner: "patina: sketch at <seconds> s".
+/// for the sketch that the device shows sooner: "patina: sketch at <seconds> s". One with "presets"
+/// says when the library was read.
 int runEditor(int argc, char** argv);
 
 } // namespace patina

@@ -16,6 +16,7 @@
 #include "sheets/sheets_dock.h"
 #include "window/focus_order.h"
 #include "window/lazy_dock.h"
+#include "window/messages_opener.h"
 
 namespace patina {
 namespace {
@@ -138,7 +139,7 @@ void MainWindow::connectParts() {
     connect(&autosave_, &Autosave::failed, &messages_, &MessageLog::add);
     connect(&presets_, &PresetLibrary::checked, this,
             [this](const Errors& mistakes) { messages_.setGroup("presets", mistakes); });
-    connect(&messages_, &MessageLog::arrived, this, [this] { layout_->bringToFront("messages"); });
+    new MessagesOpener(messages_, *layout_, this);
     connect(&documentFiles_, &DocumentFiles::fileChanged, this, &MainWindow::updateTitle);
     onChange(document_, DocumentChange::Scene, this, &MainWindow::updateTitle);
     connect(&document_, &Document::modifiedChanged, this, &QWidget::setWindowModified);

@@ -58,8 +58,8 @@ class MainWindow : public QMainWindow {
     QDockWidget* dock(const QString& name) const { return layout_->dock(name); }
     DockContext dockContext();
 
-    /// Starts what can wait until the first frame is on the screen: presets, thumbnails, watching,
-    /// the desktop's look.
+    /// Starts what can wait for the first frame, if that is not long: presets, thumbnails, the
+    /// watching of folders, the desktop's look.
     void startRest();
 
     /// Asks about work that an earlier program could not save, the newest first.
