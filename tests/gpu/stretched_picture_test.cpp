@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A picture that is shown in another size.
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include <epoxy/gl.h>
@@ -43,11 +44,38 @@ TEST_F(StretchedPictureTest, DrawnByAProgram_IsAsTheDriverStretchesIt) {
     picture.show(target.framebuffer(), larger);
     const auto shown = pixels();
     ProgramCache cache({});
-    ASSERT_TRUE(picture.draw(target.framebuffer(), larger, *catalog, cache));
+    ASSERT_TRUE(picture.draw({target.framebuffer(), larger}, *catalog, cache));
     const auto drawn = pixels();
     for (std::size_t i = 0; i < shown.size(); ++i) {
         EXPECT_NEAR(drawn[i], shown[i], 1) << i;
     }
+}
+
+/// Rows of what is drawn over come from the top, its colours multiplied by their opacity.
+TEST_F(StretchedPictureTest, Overlay_IsBlendedFromTheTopRowOn) {
+    const StretchedPicture picture(size);
+    fill(picture);
+    const auto before = pixels(size);
+    std::vector<unsigned char> lines(std::size_t(4) * size.x * size.y, 0);
+    const std::array<unsigned char, 4> halfRed{0, 0, 100, 128}; // blue, green, red, opacity
+    std::ranges::copy(halfRed, lines.begin());
+    OverlayPicture overlay;
+    EXPECT_TRUE(overlay.isEmpty());
+    overlay.take(size, lines.data());
+    ProgramCache cache({});
+    ASSERT_TRUE(overlay.draw({picture.framebuffer(), size}, *catalog, cache));
+    auto expected = before;
+    const std::size_t topLeft = std::size_t(4) * size.x * (size.y - 1);
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        unsigned char& value = expected[topLeft + channel];
+        value = static_cast<unsigned char>(value * 127 / 255 + halfRed[2 - channel]);
+    }
+    const auto after = pixels(size);
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        EXPECT_NEAR(after[i], expected[i], 1) << i;
+    }
+    overlay.take({}, nullptr);
+    EXPECT_TRUE(overlay.isEmpty());
 }
 
 /// The view only gets wider or narrower.
