@@ -152,6 +152,7 @@ int runEditor(int argc, char** argv) {
         window.offerRecovery(); // comes before the first frame, for which a slow model may take
                                 // seconds
     }
+    viewport.frames().paint(); // opens the view, so that a failure is known before the window waits
     if (const QString why = viewport.frames().failure(); !why.isEmpty()) {
         say(why);
         return 1;
