@@ -45,8 +45,6 @@ const std::vector<Setting> settings = {
     {"oren-nayar", {{"form", word("full")}}},
     {"oren-nayar", {{"form", word("interreflection")}}},
     {"oren-nayar", {{"form", word("eon")}}},
-    {"minnaert", {{"darkening", 0.65}}},
-    {"minnaert", {{"darkening", 2.0}}},
     {"cook-torrance", {{"distribution", word("beckmann")}, {"masking", word("smith-correlated")}}},
     {"cook-torrance", {{"distribution", word("ggx")}, {"masking", word("smith-correlated")}}},
     {"cook-torrance", {{"distribution", word("phong")}}},

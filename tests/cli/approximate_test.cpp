@@ -265,13 +265,13 @@ TEST(Approximate, FolderOfTheBlockItself_IsRefused) {
 TEST(Approximate, ShippedBlock_GetsAnIdOfItsOwnAndItsTables) {
     const TemporaryFolder folder;
     const Outcome outcome = approximated(
-        {"minnaert", "--seconds", "30", "--cases", "1000", "--declared", "-o", folder / "models"});
+        {"strauss", "--seconds", "30", "--cases", "1000", "--declared", "-o", folder / "models"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
-    EXPECT_NE(outcome.out.find("law=table"), std::string::npos) << "its own level, judged too";
-    EXPECT_NE(outcome.err.find("models/minnaert-cheaper.glsl"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.out.find("terms=table"), std::string::npos) << "its own level, judged too";
+    EXPECT_NE(outcome.err.find("models/strauss-cheaper.glsl"), std::string::npos) << outcome.err;
     const Catalog catalog = catalogWith(folder.path());
     EXPECT_EQ(catalog.errors, Errors());
-    EXPECT_NE(catalog.find(kinds::models, "minnaert-cheaper"), nullptr);
+    EXPECT_NE(catalog.find(kinds::models, "strauss-cheaper"), nullptr);
 }
 
 TEST(Approximate, Preset_HasItsValuesFoldedAndIsDrawnAndTimed) {

@@ -71,36 +71,6 @@ TEST(StraussTable, OfOtherConstants_StaysWithinWhatIsStated) {
     expectUpTo(worst, 0.062);
 }
 
-/// The largest error of Minnaert's table for a white surface under light from the normal, with
-/// viewers from this cosine on.
-double minnaertError(double darkening, double lowest) {
-    const Values values{{"diffuse.color", white}, {"darkening", darkening}};
-    const Subject exact("models", "minnaert", values);
-    const Subject cheap("models", "minnaert", values, {{"law", "table"}});
-    return largest([&](double u) {
-        const double c = lowest + (1.0 - lowest) * u * u;
-        const glm::dvec3 v{std::sqrt((1.0 - c) * (1.0 + c)), 0.0, c};
-        double worst = 0.0;
-        for (const double height : {1.0, 0.9961, 0.98}) { // between entries, too
-            const glm::dvec3 l{-std::sqrt((1.0 - height) * (1.0 + height)), 0.0, height};
-            const auto at = geometry(l, v);
-            worst = std::max(worst, std::abs(cheap.shade(at).x - exact.shade(at).x));
-        }
-        return worst;
-    });
-}
-
-TEST(MinnaertTable, OfDarkeningsFromTwoOn_IsClose) {
-    double above = 0.0;
-    double anywhere = 0.0;
-    for (const double darkening : {2.0, 2.3, 3.0, 6.0, 10.0}) {
-        above = std::max(above, minnaertError(darkening, direction(87.0, 0.0).z));
-        anywhere = std::max(anywhere, minnaertError(darkening, 1e-6));
-    }
-    expectUpTo(above, 1.4e-3);
-    expectUpTo(anywhere, 8e-3);
-}
-
 /// The largest error of the conductor's table, among all cosines.
 double metalTableError(double eta, double k) {
     const Values values{{"eta", glm::dvec3(eta)}, {"k", glm::dvec3(k)}};
