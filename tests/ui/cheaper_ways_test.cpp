@@ -75,6 +75,12 @@ class CheaperPanel : public WindowFixture {
         return QTest::qWaitFor([this] { return !page().isMeasuring(); }, waitMs);
     }
 
+    /// Returns the height that the words of a row take in the width of their column, in pixels.
+    int wordsHeight(const QTreeWidgetItem& row) {
+        const QRect column(0, 0, list().columnWidth(0), 1000);
+        return list().fontMetrics().boundingRect(column, Qt::TextWordWrap, row.text(0)).height();
+    }
+
     /// Searches until there is something, which is checked then.
     bool search() {
         start();
@@ -98,6 +104,9 @@ TEST_F(CheaperPanel, Found_AreListedShownCopiedAndSavedAsABlockOfTheirOwn) {
     EXPECT_TRUE((*glsl)->toPlainText().contains("Found1("));
     button("Copy")->click();
     EXPECT_EQ(QApplication::clipboard()->text(), (*glsl)->toPlainText());
+    QTreeWidgetItem& row = *list().topLevelItem(list().topLevelItemCount() - 1);
+    EXPECT_GT(wordsHeight(row), list().fontMetrics().height()) << "one line would not wrap";
+    EXPECT_GE(list().visualItemRect(&row).height(), wordsHeight(row)) << row.text(0).toStdString();
 
     button("Save as my block")->click();
     EXPECT_EQ(readFile(folder() / "plush.glsl"), plushShader);

@@ -15,6 +15,7 @@
 #include <QPlainTextEdit>
 #include <QSignalBlocker>
 #include <QSplitter>
+#include <QStyledItemDelegate>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -69,13 +70,40 @@ void nameWayColumns(QTreeWidget& list) {
                                              "the material as it is"));
     head.setToolTip(WayFrame, CheaperPage::tr("Error that 99 of 100 pixels of what is on screen "
                                               "keep, over the light there"));
-    head.setToolTip(WayOff, CheaperPage::tr("Largest error in any channel, where white is 1"));
-    head.setToolTip(WayMean, CheaperPage::tr("Mean of the errors"));
+    head.setToolTip(WayOff, CheaperPage::tr("Largest error in any channel, as a share of white"));
+    head.setToolTip(WayMean, CheaperPage::tr("Mean of the errors, as a share of white"));
 }
 
-/// Has two digits, so that what is done has room beside it.
+/// Returns an error as a share of white; what is far below what a screen shows has no digits.
 QString errorText(double error) {
-    return numberLocale().toString(error, 'g', 2);
+    constexpr double minTold = 1e-5;
+    return error > 0.0 && error < minTold ? CheaperPage::tr("< %1").arg(shareText(minTold))
+                                          : shareText(error);
+}
+
+/// Gives a row the height that its words need in as many lines as the column's width makes of them.
+class WrappedWordsDelegate : public QStyledItemDelegate {
+  public:
+    explicit WrappedWordsDelegate(QTreeWidget& list) : QStyledItemDelegate(&list), list_(list) {}
+
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        QStyleOptionViewItem wrapped = option;
+        wrapped.rect = QRect(0, 0, list_.columnWidth(index.column()), 1);
+        return QStyledItemDelegate::sizeHint(wrapped, index);
+    }
+
+  private:
+    QTreeWidget& list_;
+};
+
+void wrapWords(QTreeWidget& list) {
+    list.setWordWrap(true);
+    list.setItemDelegateForColumn(WayWords, new WrappedWordsDelegate(list));
+    QObject::connect(list.header(), &QHeaderView::sectionResized, &list, [&list](int column) {
+        if (column == WayWords) {
+            list.doItemsLayout();
+        }
+    });
 }
 
 /// Returns the measured time as a share of that of the material as it is, where it can be told from
@@ -129,9 +157,10 @@ CheaperPage::CheaperPage(const DockContext& context, std::shared_ptr<MeasureTurn
     list_->setRootIsDecorated(false);
     list_->setUniformRowHeights(false); // a line for each thing that a way does
     list_->setFrameShape(QFrame::NoFrame);
+    list_->setAlternatingRowColors(true);
     list_->header()->setStretchLastSection(false);
     list_->header()->setSectionResizeMode(WayWords, QHeaderView::Stretch);
-    list_->setTextElideMode(Qt::ElideRight);
+    wrapWords(*list_);
     fitColumns(*list_, WayCost);
     notes_->setObjectName("notes");
     notes_->setTextInteractionFlags(Qt::TextSelectableByMouse);
