@@ -91,6 +91,13 @@ void Renderer::showInWindow(const StretchedPicture& picture, const OverlayPictur
     }
 }
 
+void Renderer::showUndistorted(const StretchedPicture& picture, const ScreenTarget& target) {
+    if (!shared_->catalog ||
+        !picture.drawUndistorted(target, *shared_->catalog, shared_->programs())) {
+        picture.show(target.framebuffer, target.size);
+    }
+}
+
 Result<Image> Renderer::capture(const Scene& scene, const View& view, const MeshSource& meshes,
                                 bool display) {
     if (!(view.isContinued && job_->holdsPicture(view.size))) {

@@ -18,6 +18,7 @@ class OverlayPicture;
 class StretchedPicture;
 class SurfaceBufferDrawer;
 struct RenderResources;
+struct ScreenTarget;
 
 inline constexpr int largestShadowTexels = 2048;
 
@@ -73,6 +74,9 @@ class Renderer {
 
     /// Draws a finished picture into the window of the current context, and what is laid over it.
     void showInWindow(const StretchedPicture& picture, const OverlayPicture& overlay);
+
+    /// Draws a finished picture into a target of another size, with its aspect.
+    void showUndistorted(const StretchedPicture& picture, const ScreenTarget& target);
 
     /// Returns the same frame as FrameJob::read() does. With an environment, a continued view is
     /// not drawn again where its picture is still there.

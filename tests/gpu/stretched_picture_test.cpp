@@ -2,6 +2,7 @@
 // A picture that is shown in another size.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include <epoxy/gl.h>
@@ -83,14 +84,16 @@ TEST_F(StretchedPictureTest, Undistorted_IsCutOffOrHasItsEdgesDrawnOut) {
     const StretchedPicture picture(size);
     fill(picture);
     const auto whole = pixels(size);
-    for (const int width : {3, 9}) {
+    ProgramCache cache({});
+    for (const int width : {3, 4, 9}) {
         const glm::ivec2 shownSize(width, size.y);
         const StretchedPicture target(shownSize);
-        picture.showUndistorted(target.framebuffer(), shownSize);
+        ASSERT_TRUE(picture.drawUndistorted({target.framebuffer(), shownSize}, *catalog, cache));
         const auto shown = pixels(shownSize);
         for (int y = 0; y < size.y; ++y) {
             for (int x = 0; x < width; ++x) {
-                const int from = std::clamp(x + (size.x - width) / 2, 0, size.x - 1);
+                const int beside = static_cast<int>(std::floor((width - size.x) / 2.0));
+                const int from = std::clamp(x - beside, 0, size.x - 1);
                 EXPECT_EQ(shown[std::size_t(4) * (y * width + x)],
                           whole[std::size_t(4) * (y * size.x + from)])
                     << width << ": " << x << ' ' << y;

@@ -29,12 +29,15 @@ ViewSurface::ViewSurface(QWidget& widget, ViewContext& context)
 }
 
 Result<std::unique_ptr<Renderer>> ViewSurface::open() {
-    return context_.open();
+    auto renderer = context_.open();
+    renderer_ = renderer ? renderer->get() : nullptr;
+    return renderer;
 }
 
 void ViewSurface::close(std::unique_ptr<Renderer> renderer) {
     {
         const ViewContext::Current current(context_);
+        renderer_ = nullptr;
         picture_.reset();
         overlay_ = {};
         hasPicture_ = false;
@@ -94,8 +97,8 @@ void ViewSurface::fit() {
         return;
     }
     auto fitting = std::make_unique<StretchedPicture>(size);
-    if (hasPicture_) {
-        picture_->showUndistorted(fitting->framebuffer(), size);
+    if (hasPicture_ && renderer_ != nullptr) {
+        renderer_->showUndistorted(*picture_, {fitting->framebuffer(), size});
     }
     picture_ = std::move(fitting);
     isChanged_ = true;

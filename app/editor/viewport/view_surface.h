@@ -86,6 +86,7 @@ class ViewSurface : public QObject {
     ViewContext& context_;
     QWindow* window_;                           ///< belongs to the container
     QWidget* container_;                        ///< belongs to the widget
+    Renderer* renderer_ = nullptr;              ///< is what open() returned, until close()
     std::unique_ptr<StretchedPicture> picture_; ///< is null before the first frame
     OverlayPicture overlay_;
     OverlaySource* overlaySource_ = nullptr;

@@ -10,10 +10,14 @@
 
 namespace patina {
 
-Checked<void> drawPicture(const gl::Texture& picture, const std::string& fragmentFile,
+PicturePart wholePicture(const ScreenTarget& target) {
+    return {1.0f / glm::vec2(target.size), glm::vec2(0.0f)};
+}
+
+Checked<void> drawPicture(const gl::Texture& picture, const PicturePart& part,
                           const ScreenTarget& target, bool isBlended, const Catalog& catalog,
                           ProgramCache& cache) {
-    const std::array<std::string, 1> files{fragmentFile};
+    const std::array<std::string, 1> files{"passes/screen_picture.frag"};
     const auto source = passProgram(catalog, "passes/screen.vert", files);
     if (!source) {
         return tl::unexpected(source.error());
@@ -34,7 +38,8 @@ Checked<void> drawPicture(const gl::Texture& picture, const std::string& fragmen
         glDisable(GL_BLEND);
     }
     found.program->use();
-    glUniform2f(found.program->uniform("newSize"), float(target.size.x), float(target.size.y));
+    glUniform4f(found.program->uniform("part"), part.scale.x, part.scale.y, part.offset.x,
+                part.offset.y);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, picture.name());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
@@ -61,7 +66,10 @@ void OverlayPicture::take(glm::ivec2 size, const unsigned char* pixels) {
 
 Checked<void> OverlayPicture::draw(const ScreenTarget& target, const Catalog& catalog,
                                    ProgramCache& cache) const {
-    return drawPicture(image_, "passes/overlay.frag", target, true, catalog, cache);
+    PicturePart fromTheTop = wholePicture(target);
+    fromTheTop.scale.y *= -1.0f;
+    fromTheTop.offset.y = 1.0f;
+    return drawPicture(image_, fromTheTop, target, true, catalog, cache);
 }
 
 } // namespace patina

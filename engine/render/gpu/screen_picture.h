@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
-
 #include <glm/vec2.hpp>
 
 #include "catalog/catalog.h"
@@ -17,11 +15,20 @@ struct ScreenTarget {
     glm::ivec2 size{0};
 };
 
-/// Draws a texture over all of `target` by the program of `fragmentFile`, a file of `passes`, whose
-/// uniforms are `picture` and `newSize`, and leaves the framebuffer bound. `isBlended`: colours
-/// that are multiplied by their opacity are blended with what is there. An error says why there is
-/// no program.
-Checked<void> drawPicture(const gl::Texture& picture, const std::string& fragmentFile,
+/// Says where a picture is read: at a pixel's place times `scale` plus `offset`, from 0 to 1 in the
+/// picture. Beyond it there are its edges.
+struct PicturePart {
+    glm::vec2 scale{1.0f};
+    glm::vec2 offset{0.0f};
+};
+
+/// Returns all of a picture, stretched to the target.
+PicturePart wholePicture(const ScreenTarget& target);
+
+/// Draws a part of a texture over all of `target` and leaves the framebuffer bound. `isBlended`:
+/// colours that are multiplied by their opacity are blended with what is there. An error says why
+/// there is no program.
+Checked<void> drawPicture(const gl::Texture& picture, const PicturePart& part,
                           const ScreenTarget& target, bool isBlended, const Catalog& catalog,
                           ProgramCache& cache);
 

@@ -30,16 +30,16 @@ class StretchedPicture {
     /// Draws the picture, stretched, into a framebuffer of `size` pixels and leaves that bound.
     void show(unsigned framebuffer, glm::ivec2 size) const;
 
-    /// Draws it as high as the framebuffer and in its own aspect, as a view that gets wider or
-    /// narrower shows a scene: cut off at the sides, or with its edges drawn out. Leaves the
-    /// framebuffer bound.
-    void showUndistorted(unsigned framebuffer, glm::ivec2 size) const;
-
     /// Does the same as show() by a program, since drivers that draw on the CPU keep what they
     /// compile of it and compile what show() takes for each context anew. An error says why there
     /// is none.
     Checked<void> draw(const ScreenTarget& target, const Catalog& catalog,
                        ProgramCache& cache) const;
+
+    /// Draws it so, as high as the target and in its own aspect, as a view that gets wider or
+    /// narrower shows a scene: cut off at the sides, or with its edges drawn out.
+    Checked<void> drawUndistorted(const ScreenTarget& target, const Catalog& catalog,
+                                  ProgramCache& cache) const;
 
   private:
     glm::ivec2 size_;
