@@ -107,6 +107,48 @@ TEST(AshikhminShirley, Base_MatchesItsTable) {
     }
 }
 
+TEST(AnisotropicGgx, ItsHighlight_MatchesItsTable) {
+    for (const auto& data : numbers()["anisotropicGgx"]) {
+        const Subject model("models", "anisotropic-ggx",
+                            highlightOnly({{"roughness", data["roughness"].get<double>()},
+                                           {"anisotropy", data["anisotropy"].get<double>()}}));
+        const Subject fresnel = schlickFrom(data["f0"]);
+        expectRow(data["values"],
+                  [&](const reference::Geometry& g) { return brdf(model, g, fresnel.filler()); });
+    }
+}
+
+TEST(AnisotropicGgx, WithoutAnisotropy_IsCookTorranceWithGgxMaskedByHeight) {
+    const Subject even(
+        "models", "anisotropic-ggx",
+        {{"roughness", 0.37}, {"anisotropy", 0.0}, {"tangent.angle", 25.0}, {"gloss", 0.8}});
+    const Subject same("models", "cook-torrance",
+                       {{"roughness", 0.37},
+                        {"distribution", std::string("ggx")},
+                        {"masking", std::string("smith-correlated")},
+                        {"gloss", 0.8}});
+    const Subject fresnel = schlickFrom(0.3);
+    for (const std::string name : {"A", "B", "C", "D", "E", "F"}) {
+        const auto g = pairOfDirections(name);
+        const double expected = same.shade(g, fresnel.filler()).x;
+        EXPECT_NEAR(even.shade(g, fresnel.filler()).x, expected, 1e-13 * expected) << name;
+    }
+}
+
+/// The grain is what is long: at 90 degrees half vectors along the tangent are where the highlight
+/// goes on.
+TEST(AnisotropicGgx, QuarterTurn_TurnsTheStreak) {
+    const Subject across("models", "anisotropic-ggx", {{"diffuse.color", black}});
+    const Subject along("models", "anisotropic-ggx",
+                        {{"diffuse.color", black}, {"tangent.angle", 90.0}});
+    const Subject mirror = schlickFrom(1.0);
+    const auto besideT = geometry(direction(30, 0), direction(0, 0));
+    const auto besideB = geometry(direction(30, 90), direction(0, 0));
+    const double bright = across.shade(besideB, mirror.filler()).x;
+    EXPECT_GT(bright, 2.0 * across.shade(besideT, mirror.filler()).x);
+    EXPECT_NEAR(along.shade(besideT, mirror.filler()).x, bright, 1e-12 * bright);
+}
+
 TEST(AshikhminShirley, PlainMatteBase_IsLambert) {
     const Subject model(
         "models", "ashikhmin-shirley",

@@ -42,6 +42,7 @@ std::vector<Lobe> microfacets() {
     for (const EnumValue& v : catalog().find("models", "ward")->parameter("variant")->values) {
         lobes.push_back({"models", "ward", {{"variant", v.id}}, {"roughness.x", "roughness.y"}});
     }
+    lobes.push_back({"models", "anisotropic-ggx", {}, {"roughness"}});
     return lobes;
 }
 
@@ -107,7 +108,8 @@ TEST(Limits, OfNoWidth_AreOneInTheMirrorDirectionAlone) {
 TEST(Limits, OfAnisotropicLobesInTheMirrorDirection_AreTheirNeighbours) {
     const auto normal = geometry(direction(0, 0), direction(0, 0));
     const auto beside = geometry(direction(1e-6, 33), direction(0, 0));
-    for (const char* id : {"ward", "ashikhmin-shirley", "heidrich-seidel", "poulin-fournier"}) {
+    for (const char* id :
+         {"ward", "anisotropic-ggx", "ashikhmin-shirley", "heidrich-seidel", "poulin-fournier"}) {
         const Subject model("models", id);
         EXPECT_NEAR(shaded(model, beside) / shaded(model, normal), 1.0, 1e-5) << id;
     }

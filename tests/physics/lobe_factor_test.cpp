@@ -47,6 +47,8 @@ TEST(LobeFactor, Distribution_HasRoomForTheWholeSurface) {
     }
     EXPECT_NEAR(integralOver(factorOf(materialOf("ward"), LobeTerm::Distribution), true), 1.0,
                 2e-3);
+    EXPECT_NEAR(integralOver(factorOf(materialOf("anisotropic-ggx"), LobeTerm::Distribution), true),
+                1.0, 2e-3);
     EXPECT_NEAR(
         integralOver(factorOf(materialOf("ashikhmin-shirley"), LobeTerm::Distribution), false), 1.0,
         2e-3);
