@@ -21,16 +21,23 @@ inline bool isVertexColors(std::string_view image) {
 /// Says what a mesh file says of one of its materials, in the same words for every format.
 struct MeshMaterial {
     std::string name; ///< is unlike those of the file's other materials, and never empty
-    /// Is "matte", "rough-matte", "phong", "blinn-phong", "dielectric" or "metal"; empty where the
-    /// file says nothing of how it looks.
+    /// Is "matte", "rough-matte", "phong", "blinn-phong", "dielectric", "metal", or one of these
+    /// two with a grain, "grained-dielectric" or "grained-metal"; empty where the file says nothing
+    /// of how it looks.
     std::string look;
     /// Holds "diffuse", "specular", "emissive" and "f0" in linear light, "shininess", "alpha" (the
-    /// width of the highlight), "roughness" (that of a matte surface) and "opacity"; a number is in
-    /// all three.
+    /// width of the highlight), "anisotropy" (1 less the ratio of its widths along and across the
+    /// grain, over 0.9), "grain" (degrees from the tangent), "roughness" (that of a matte surface)
+    /// and "opacity"; a number is in all three. With a grain "alpha" is the geometric mean of both
+    /// widths.
     std::map<std::string, glm::dvec3> values;
     /// Holds full paths of images, or vertexColorsName, by the same words, by "normal" and by
     /// "height".
     std::map<std::string, std::string> images;
+
+    bool isMetal() const { return look.ends_with("metal"); }
+    bool isDielectric() const { return look.ends_with("dielectric"); }
+    bool hasGrain() const { return look.starts_with("grained-"); }
 
     friend bool operator==(const MeshMaterial&, const MeshMaterial&) = default;
 };

@@ -221,12 +221,15 @@ Result<Looking> lookingOf(const Material& material, std::span<const std::string_
         return own.map([](std::optional<Looking>& looking) { return std::move(*looking); });
     }
     std::vector<ModelLook> looks;
+    const bool isIsotropic = model->hasClaim("isotropic");
     for (const std::string_view word : words) {
         auto look = importedLook(std::string(word), catalog);
         if (!look) {
             return tl::unexpected(look.error());
         }
-        looks.push_back(std::move(*look));
+        if (!isIsotropic || !look->look.values.contains("grain")) {
+            looks.push_back(std::move(*look));
+        }
     }
     auto fitted = fittedLook(material, looks, catalog, progress);
     if (!fitted) {
@@ -379,7 +382,7 @@ glm::dvec3 ExportedLook::value(const std::string& word, const glm::dvec3& missin
 
 Result<ExportedLook> exportedLook(const Material& material, const KnownLooks& looks,
                                   const Catalog& catalog, const Progress& progress) {
-    constexpr std::array<std::string_view, 1> refracting{"dielectric"};
+    constexpr std::array<std::string_view, 2> refracting{"dielectric", "grained-dielectric"};
     ExportedLook said;
     said.material.name = material.name;
     const std::span<const std::string_view> words =

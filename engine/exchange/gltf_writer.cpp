@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/grain_widths.h"
 #include "core/number_text.h"
 #include "exchange/dielectric_index.h"
 #include "exchange/format_writers.h"
@@ -233,15 +234,15 @@ class GltfMaterial {
     Json write() {
         material_["name"] = look_.material.name;
         Json& base = material_["pbrMetallicRoughness"];
-        const std::string colorWord = look_.isTransmissive()           ? "transmission"
-                                      : look_.material.look == "metal" ? "f0"
-                                                                       : "diffuse";
-        base["metallicFactor"] = look_.material.look == "metal" ? 1.0 : 0.0;
+        const std::string colorWord = look_.isTransmissive()     ? "transmission"
+                                      : look_.material.isMetal() ? "f0"
+                                                                 : "diffuse";
+        base["metallicFactor"] = look_.material.isMetal() ? 1.0 : 0.0;
         const glm::dvec3 color = imageFactor(look_, colorWord);
         const double opacity =
             look_.isTransmissive() ? 1.0 : look_.value("opacity", glm::dvec3(1.0)).x;
         base["baseColorFactor"] = {color.x, color.y, color.z, opacity};
-        const bool isDarkened = !look_.isTransmissive() && look_.material.look == "dielectric" &&
+        const bool isDarkened = !look_.isTransmissive() && look_.material.isDielectric() &&
                                 look_.value("f0") != glm::dvec3(0.0);
         look_.tellOf(colorWord, isDarkened ? Kept::Approximated : Kept::Exact,
                      isDarkened ? "baseColorFactor, darker where the highlight takes its light"
@@ -265,14 +266,42 @@ class GltfMaterial {
             extension("KHR_materials_specular")["specularFactor"] = 0.0;
             return;
         }
-        const double roughness = std::sqrt(look_.value("alpha").x);
-        base["roughnessFactor"] = roughness;
-        look_.tellOf("alpha", Kept::Exact,
-                     fmt::format("roughnessFactor {}, its root", shortestFloatText(roughness)));
+        if (look_.material.hasGrain()) {
+            writeGrain(base);
+        } else {
+            const double roughness = std::sqrt(look_.value("alpha").x);
+            base["roughnessFactor"] = roughness;
+            look_.tellOf("alpha", Kept::Exact,
+                         fmt::format("roughnessFactor {}, its root", shortestFloatText(roughness)));
+        }
         drop("alpha", "drives a width, of which glTF's images have the root");
-        if (look_.material.look == "dielectric") {
+        if (look_.material.isDielectric()) {
             writeReflectance();
         }
+    }
+
+    /// Writes a highlight that is long across a grain: its width there lies between the one along
+    /// the grain and 1, at the square of the strength.
+    void writeGrain(Json& base) {
+        const GrainWidths widths = widthsOf({look_.value("alpha").x, look_.value("anisotropy").x});
+        const double along = std::min(widths.along, 1.0);
+        const double across = std::min(widths.across, 1.0);
+        const double strength = along < 1.0 ? std::sqrt((across - along) / (1.0 - along)) : 0.0;
+        base["roughnessFactor"] = std::sqrt(along);
+        Json& grain = extension("KHR_materials_anisotropy");
+        grain["anisotropyStrength"] = strength;
+        grain["anisotropyRotation"] = streakAcross(look_.value("grain").x);
+        const bool isCut = across < widths.across;
+        look_.tellOf("alpha", isCut ? Kept::Approximated : Kept::Exact,
+                     isCut
+                         ? "roughnessFactor; glTF has no widths above 1"
+                         : fmt::format("roughnessFactor {}, the root of the width along the grain",
+                                       shortestFloatText(std::sqrt(along))));
+        look_.tellOf("anisotropy", isCut ? Kept::Approximated : Kept::Exact,
+                     fmt::format("KHR_materials_anisotropy {}", shortestFloatText(strength)));
+        look_.tellOf("grain", Kept::Exact,
+                     "KHR_materials_anisotropy, which turns across the grain");
+        drop("anisotropy", "drives an anisotropy, which takes another image in glTF");
     }
 
     void writeReflectance() {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/grain_widths.h"
 #include "core/number_text.h"
 #include "core/text.h"
 #include "exchange/dielectric_index.h"
@@ -34,11 +35,11 @@ class MaterialXMaterial {
     MaterialXMaterial(ExportedLook& look, ExportImages& images) : look_(look), images_(images) {}
 
     std::string write() {
-        if (look_.material.look == "metal") {
+        if (look_.material.isMetal()) {
             writeMetal();
         } else {
             color("base_color", "diffuse", Kept::Exact, {});
-            if (look_.material.look == "dielectric") {
+            if (look_.material.isDielectric()) {
                 writeDielectric();
                 writeTransmission();
             } else {
@@ -136,8 +137,56 @@ class MaterialXMaterial {
         }
     }
 
+    /// Writes a highlight that is long across a grain: OpenPBR's anisotropy is 1 less the ratio of
+    /// the widths, the mean of whose squares is that of the squared roughness, and it is long along
+    /// the tangent.
+    void writeGrain() {
+        const GrainWidths widths = widthsOf({look_.value("alpha").x, look_.value("anisotropy").x});
+        const double square =
+            std::sqrt(0.5 * (widths.across * widths.across + widths.along * widths.along));
+        const double anisotropy = 1.0 - widths.along / widths.across;
+        const double roughness = std::sqrt(std::min(square, 1.0));
+        const Kept kept = square > 1.0 ? Kept::Approximated : Kept::Exact;
+        inputs_ += inputText("specular_roughness", "float", shortestFloatText(roughness));
+        inputs_ +=
+            inputText("specular_roughness_anisotropy", "float", shortestFloatText(anisotropy));
+        look_.tellOf("alpha", kept,
+                     fmt::format("specular_roughness {}{}", shortestFloatText(roughness),
+                                 square > 1.0 ? ", its limit" : ""));
+        look_.tellOf(
+            "anisotropy", Kept::Exact,
+            fmt::format("specular_roughness_anisotropy {}", shortestFloatText(anisotropy)));
+        drop("alpha");
+        drop("anisotropy");
+        writeTangent(streakAcross(look_.value("grain").x));
+    }
+
+    /// Writes a tangent that is turned towards the bitangent, as the sum of parts of both, which
+    /// leaves open no question of signs.
+    void writeTangent(double angle) {
+        look_.tellOf("grain", Kept::Exact, "geometry_tangent, across the grain");
+        const std::string turned = name("streak");
+        for (const auto& [node, share] :
+             {std::pair("tangent", std::cos(angle)), std::pair("bitangent", std::sin(angle))}) {
+            nodes_ += fmt::format(
+                "  <{0} name=\"{1}_{0}\" type=\"vector3\">\n{2}  </{0}>\n"
+                "  <multiply name=\"{1}_{0}_part\" type=\"vector3\">\n{3}{4}  </multiply>\n",
+                node, turned, inputText("space", "string", "world"),
+                linkText("in1", "vector3", fmt::format("{}_{}", turned, node)),
+                inputText("in2", "float", shortestFloatText(share + 0.0))); // no -0
+        }
+        nodes_ += fmt::format("  <add name=\"{0}\" type=\"vector3\">\n{1}{2}  </add>\n", turned,
+                              linkText("in1", "vector3", turned + "_tangent_part"),
+                              linkText("in2", "vector3", turned + "_bitangent_part"));
+        inputs_ += linkText("geometry_tangent", "vector3", turned);
+    }
+
     /// OpenPBR squares its roughness; an image of widths goes through a root.
     void writeRoughness() {
+        if (look_.material.hasGrain()) {
+            writeGrain();
+            return;
+        }
         const TextureUse* image = look_.image("alpha");
         if (image != nullptr && image->mode == TextureMode::Replace) {
             const std::string node = imageNode("alpha", "float");

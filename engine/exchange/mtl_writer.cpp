@@ -20,7 +20,7 @@ class MtlMaterial {
 
     std::string write() {
         text_ = fmt::format("newmtl {}\n", look_.material.name);
-        if (look_.material.look == "metal") {
+        if (look_.material.isMetal()) {
             writeMetal();
         } else {
             writeClassical();

@@ -48,7 +48,7 @@ class MaterialReader {
         float roughness = 1.0f;
         from_.Get(AI_MATKEY_ROUGHNESS_FACTOR, roughness);
         lookMetallicRough(material_, {base.r, base.g, base.b}, metallic, roughness);
-        addFirst(material_.look == "metal" ? "f0" : "diffuse",
+        addFirst(material_.isMetal() ? "f0" : "diffuse",
                  {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE});
     }
 

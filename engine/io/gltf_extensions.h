@@ -9,11 +9,11 @@ namespace patina {
 
 /// Tells whether a glTF extension is read.
 inline bool isReadExtension(std::string_view name) {
-    constexpr std::array<std::string_view, 10> read{
+    constexpr std::array<std::string_view, 11> read{
         "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_mesh_quantization",
         "KHR_materials_ior",          "KHR_materials_specular",  "KHR_materials_emissive_strength",
         "KHR_materials_transmission", "KHR_materials_volume",    "KHR_materials_dispersion",
-        "KHR_texture_transform"};
+        "KHR_materials_anisotropy",   "KHR_texture_transform"};
     return std::ranges::find(read, name) != read.end();
 }
 

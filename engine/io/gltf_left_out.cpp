@@ -99,6 +99,8 @@ void addMaterials(LeftOut& left, const tinygltf::Model& model) {
         }
         addExtensionTexture(left, model, material, "KHR_materials_transmission",
                             "transmissionTexture", "transmission");
+        addExtensionTexture(left, model, material, "KHR_materials_anisotropy", "anisotropyTexture",
+                            "anisotropy");
         addExtensionTexture(left, model, material, "KHR_materials_volume", "thicknessTexture",
                             "thickness");
     }

@@ -5,6 +5,7 @@
 
 #include <glm/common.hpp>
 
+#include "core/grain_widths.h"
 #include "core/image_place.h"
 #include "io/material_images.h"
 #include "io/material_look.h"
@@ -128,18 +129,40 @@ void setTransmission(MeshMaterial& material, const glm::dvec3& base,
         glm::dvec3(numberIn(from, "KHR_materials_dispersion", "dispersion", 0.0));
 }
 
+/// Gives a highlight the grain of KHR_materials_anisotropy, whose direction is that in which it is
+/// long: the width there goes from alpha to 1 by the square of the strength.
+void setGrain(MeshMaterial& material, const tinygltf::Material& from, LeftOut& left) {
+    constexpr const char* extension = "KHR_materials_anisotropy";
+    if (!from.extensions.contains(extension) || material.look == "matte") {
+        return;
+    }
+    const double strength =
+        glm::clamp(numberIn(from, extension, "anisotropyStrength", 0.0), 0.0, 1.0);
+    const double alpha = material.values["alpha"].x;
+    const GrainShape shape = shapeOf({alpha + (1.0 - alpha) * strength * strength, alpha});
+    if (shape.anisotropy > 1.0 + 1e-6) {
+        left.add(LeftOut::What::Anisotropy, material.name);
+    }
+    material.look = "grained-" + material.look;
+    material.values["alpha"] = glm::dvec3(shape.alpha);
+    material.values["anisotropy"] = glm::dvec3(std::min(shape.anisotropy, 1.0));
+    material.values["grain"] =
+        glm::dvec3(grainAcross(numberIn(from, extension, "anisotropyRotation", 0.0)));
+}
+
 MeshMaterial materialFrom(const tinygltf::Material& from, const tinygltf::Model& model,
-                          MeshFolder& folder) {
+                          MeshFolder& folder, LeftOut& left) {
     MeshMaterial material;
     material.name = from.name;
     const tinygltf::PbrMetallicRoughness& look = from.pbrMetallicRoughness;
     lookMetallicRough(material, colorOf(look.baseColorFactor, 1.0), look.metallicFactor,
                       look.roughnessFactor);
-    if (material.look == "dielectric" && (from.extensions.contains("KHR_materials_ior") ||
-                                          from.extensions.contains("KHR_materials_specular"))) {
+    if (material.isDielectric() && (from.extensions.contains("KHR_materials_ior") ||
+                                    from.extensions.contains("KHR_materials_specular"))) {
         setReflectance(material, from);
     }
-    addTexture(material, material.look == "metal" ? "f0" : "diffuse", look.baseColorTexture.index,
+    setGrain(material, from, left);
+    addTexture(material, material.isMetal() ? "f0" : "diffuse", look.baseColorTexture.index,
                look.baseColorTexture.extensions, model, folder);
     addTexture(material, "normal", from.normalTexture.index, from.normalTexture.extensions, model,
                folder);
@@ -152,7 +175,7 @@ MeshMaterial materialFrom(const tinygltf::Material& from, const tinygltf::Model&
     if (from.alphaMode == "BLEND" && look.baseColorFactor.size() == 4) {
         material.values["opacity"] = glm::dvec3(glm::clamp(look.baseColorFactor[3], 0.0, 1.0));
     }
-    if (material.look != "metal") {
+    if (!material.isMetal()) {
         setTransmission(material, colorOf(look.baseColorFactor, 1.0), from);
     }
     return material;
@@ -160,10 +183,11 @@ MeshMaterial materialFrom(const tinygltf::Material& from, const tinygltf::Model&
 
 } // namespace
 
-std::vector<MeshMaterial> materialsFrom(const tinygltf::Model& model, MeshFolder& folder) {
+std::vector<MeshMaterial> materialsFrom(const tinygltf::Model& model, MeshFolder& folder,
+                                        LeftOut& left) {
     std::vector<MeshMaterial> materials;
     for (const tinygltf::Material& material : model.materials) {
-        materials.push_back(materialFrom(material, model, folder));
+        materials.push_back(materialFrom(material, model, folder, left));
     }
     nameUniquely(materials);
     return materials;

@@ -6,12 +6,14 @@
 #include <tiny_gltf.h>
 
 #include "core/mesh_material.h"
+#include "io/left_out.h"
 #include "io/mesh_folder.h"
 
 namespace patina {
 
-/// Returns what a glTF 2.0 file says of its materials, by their numbers. Images inside the file are
-/// left out.
-std::vector<MeshMaterial> materialsFrom(const tinygltf::Model& model, MeshFolder& folder);
+/// Returns what a glTF 2.0 file says of its materials, by their numbers, and adds to `left` what of
+/// their values no model has. Images inside the file are left out.
+std::vector<MeshMaterial> materialsFrom(const tinygltf::Model& model, MeshFolder& folder,
+                                        LeftOut& left);
 
 } // namespace patina

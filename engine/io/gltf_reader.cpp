@@ -201,8 +201,7 @@ void layVertexColors(RawMesh& mesh) {
     for (std::size_t i = 0; i < mesh.materials.size(); ++i) {
         MeshMaterial& material = mesh.materials[i];
         const bool isFree =
-            material.images
-                .try_emplace(material.look == "metal" ? "f0" : "diffuse", vertexColorsName)
+            material.images.try_emplace(material.isMetal() ? "f0" : "diffuse", vertexColorsName)
                 .second;
         if (!isFree && have[i]) {
             mesh.leftOut.add(LeftOut::What::VertexColors, material.name);
@@ -224,8 +223,8 @@ Result<std::optional<RawMesh>> readGltf(MeshFolder& folder, const ReportProgress
     if (!mesh) {
         return tl::unexpected(mesh.error());
     }
-    mesh->materials = materialsFrom(**model, folder);
     mesh->leftOut = leftOutOf(**model);
+    mesh->materials = materialsFrom(**model, folder, mesh->leftOut);
     layVertexColors(*mesh);
     return std::optional(std::move(*mesh));
 }

@@ -26,6 +26,7 @@ constexpr std::array<Words, LeftOut::whats> words{{
     {"extension", "extensions"},
     {"image", "images"},
     {"set of vertex colours under an image", "sets of vertex colours under images"},
+    {"part of an anisotropy that is too strong", "parts of anisotropies that are too strong"},
     {"extension of materials", "extensions of materials"},
     {"material's extras", "materials' extras"},
 }};

@@ -22,10 +22,11 @@ class LeftOut {
         Extension,
         Image, ///< is of a material, as are the next ones
         VertexColors,
+        Anisotropy, ///< is stronger than a model has it
         MaterialExtension,
         MaterialExtras ///< are what another program keeps for itself
     };
-    static constexpr std::size_t whats = 11;
+    static constexpr std::size_t whats = 12;
 
     /// Adds one. A name may be empty, and is cut where it is long.
     void add(What what, std::string_view name);

@@ -177,6 +177,81 @@ TEST_F(ExportedMaterial, FittedSurfaceWithAnImage_KeepsItOnItsColour) {
     EXPECT_GT(color.r, 0.05);
 }
 
+TEST_F(ExportedMaterial, GltfGrain_ComesBackAsItWas) {
+    for (const char* grain : {"anisotropy=0.8,tangent.angle=30", "anisotropy=1,tangent.angle=0",
+                              "anisotropy=0,tangent.angle=135"}) {
+        const std::string both(grain);
+        const auto comma = both.find(',');
+        for (const bool isMetal : {true, false}) {
+            const Material brass = looking(isMetal ? "grained-metal" : "grained-dielectric",
+                                           {"fresnel.f0=0.9,0.61,0.23", "roughness=0.137",
+                                            both.substr(0, comma), both.substr(comma + 1)});
+            const std::vector<ExportLine> lines = write(brass, "brass.gltf");
+            EXPECT_EQ(isAllExact(lines), isMetal) << exportText(lines); // a base is darkened
+            EXPECT_EQ(textOf(read("brass.gltf")), textOf(brass)) << grain;
+        }
+    }
+}
+
+/// The extension has the width along its direction between the other one and 1: 0.25 and 0.25 +
+/// 0.75 / 4 are a mean of 0.330719.
+TEST_F(ExportedMaterial, GltfGrain_IsThatOfItsExtension) {
+    const double across = 0.25 + 0.75 * 0.25;
+    const Material steel =
+        looking("grained-metal",
+                {"roughness=" + std::to_string(std::sqrt(0.25 * across)),
+                 "anisotropy=" + std::to_string((1.0 - 0.25 / across) / 0.9), "tangent.angle=0"});
+    write(steel, "steel.gltf");
+    const auto material = nlohmann::json::parse(readFile(folder_ / "steel.gltf"))["materials"][0];
+    const auto& grain = material["extensions"]["KHR_materials_anisotropy"];
+    EXPECT_NEAR(double(grain["anisotropyStrength"]), 0.5, 1e-5);
+    EXPECT_NEAR(std::abs(double(grain["anisotropyRotation"])), 1.57079633, 1e-8)
+        << "the highlight is long across the grain";
+    EXPECT_NEAR(double(material["pbrMetallicRoughness"]["roughnessFactor"]), 0.5, 1e-5);
+}
+
+TEST_F(ExportedMaterial, WidthAboveOne_IsToldToBeCut) {
+    const std::vector<ExportLine> lines =
+        write(looking("grained-metal", {"roughness=0.9", "anisotropy=1"}), "rough.gltf");
+    EXPECT_TRUE(std::ranges::any_of(lines, [](const ExportLine& line) {
+        return line.kept == Kept::Approximated && line.what == "Anisotropy";
+    })) << exportText(lines);
+}
+
+/// OpenPBR: across = r^2 sqrt(2 / (1 + (1 - a)^2)), along = (1 - a) across.
+TEST_F(ExportedMaterial, MaterialX_HasAGrainAcrossItsTangent) {
+    const Material brass =
+        looking("grained-metal", {"roughness=0.2", "anisotropy=0.8", "tangent.angle=0"});
+    EXPECT_TRUE(isAllExact(write(brass, "brass.mtlx")));
+    const std::string text = readFile(folder_ / "brass.mtlx");
+    const auto valueOf = [&text](const std::string& input) {
+        const auto place = text.find("\"" + input + "\"");
+        const auto value = text.find("value=\"", place);
+        return place == std::string::npos ? -1.0 : std::stod(text.substr(value + 7));
+    };
+    const double ratio = 1.0 - valueOf("specular_roughness_anisotropy");
+    const double roughness = valueOf("specular_roughness");
+    const double across = roughness * roughness * std::sqrt(2.0 / (1.0 + ratio * ratio));
+    EXPECT_NEAR(ratio, 1.0 - 0.9 * 0.8, 1e-6);
+    EXPECT_NEAR(std::sqrt(across * across * ratio), 0.2, 1e-6);
+    for (const char* part : {"<bitangent name=\"paint_streak_bitangent\" type=\"vector3\">",
+                             "name=\"geometry_tangent\" type=\"vector3\" "
+                             "nodename=\"paint_streak\""}) {
+        EXPECT_NE(text.find(part), std::string::npos) << part << '\n' << text;
+    }
+}
+
+TEST_F(ExportedMaterial, BrushedPreset_KeepsItsGrain) {
+    const auto steel = readPreset(shipped("presets/ward/brushed-steel.patina.json"), blocks());
+    ASSERT_TRUE(steel);
+    Material plain = steel->material;
+    plain.textures.clear();
+    write(plain, "steel.gltf");
+    const Material back = read("steel.gltf");
+    ASSERT_TRUE(back.model.parameters.contains("anisotropy")) << textOf(back);
+    EXPECT_GT(std::get<double>(back.model.parameters.at("anisotropy")), 0.3);
+}
+
 TEST_F(ExportedMaterial, BodyThatRefracts_IsADielectricWithAVolume) {
     const Material glass =
         looking("dielectric", {"diffuse.color=0,0,0", "opacity=0.25", "refraction=solid-body",

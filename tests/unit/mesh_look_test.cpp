@@ -35,7 +35,7 @@ TEST_P(EveryMeshLook, Material_HasTheColoursAndTheOpacityOfTheFile) {
     EXPECT_EQ(material->name, "paint");
     EXPECT_EQ(material->opacity, 0.5);
     const glm::dvec3 base(0.25, 0.5, 0.75);
-    const bool isMetal = std::string(GetParam()) == "metal";
+    const bool isMetal = std::string(GetParam()).ends_with("metal");
     EXPECT_EQ(material->model.parameters.at("diffuse.color"),
               Value(isMetal ? glm::dvec3(0.0) : base));
     EXPECT_EQ(material->model.parameters.at("emissive.color"), Value(base));
@@ -51,7 +51,8 @@ TEST_P(EveryMeshLook, Value_BeyondItsRange_IsBroughtIntoIt) {
 
 INSTANTIATE_TEST_SUITE_P(Shipped, EveryMeshLook,
                          testing::Values("matte", "rough-matte", "phong", "blinn-phong",
-                                         "dielectric", "metal"));
+                                         "dielectric", "metal", "grained-dielectric",
+                                         "grained-metal"));
 
 TEST(MeshLook, Metal_HasItsReflectanceAndWidth) {
     const auto material = materialOf(everyValue("metal"), shipped());
