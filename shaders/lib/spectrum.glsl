@@ -14,16 +14,23 @@ float spectralBell(float wavelength, float middle, float below, float above, flo
     return exp2(-0.72134752044448170 * t * t) * (0.79788456080286536 / (lower + upper));
 }
 
+// The wavelengths in nm that stand for the primaries of sRGB, for which channelsSee() is fitted.
+vec3 srgbWavelengths() {
+    return vec3(611.4, 549.1, 464.3);
+}
+
 // Per channel, per nanometre; the area under each is 1, so that light of all wavelengths is white.
 // Fitted to the colour matching functions of CIE 1931 (C. Wyman, P.-P. Sloan and P. Shirley, Simple
 // Analytic Approximations to the CIE XYZ Color Matching Functions, JCGT 2(2), 2013) in linear
 // sRGB, at most 0.09 of a channel's peak off; what is negative there, since no display shows pure
 // colours, is 0 here. Wavelengths in nm, >= 0; `uneven` is the standard deviation of what each
-// arrives as over the wavelength itself, 0 to 1.
-vec3 channelsSee(float wavelength, float uneven) {
-    float red = 0.9554 * spectralBell(wavelength, 602.5, 23.0, 30.6, uneven);
-    float violet = 0.0446 * spectralBell(wavelength, 438.5, 13.7, 11.5, uneven);
-    float green = spectralBell(wavelength, 541.0, 30.1, 30.1, uneven);
-    float blue = spectralBell(wavelength, 445.2, 17.6, 26.5, uneven);
-    return vec3(red + violet, green, blue);
+// arrives as over the wavelength itself, 0 to 1. `scale` is srgbWavelengths() over the wavelengths
+// that stand for red, green and blue: what each channel sees is stretched to these.
+vec3 channelsSee(float wavelength, float uneven, vec3 scale) {
+    vec3 moved = wavelength * scale;
+    float red = 0.9554 * spectralBell(moved.r, 602.5, 23.0, 30.6, uneven);
+    float violet = 0.0446 * spectralBell(moved.r, 438.5, 13.7, 11.5, uneven);
+    float green = spectralBell(moved.g, 541.0, 30.1, 30.1, uneven);
+    float blue = spectralBell(moved.b, 445.2, 17.6, 26.5, uneven);
+    return scale * vec3(red + violet, green, blue);
 }

@@ -34,9 +34,10 @@ vec3 grating(Directions d, Grating p) {
     float width = 2.0 * slopeWidth(p.roughness);
     vec3 across = vec3(p.mirror * gratingLine(g.bH, width));
     float share = gratingShare(p);
+    vec3 scale = srgbWavelengths() / p.wavelength;
     for (int order = 1; order <= p.orders; ++order) {
         float spread = p.grooveDistance / float(order);
-        across += share * spread * channelsSee(spread * abs(g.bH), p.irregularity);
+        across += share * spread * channelsSee(spread * abs(g.bH), p.irregularity, scale);
         share *= p.falloff;
     }
     vec3 lobe = PI * d.nl * gratingLine(g.tH, width) * across;

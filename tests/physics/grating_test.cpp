@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "catalog/wavelengths.h"
 #include "physics_cases.h"
 
 namespace patina::physics::grating_test {
@@ -15,7 +16,7 @@ namespace {
 constexpr double grooves = 1600.0;
 
 glm::dvec3 seenOf(double wavelength, double uneven) {
-    const auto seen = call("channelsSee", {wavelength, uneven});
+    const auto seen = call("channelsSee", {wavelength, uneven, 1.0, 1.0, 1.0});
     return {seen[0], seen[1], seen[2]};
 }
 
@@ -65,6 +66,37 @@ TEST(Grating, Order_SendsTheWavelengthOfTheGratingEquation) {
             const double scale = std::max({light.r, light.g, light.b}) / largest;
             EXPECT_NEAR(glm::distance(light / scale, seen), 0.0, 1e-12 * largest) << wavelength;
         }
+    }
+}
+
+/// A channel is brightest where the wavelength that stands for it would be, moved as much as that.
+TEST(Grating, OfOtherWavelengths_HasItsChannelsThere) {
+    constexpr glm::dvec3 standing(650.0, 549.1f, 420.0);
+    const auto brightest = [](const glm::dvec3& wavelengths, int channel) {
+        const Subject model("models", "grating",
+                            {{"specular.color", glm::dvec3(1.0)},
+                             {"groove.distance", grooves},
+                             {"irregularity", 0.0},
+                             {"mirror", 0.0},
+                             {"orders", 1},
+                             {"wavelength", wavelengths}});
+        double found = 0.0;
+        double value = 0.0;
+        for (double wavelength = 380.0; wavelength < 720.0; wavelength += 0.1) {
+            const double seen = model.shade(
+                geometry(upwards(0.0, 0.0), upwards(0.0, wavelength / grooves)))[channel];
+            found = seen > value ? wavelength : found;
+            value = std::max(value, seen);
+        }
+        return found;
+    };
+    for (int channel = 0; channel < 3; ++channel) {
+        const double moved = standing[channel] / srgbWavelengths[channel];
+        EXPECT_NEAR(brightest(standing, channel), moved * brightest({}, channel), 1.0) << channel;
+    }
+    constexpr glm::dvec3 fitted(602.5, 541.0, 445.2);
+    for (int channel = 0; channel < 3; ++channel) { // the shader's sRGB is the program's
+        EXPECT_NEAR(brightest({}, channel), fitted[channel], 0.06) << channel;
     }
 }
 
