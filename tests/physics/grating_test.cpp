@@ -15,8 +15,13 @@ namespace {
 
 constexpr double grooves = 1600.0;
 
+/// Returns what the channels see of a wavelength, as the shader has it in doubles: the program's
+/// wavelengths are floats.
 glm::dvec3 seenOf(double wavelength, double uneven) {
-    const auto seen = call("channelsSee", {wavelength, uneven, 1.0, 1.0, 1.0});
+    const auto srgb = call("srgbWavelengths", {});
+    const auto seen =
+        call("channelsSee", {wavelength, uneven, srgb[0] / srgbWavelengths.r,
+                             srgb[1] / srgbWavelengths.g, srgb[2] / srgbWavelengths.b});
     return {seen[0], seen[1], seen[2]};
 }
 
