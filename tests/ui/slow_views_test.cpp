@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Views of the default scene that are so large that a software driver takes long for a frame.
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include <QImage>
@@ -53,6 +54,51 @@ TEST_F(SlowViews, ResizedWhileASketchIsDrawn_TakeNoWholeFrameForTheSketch) {
     for (const QImage& sketch : sketches) {
         EXPECT_NE(sketch, whole);
     }
+}
+
+/// The steps of a slow material may take long each, and the window's new part would be empty.
+TEST_F(SlowViews, ResizedBeforeTheWholeFrame_ShowTheSketchStretchedBeforeTheyDraw) {
+    FrameLoop& frames = view().frames();
+    QSignalSpy sketches(&frames, &FrameLoop::sketchDrawn);
+    frames.announceScene();
+    ASSERT_TRUE(sketches.wait(limitMs));
+    ASSERT_FALSE(frames.isUpToDate());
+    std::optional<bool> wasDrawing;
+    QSize shown;
+    QObject::connect(&frames.surface(), &ViewSurface::shown, &view(), [&] {
+        if (!wasDrawing) {
+            wasDrawing = frames.isDrawing() || sketches.count() > 1;
+            shown = frames.surface().picture().size();
+        }
+    });
+    window().resize(large - QSize(300, 200));
+    ASSERT_TRUE(rest());
+    ASSERT_TRUE(wasDrawing);
+    EXPECT_FALSE(*wasDrawing) << "the next sketch had been begun";
+    EXPECT_EQ(shown, view().size());
+}
+
+/// Dropping the sketch for every move of the window's edge would show nothing until it rests.
+TEST_F(SlowViews, ResizedAllTheTimeBeforeTheirFirstPicture_StillGetOne) {
+    document().setModel(Side::A, "he-torrance");
+    document().setModel(Side::B, "he-torrance");
+    ASSERT_TRUE(rest());
+    window().comparison().setComparing(true);
+    FrameLoop& frames = secondView().frames();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return frames.isDrawing(); }, limitMs));
+    ASSERT_TRUE(frames.surface().picture().isNull()) << "a sketch of a slow model takes many turns";
+    QSignalSpy sketches(&frames, &FrameLoop::sketchDrawn);
+    int moves = 0;
+    const bool isShown = QTest::qWaitFor(
+        [&] {
+            ++moves;
+            window().resize(large - QSize(moves % 40, moves % 40));
+            return !sketches.isEmpty();
+        },
+        limitMs / 4);
+    EXPECT_TRUE(isShown) << moves << " moves";
+    EXPECT_EQ(frames.surface().picture().size(), secondView().size()) << "it is stretched";
+    ASSERT_TRUE(rest());
 }
 
 } // namespace

@@ -71,6 +71,9 @@ void FrameLoop::paint() {
     if (!renderer_ && !isClosed_ && failure_.isEmpty()) {
         open();
     }
+    if (renderer_ && sketchesFirst_ && surface_.isOutgrown()) {
+        surface_.show(*renderer_); // a step of what comes now may take long
+    }
     const bool isNew = isNew_;
     const Painted painted = paintNext();
     if (painted != Painted::Nothing && painted != Painted::Later) {
@@ -121,7 +124,8 @@ FrameLoop::Painted FrameLoop::paintNext() {
         return Painted::Nothing;
     }
     const ViewContext::Current current(context_);
-    const unsigned framebuffer = surface_.framebuffer();
+    const unsigned framebuffer =
+        isWanted ? surface_.framebuffer() : surface_.framebuffer(renderer_->job().size());
     if (isWanted) {
         refinement_.beginFrame(std::exchange(stale_, false), samples());
         return beginFrame(framebuffer);
@@ -162,8 +166,12 @@ void FrameLoop::announceScene() {
 }
 
 void FrameLoop::announceSize() {
-    giveUp();
-    sketchesFirst_ = sketchesFirst_ || areFramesLong_;
+    if (sketching_ && !surface_.hasPicture()) {
+        sketchesFirst_ = true; // after the first picture of all, which comes stretched
+    } else {
+        giveUp();
+        sketchesFirst_ = sketchesFirst_ || areFramesLong_;
+    }
     refresh();
 }
 

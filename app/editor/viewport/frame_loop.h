@@ -66,8 +66,9 @@ class FrameLoop : public QObject {
     /// it is on the screen, or a note that says so.
     void announceScene();
 
-    /// Asks for a frame of another size, for which the one that is being drawn is dropped. Where
-    /// frames take long a sketch shows the scene in that size first.
+    /// Asks for a frame of another size, for which the one that is being drawn is dropped, unless
+    /// it is the sketch that will be the first picture of all. Where frames take long a sketch
+    /// shows the scene in that size first, and until then the last picture is stretched.
     void announceSize();
 
     /// Asks for a frame with other blocks.

@@ -82,8 +82,20 @@ bool ViewSurface::eventFilter(QObject* watched, QEvent* event) {
 }
 
 unsigned ViewSurface::framebuffer() {
-    fit();
+    return framebuffer(size());
+}
+
+unsigned ViewSurface::framebuffer(glm::ivec2 size) {
+    fit(size);
     return picture_->framebuffer();
+}
+
+bool ViewSurface::isOutgrown() const {
+    return hasPicture_ && picture_->size() != size();
+}
+
+glm::ivec2 ViewSurface::size() const {
+    return pixelsOf(widget_, widget_.size());
 }
 
 void ViewSurface::notePicture() {
@@ -91,8 +103,7 @@ void ViewSurface::notePicture() {
     isChanged_ = true;
 }
 
-void ViewSurface::fit() {
-    const glm::ivec2 size = pixelsOf(widget_, widget_.size());
+void ViewSurface::fit(glm::ivec2 size) {
     if (picture_ && picture_->size() == size) {
         return;
     }

@@ -49,6 +49,13 @@ class ViewSurface : public QObject {
     /// size; a picture of another size is stretched to it. The views' context has to be current.
     unsigned framebuffer();
 
+    /// Returns the same for a picture of `size` pixels, which show() stretches to the widget.
+    unsigned framebuffer(glm::ivec2 size);
+
+    /// Tells whether there is a picture, and whether it has another size than the widget.
+    bool hasPicture() const { return hasPicture_; }
+    bool isOutgrown() const;
+
     /// Says that a picture was drawn into the framebuffer, which show() puts on the screen.
     void notePicture();
 
@@ -79,7 +86,9 @@ class ViewSurface : public QObject {
 
   private:
     void resize();
-    void fit();
+    void fit() { fit(size()); }
+    void fit(glm::ivec2 size);
+    glm::ivec2 size() const;
     void drawOverlay();
 
     QWidget& widget_;

@@ -93,6 +93,9 @@ class FrameJob {
     /// Returns true when a mean of frames with an environment is there, in this size.
     bool holdsPicture(glm::ivec2 size) const { return gpu_.environment.holds(size); }
 
+    /// Returns the size in pixels of what show() draws.
+    glm::ivec2 size() const { return size_; }
+
     /// Returns true when the last frame's picture is there to be read.
     bool hasPicture() const { return hasPicture_ && !failure_; }
 
