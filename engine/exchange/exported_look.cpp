@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include "material/material_assignment.h"
 #include "material/mesh_look.h"
 #include "material/model_swap.h"
+#include "material/preset_file.h"
 #include "measure/match/model_matches.h"
 
 namespace patina {
@@ -21,6 +23,7 @@ constexpr std::size_t fittedDirections = 1024;
 /// Is how much less error a later look must have to be taken: the first ones say more.
 constexpr double isNearer = 0.95;
 constexpr double lostImage = 0.1; ///< is the error that an image counts as which a look has not
+constexpr double lostHighlight = 0.05;                    ///< is that of a highlight
 constexpr std::string_view transmission = "transmission"; ///< is the look of what refracts
 
 /// Is a material with the look that it has.
@@ -113,6 +116,7 @@ Looking carriedOver(const Material& material, const ModelLook& to, const Catalog
 struct FittedLook {
     Looking looking;
     double error = 0.0; ///< is that of the lightness
+    bool losesHighlight = false;
 };
 
 /// Returns the image on a value of its model; null for none.
@@ -153,6 +157,103 @@ std::ptrdiff_t lostImages(const Material& material, const MeshLook& look) {
     });
 }
 
+/// Returns the width of a highlight that a value says, as the slope of its mirrors.
+double slopeOf(HighlightWidth kind, double value) {
+    return kind == HighlightWidth::Exponent ? std::sqrt(2.0 / (value + 2.0)) : value;
+}
+
+/// Returns how wide the highlight of a block is by its own value; nothing where it has none.
+std::optional<double> widthIn(const Block& block, const BlockValues& values) {
+    for (const Parameter& parameter : block.parameters) {
+        const auto own = values.parameters.find(parameter.id);
+        const Value& value = own == values.parameters.end() ? parameter.defaultValue : own->second;
+        if (parameter.highlight != HighlightWidth::None && std::holds_alternative<double>(value)) {
+            return slopeOf(parameter.highlight, std::get<double>(value));
+        }
+    }
+    return std::nullopt;
+}
+
+/// Returns how wide the highlight of a material is, its model's or that in a slot; nothing where
+/// no value says it.
+std::optional<double> highlightWidth(const Material& material, const Catalog& catalog) {
+    const Block* model = catalog.find(kinds::models, material.model.id);
+    std::optional<double> width = model == nullptr ? std::nullopt : widthIn(*model, material.model);
+    for (const auto& [kind, part] : material.parts) {
+        const Block* block = catalog.find(kind, part.id);
+        if (!width && block != nullptr && model != nullptr && model->slot(kind) != nullptr) {
+            width = widthIn(*block, part);
+        }
+    }
+    return width;
+}
+
+/// Returns the largest number of a look's value; 0 where the look has none of that word.
+double largestOf(const Looking& looking, const std::string& word) {
+    const auto id = looking.look.values.find(word);
+    const Value* value =
+        id == looking.look.values.end() ? nullptr : valueIn(looking.material, id->second);
+    const glm::dvec3 numbers = value == nullptr ? glm::dvec3(0.0) : numbersOf(*value);
+    return std::max({numbers.x, numbers.y, numbers.z});
+}
+
+/// Tells whether next to nothing of a highlight of a width is left, or it is so much wider that it
+/// is none any more.
+bool isHighlightLost(const Looking& looking, double width) {
+    constexpr double faintest = 1e-3; // is a reflectance that nobody sees beside a base
+    constexpr double muchWider = 3.0;
+    return !looking.look.values.contains("specular") &&
+           (largestOf(looking, "f0") < faintest ||
+            largestOf(looking, "alpha") > muchWider * std::max(width, 0.02));
+}
+
+/// Fits models to a material.
+class LookFitter {
+  public:
+    LookFitter(const Material& material, const MatchTarget& target, const Catalog& catalog,
+               const Progress& progress)
+        : material_(material), target_(target), catalog_(catalog), progress_(progress),
+          width_(highlightWidth(material, catalog)) {}
+
+    /// Returns the material with a look that is nearest; nothing where none can be fitted. Nearest
+    /// to a rough base may be one that has a wide highlight for its rim, and none that shines: then
+    /// the highlight keeps the material's own width.
+    std::optional<ModelMatch> fit(const ModelLook& look) const {
+        auto start = look.start(catalog_);
+        if (!start) {
+            return std::nullopt;
+        }
+        FitOptions options{.error = MatchError::Lightness};
+        options.only = freeValues(material_, *start, look.look, catalog_);
+        std::optional<ModelMatch> nearest = fit(*start, options);
+        const auto alpha = look.look.values.find("alpha");
+        if (nearest && width_ && alpha != look.look.values.end() &&
+            isHighlightLost({nearest->material, look.look}, *width_)) {
+            start->model.parameters[alpha->second] = std::clamp(*width_, 1e-3, 1.0);
+            std::erase(options.only, alpha->second);
+            if (const auto shining = fit(*start, options);
+                shining && !isHighlightLost({shining->material, look.look}, *width_)) {
+                return shining;
+            }
+        }
+        return nearest;
+    }
+
+  private:
+    std::optional<ModelMatch> fit(const Material& start, const FitOptions& options) const {
+        ModelMatches matches =
+            fittedMaterials({start}, target_, options, catalog_,
+                            [this](double, const auto&) { return !progress_.cancelled; });
+        return matches.rows.empty() ? std::nullopt : std::optional(std::move(matches.rows.front()));
+    }
+
+    const Material& material_;
+    const MatchTarget& target_;
+    const Catalog& catalog_;
+    const Progress& progress_;
+    std::optional<double> width_;
+};
+
 /// Returns the nearest of the looks; nothing where the material has no reflectance to be fitted.
 std::optional<FittedLook> fittedLook(const Material& material, const std::vector<ModelLook>& looks,
                                      const Catalog& catalog, const Progress& progress) {
@@ -160,25 +261,28 @@ std::optional<FittedLook> fittedLook(const Material& material, const std::vector
     if (!aim) {
         return std::nullopt;
     }
+    const LookFitter fitter(material, aim->target, catalog, progress);
+    std::vector<FittedLook> fitted;
+    for (const ModelLook& look : looks) {
+        const auto match = progress.cancelled ? std::nullopt : fitter.fit(look);
+        if (match) {
+            fitted.push_back({{match->material, look.look}, match->error});
+        }
+    }
+    const std::optional<double> width = highlightWidth(material, catalog);
+    const bool isShiny = width && std::ranges::any_of(fitted, [width](const FittedLook& each) {
+                             return each.looking.look.values.contains("diffuse") &&
+                                    !isHighlightLost(each.looking, *width);
+                         });
     std::optional<FittedLook> best;
     double minCost = 0.0;
-    for (const ModelLook& look : looks) {
-        auto start = look.start(catalog);
-        if (!start || progress.cancelled) {
-            continue;
-        }
-        FitOptions options{.error = MatchError::Lightness};
-        options.only = freeValues(material, *start, look.look, catalog);
-        const ModelMatches matches =
-            fittedMaterials({*start}, aim->target, options, catalog,
-                            [&](double, const auto&) { return !progress.cancelled; });
-        if (matches.rows.empty()) {
-            continue;
-        }
-        const ModelMatch& match = matches.rows.front();
-        const double cost = match.error + lostImage * double(lostImages(material, look.look));
+    for (FittedLook& each : fitted) {
+        each.losesHighlight = isShiny && isHighlightLost(each.looking, *width);
+        const double cost = each.error +
+                            lostImage * double(lostImages(material, each.looking.look)) +
+                            (each.losesHighlight ? lostHighlight : 0.0);
         if (!best || cost < isNearer * minCost) {
-            best = FittedLook{{match.material, look.look}, match.error};
+            best = each;
             minCost = cost;
         }
     }
@@ -244,6 +348,9 @@ Result<Looking> lookingOf(const Material& material, std::span<const std::string_
               fmt::format("has no counterpart as it is set; {} was fitted to it, off by {:.2g} "
                           "of the 100 steps of lightness in the mean",
                           fitted->looking.look.look, 100.0 * fitted->error));
+    if (fitted->losesHighlight) {
+        said.tell(Kept::Dropped, "Highlight", "is too faint beside the rest to be kept by a fit");
+    }
     fitted->looking.material = withTheRest(std::move(fitted->looking.material), material, catalog);
     return std::move(fitted->looking);
 }
@@ -385,6 +492,7 @@ Result<ExportedLook> exportedLook(const Material& material, const KnownLooks& lo
     constexpr std::array<std::string_view, 2> refracting{"dielectric", "grained-dielectric"};
     ExportedLook said;
     said.material.name = material.name;
+    said.preset = toJson(material);
     const std::span<const std::string_view> words =
         refracts(material, looks, catalog) ? refracting : looks.ofModels;
     const auto looking = lookingOf(material, words, catalog, progress, said);

@@ -35,6 +35,7 @@ struct ExportedLook {
     std::map<std::string, TextureUse> images;  ///< have the words of values, "normal" ...
     std::map<std::string, std::string> labels; ///< maps a word to the parameter's label
     std::vector<ExportLine> lines;
+    nlohmann::json preset;        ///< is the whole material, whose images have full paths
     std::set<std::string> fitted; ///< has the words whose values are not the material's own
 
     /// Tells whether light passes through and is refracted.
