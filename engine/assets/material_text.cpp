@@ -53,10 +53,13 @@ void append(std::vector<std::string>& texts, const MeshMaterial& material) {
     for (const auto& [word, value] : material.values) {
         texts.insert(texts.end(), {word, fullText(value.x), fullText(value.y), fullText(value.z)});
     }
-    texts.push_back(std::to_string(material.images.size()));
-    for (const auto& [word, file] : material.images) {
-        texts.insert(texts.end(), {word, file});
+    for (const auto* images : {&material.images, &material.presetImages}) {
+        texts.push_back(std::to_string(images->size()));
+        for (const auto& [word, file] : *images) {
+            texts.insert(texts.end(), {word, file});
+        }
     }
+    texts.insert(texts.end(), {material.preset, material.foreign});
 }
 
 MeshMaterial takeMaterial(TextReader& reader) {
@@ -69,10 +72,14 @@ MeshMaterial takeMaterial(TextReader& reader) {
         value.y = reader.number();
         value.z = reader.number();
     }
-    for (std::size_t i = reader.count(); i > 0 && reader.isGood(); --i) {
-        std::string& file = material.images[reader.text()];
-        file = reader.text();
+    for (auto* images : {&material.images, &material.presetImages}) {
+        for (std::size_t i = reader.count(); i > 0 && reader.isGood(); --i) {
+            std::string& file = (*images)[reader.text()];
+            file = reader.text();
+        }
     }
+    material.preset = reader.text();
+    material.foreign = reader.text();
     return material;
 }
 

@@ -34,6 +34,13 @@ struct MeshMaterial {
     /// Holds full paths of images, or vertexColorsName, by the same words, by "normal" and by
     /// "height".
     std::map<std::string, std::string> images;
+    /// Holds the preset that the material was exported from, as JSON, whose images have full paths;
+    /// empty where the file has none or says other values since.
+    std::string preset;
+    /// Holds those paths by the keys of the images.
+    std::map<std::string, std::string> presetImages;
+    /// Holds what only other programs know of it, as JSON, to be written back; mostly empty.
+    std::string foreign;
 
     bool isMetal() const { return look.ends_with("metal"); }
     bool isDielectric() const { return look.ends_with("dielectric"); }

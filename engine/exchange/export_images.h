@@ -28,6 +28,12 @@ class ExportImages {
     /// be read, or where its name has none of the endings that a format can show.
     Result<std::string> add(const std::string& file, const std::vector<std::string_view>& endings);
 
+    /// Returns the path from the exported file of an image that was taken; null where it was not.
+    const std::string* pathOf(const std::string& file) const {
+        const auto known = paths_.find(file);
+        return known == paths_.end() ? nullptr : &known->second;
+    }
+
     /// Returns the content of an image that was taken, by what add() returned.
     const std::string& bytes(const std::string& path) const {
         return files_[places_.at(path)].bytes;

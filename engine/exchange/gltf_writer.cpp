@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/exchange_keys.h"
 #include "core/grain_widths.h"
 #include "core/number_text.h"
 #include "exchange/dielectric_index.h"
@@ -71,6 +72,20 @@ class GltfFile {
         look.tell(lost.empty() ? Kept::Exact : Kept::Approximated, imageTitle(use),
                   lost.empty() ? *path : fmt::format("{}, without {}", *path, lost));
         return json;
+    }
+
+    /// Gives the images of a preset their paths in the export, and leaves out those that are not
+    /// files there.
+    void nameImages(Json& textures) const {
+        Json named = Json::object();
+        for (const auto& [key, use] : textures.items()) {
+            const std::string* path = images_.pathOf(use.value("file", std::string()));
+            if (path != nullptr && !isBinary_) {
+                named[key] = use;
+                named[key]["file"] = *path;
+            }
+        }
+        textures = std::move(named);
     }
 
     void addMaterial(const Json& material) { document_["materials"].push_back(material); }
@@ -256,6 +271,8 @@ class GltfMaterial {
         writeOpacity(base.contains("baseColorTexture") ? colorWord : std::string());
         writeNormals();
         drop("height", "raises the surface");
+        writeForeign();
+        writePreset();
         return material_;
     }
 
@@ -413,6 +430,42 @@ class GltfMaterial {
             }
             material_["normalTexture"] = std::move(texture);
         }
+    }
+
+    /// Writes back what came with a glTF file and only other programs know.
+    void writeForeign() {
+        const Json all = look_.preset.value("extras", Json::object());
+        const Json foreign = all.value(foreignKey, Json::object());
+        const auto in = [&foreign](const char* key) {
+            const Json value = foreign.is_object() ? foreign.value(key, Json()) : Json();
+            return value.is_object() ? value : Json::object();
+        };
+        const Json extensions = in("extensions");
+        const Json extras = in("extras");
+        for (const auto& [name, value] : extensions.items()) {
+            if (!material_.contains("extensions") || !material_["extensions"].contains(name)) {
+                static_cast<Json&>(extension(name.c_str())) = value;
+            }
+        }
+        for (const auto& [key, value] : extras.items()) {
+            material_["extras"][key] = value;
+        }
+    }
+
+    /// Writes the preset itself, which comes back as it was while nobody changes the factors.
+    void writePreset() {
+        Json preset = look_.preset;
+        file_.nameImages(preset["textures"]);
+        const Json& base = material_["pbrMetallicRoughness"];
+        Json written = base["baseColorFactor"];
+        for (int i = 0; i < 3; ++i) {
+            written.push_back(material_.contains("emissiveFactor") ? material_["emissiveFactor"][i]
+                                                                   : Json(0.0));
+        }
+        written.push_back(base["metallicFactor"]);
+        written.push_back(base["roughnessFactor"]);
+        material_["extras"][ownExtras] = {{presetKey, std::move(preset)},
+                                          {writtenKey, std::move(written)}};
     }
 
     void drop(const std::string& word, const std::string& why) {

@@ -221,6 +221,7 @@ Result<tinygltf::Model> parsed(const std::string& bytes, bool binary, MeshFolder
     const std::string fromTheFolder;
     tinygltf::TinyGLTF loader;
     loader.SetImageLoader(skipImage, nullptr);
+    loader.SetStoreOriginalJSONForExtrasAndExtensions(true); // it rounds none of their numbers
     loader.SetFsCallbacks({isThere, asItIs, readWhole, writeNothing, &folder});
     tinygltf::Model model;
     std::string errors;

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "io/gltf_extensions.h"
+#include "io/gltf_extras.h"
 
 namespace patina {
 namespace {
@@ -84,7 +85,7 @@ void addExtensionTexture(LeftOut& left, const tinygltf::Model& model,
 void addMaterials(LeftOut& left, const tinygltf::Model& model) {
     for (const tinygltf::Material& material : model.materials) {
         const tinygltf::PbrMetallicRoughness& look = material.pbrMetallicRoughness;
-        if (material.extras.Type() != tinygltf::NULL_TYPE) {
+        if (hasForeignExtras(material)) {
             left.add(What::MaterialExtras, material.name);
         }
         addTexture(left, model, "colour", look.baseColorTexture.index, true);

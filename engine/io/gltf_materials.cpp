@@ -2,11 +2,13 @@
 #include "io/gltf_materials.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <glm/common.hpp>
 
 #include "core/grain_widths.h"
 #include "core/image_place.h"
+#include "io/gltf_extras.h"
 #include "io/material_images.h"
 #include "io/material_look.h"
 #include "io/mesh_parts.h"
@@ -29,9 +31,18 @@ double numberAt(const tinygltf::Value& extension, const char* key, int at, doubl
                : missing;
 }
 
+/// Tells whether an image is turned by part of a right angle and has two scales, which an image of
+/// ours cannot: it scales after it turns.
+bool isSheared(const MeshMaterial& material, const std::string& word) {
+    const glm::dvec3 scale = material.values.at(word + imageScaleWord);
+    const double turn = material.values.at(word + imageTurnWord).x;
+    return std::abs(std::abs(scale.x) - std::abs(scale.y)) > 1e-6 &&
+           std::abs(std::sin(2.0 * turn)) > 1e-6;
+}
+
 /// Says how an image lies, by KHR_texture_transform.
 void addPlace(MeshMaterial& material, const std::string& word,
-              const tinygltf::ExtensionMap& extensions) {
+              const tinygltf::ExtensionMap& extensions, LeftOut& left) {
     const auto found = extensions.find("KHR_texture_transform");
     if (found == extensions.end() || !found->second.IsObject()) {
         return;
@@ -44,12 +55,35 @@ void addPlace(MeshMaterial& material, const std::string& word,
                                                numberAt(place, "offset", 1, 0.0), 0.0};
     material.values[word + imageTurnWord] =
         glm::dvec3(turn.IsNumber() ? turn.GetNumberAsDouble() : 0.0);
+    if (isSheared(material, word)) {
+        left.add(LeftOut::What::ShearedImage, material.name);
+    }
+}
+
+/// Says what is beyond an image's edge, which is the same along both axes, and how its pixels are
+/// put together.
+void addSampler(MeshMaterial& material, const std::string& word, int index,
+                const tinygltf::Model& model, LeftOut& left) {
+    if (index < 0 || std::size_t(index) >= model.samplers.size()) {
+        return;
+    }
+    const tinygltf::Sampler& sampler = model.samplers[std::size_t(index)];
+    if (sampler.wrapS != sampler.wrapT) {
+        left.add(LeftOut::What::ImageEdge, material.name);
+    }
+    if (sampler.wrapS != TINYGLTF_TEXTURE_WRAP_REPEAT) {
+        const bool isClamped = sampler.wrapS == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
+        material.values[word + imageWrapWord] = glm::dvec3(isClamped ? 1.0 : 2.0);
+    }
+    if (sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST) {
+        material.values[word + imageNearestWord] = glm::dvec3(1.0);
+    }
 }
 
 /// Adds the image of a texture, by its number.
 void addTexture(MeshMaterial& material, const char* word, int index,
                 const tinygltf::ExtensionMap& extensions, const tinygltf::Model& model,
-                MeshFolder& folder) {
+                MeshFolder& folder, LeftOut& left) {
     if (index < 0 || std::size_t(index) >= model.textures.size()) {
         return;
     }
@@ -59,7 +93,8 @@ void addTexture(MeshMaterial& material, const char* word, int index,
     }
     const std::string& uri = model.images[std::size_t(source)].uri;
     if (!uri.empty() && !uri.starts_with("data:") && addImage(material, word, uri, folder)) {
-        addPlace(material, word, extensions);
+        addPlace(material, word, extensions, left);
+        addSampler(material, word, model.textures[std::size_t(index)].sampler, model, left);
     }
 }
 
@@ -163,11 +198,11 @@ MeshMaterial materialFrom(const tinygltf::Material& from, const tinygltf::Model&
     }
     setGrain(material, from, left);
     addTexture(material, material.isMetal() ? "f0" : "diffuse", look.baseColorTexture.index,
-               look.baseColorTexture.extensions, model, folder);
+               look.baseColorTexture.extensions, model, folder, left);
     addTexture(material, "normal", from.normalTexture.index, from.normalTexture.extensions, model,
-               folder);
+               folder, left);
     addTexture(material, "emissive", from.emissiveTexture.index, from.emissiveTexture.extensions,
-               model, folder);
+               model, folder, left);
     const double strength =
         numberIn(from, "KHR_materials_emissive_strength", "emissiveStrength", 1.0);
     material.values["emissive"] =
@@ -178,6 +213,7 @@ MeshMaterial materialFrom(const tinygltf::Material& from, const tinygltf::Model&
     if (!material.isMetal()) {
         setTransmission(material, colorOf(look.baseColorFactor, 1.0), from);
     }
+    addExtras(material, from, folder);
     return material;
 }
 

@@ -25,6 +25,8 @@ constexpr std::array<Words, LeftOut::whats> words{{
     {"mesh of points or lines", "meshes of points or lines"},
     {"extension", "extensions"},
     {"image", "images"},
+    {"shear of an image", "shears of images"},
+    {"second edge of an image", "second edges of images"},
     {"set of vertex colours under an image", "sets of vertex colours under images"},
     {"part of an anisotropy that is too strong", "parts of anisotropies that are too strong"},
     {"extension of materials", "extensions of materials"},

@@ -20,13 +20,15 @@ class LeftOut {
         Light,
         PointsAndLines,
         Extension,
-        Image, ///< is of a material, as are the next ones
+        Image,        ///< is of a material, as are the next ones
+        ShearedImage, ///< is turned and scaled in an order that ours are not
+        ImageEdge,    ///< is a way to go on beyond it that differs along the two axes
         VertexColors,
         Anisotropy, ///< is stronger than a model has it
         MaterialExtension,
         MaterialExtras ///< are what another program keeps for itself
     };
-    static constexpr std::size_t whats = 12;
+    static constexpr std::size_t whats = 14;
 
     /// Adds one. A name may be empty, and is cut where it is long.
     void add(What what, std::string_view name);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,10 +12,12 @@
 #include <glm/trigonometric.hpp>
 
 #include "catalog/json_text.h"
+#include "core/exchange_keys.h"
 #include "core/image_place.h"
 #include "core/number_text.h"
 #include "material/block_assignment.h"
 #include "material/material_assignment.h"
+#include "material/preset_file.h"
 #include "material/texture_place.h"
 
 namespace patina {
@@ -48,6 +51,17 @@ std::string assignmentOf(const std::string& id, const glm::dvec3& value, const P
 glm::dvec3 valueOf(const MeshMaterial& from, const std::string& word, const glm::dvec3& missing) {
     const auto found = from.values.find(word);
     return found == from.values.end() ? missing : found->second;
+}
+
+/// Lets an image go on beyond its edge, and be smooth, as the file says.
+void setSampler(TextureUse& use, const MeshMaterial& from, const std::string& word) {
+    const double edge = valueOf(from, word + imageWrapWord, {}).x;
+    use.wrap = edge == 1.0   ? TextureWrap::Clamp
+               : edge == 2.0 ? TextureWrap::Mirror
+                             : TextureWrap::Repeat;
+    if (from.values.contains(word + imageNearestWord)) {
+        use.filter = TextureFilter::Nearest;
+    }
 }
 
 /// Places an image as the file says, whose coordinates begin at the top. It scales before it turns,
@@ -85,6 +99,7 @@ void layImages(Material& material, const MeshMaterial& from, const MeshLook& loo
             use.mode = TextureMode::Multiply;
         }
         placeImage(use, from, word);
+        setSampler(use, from, word);
         material.textures[key] = use;
     }
 }
@@ -191,9 +206,35 @@ Result<void> addTransmission(Material& material, const MeshMaterial& from, const
     return done;
 }
 
+/// Returns the material that was exported as this one; nothing where the file has none that can be
+/// read. Only images may be read for it that the reader of the file has found.
+std::optional<Material> ownMaterial(const MeshMaterial& from, const Catalog& catalog) {
+    const auto document = parseJson(from.preset, std::string());
+    if (!document) {
+        return std::nullopt;
+    }
+    ReadingRights rights;
+    for (const auto& [word, file] : from.presetImages) {
+        rights.allowed.insert(file);
+    }
+    auto reading = materialFromJson(*document, {}, catalog, rights);
+    return reading ? std::optional(std::move(reading->material)) : std::nullopt;
+}
+
+/// Keeps what only other programs know of a material, for an export to the same format.
+void keepForeign(Material& material, const MeshMaterial& from) {
+    if (const auto foreign = parseJson(from.foreign, std::string())) {
+        material.extras[foreignKey] = foreign->value;
+    }
+}
+
 } // namespace
 
 Result<Material> materialOf(const MeshMaterial& from, const Catalog& catalog) {
+    if (auto own = ownMaterial(from, catalog)) {
+        keepForeign(*own, from);
+        return *std::move(own);
+    }
     const auto imported = importedLook(from.look, catalog);
     if (!imported) {
         return tl::unexpected(imported.error());
@@ -223,6 +264,7 @@ Result<Material> materialOf(const MeshMaterial& from, const Catalog& catalog) {
         material.opacity = opacity->second.x;
     }
     layImages(material, from, imported->look);
+    keepForeign(material, from);
     return material;
 }
 

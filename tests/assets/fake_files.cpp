@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::size_t headerBytes = 64; // of a mesh block
 
-const MeshPart triangleSize{{"No material", {}, {}, {}}, 3, 3};
+const MeshPart triangleSize{{"No material", {}, {}, {}, {}, {}, {}}, 3, 3};
 
 /// A good triangle, for the lies to change.
 SharedBlock triangle() {

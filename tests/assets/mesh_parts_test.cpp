@@ -172,5 +172,41 @@ TEST_F(MeshInParts, Gltf_HasMetalsAndDielectricsUnderNamesOfTheirOwn) {
     EXPECT_TRUE(parts[2].material.look.empty());
 }
 
+/// Has one material whose image is turned by 30 degrees with two scales and goes on in two ways,
+/// and whose highlight is longer than ten times its width.
+constexpr const char* whatIsCut = R"({"asset": {"version": "2.0"},
+ "extensionsUsed": ["KHR_materials_anisotropy", "KHR_texture_transform"],
+ "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+ "materials": [
+   {"name": "steel", "pbrMetallicRoughness": {"roughnessFactor": 0.1, "baseColorTexture":
+     {"index": 0, "extensions": {"KHR_texture_transform": {"rotation": 0.5236, "scale": [2, 3]}}}},
+    "extensions": {"KHR_materials_anisotropy": {"anisotropyStrength": 1}}}],
+ "textures": [{"source": 0, "sampler": 0}], "images": [{"uri": "skin.png"}],
+ "samplers": [{"wrapS": 33071, "wrapT": 33648, "magFilter": 9728}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+ "bufferViews": [{"buffer": 0, "byteLength": 36}],
+ "buffers": [{"byteLength": 36, "uri": "triangle.bin"}]})";
+
+TEST_F(MeshInParts, GltfThatSaysMoreThanAModelHas_IsToldByName) {
+    const float corners[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    writeFile(at("triangle.bin"),
+              std::string(reinterpret_cast<const char*>(corners), sizeof corners));
+    writeFile(at("skin.png"), "only its name matters");
+    const auto mesh = load("cut.gltf", whatIsCut);
+    ASSERT_TRUE(mesh) << mesh.error().text();
+    const std::string remarks = (*mesh)->remarks();
+    for (const char* told : {"1 shear of an image (steel)", "1 second edge of an image (steel)",
+                             "1 part of an anisotropy that is too strong (steel)"}) {
+        EXPECT_NE(remarks.find(told), std::string::npos) << remarks;
+    }
+    const MeshMaterial& material = (*mesh)->parts().front().material;
+    EXPECT_EQ(material.look, "grained-metal");
+    EXPECT_EQ(material.values.at("anisotropy").x, 1.0);
+    EXPECT_NEAR(material.values.at("alpha").x, 0.1, 1e-9) << "the mean of 1 and 0.01";
+    EXPECT_EQ(material.values.at("f0.wrap").x, 1.0);
+    EXPECT_EQ(material.values.at("f0.nearest").x, 1.0);
+}
+
 } // namespace
 } // namespace patina::tests::mesh_parts_test

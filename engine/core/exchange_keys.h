@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace patina {
+
+/// Names in the extras of a glTF material what Patina keeps there: under `presetKey` the preset,
+/// under `writtenKey` the factors that were written with it, in the order of their names.
+inline constexpr const char* ownExtras = "patina";
+inline constexpr const char* presetKey = "preset";
+inline constexpr const char* writtenKey = "written";
+
+/// Names in a material's extras what a glTF file said beyond what a material has; it has the keys
+/// "extensions" and "extras" of the file.
+inline constexpr const char* foreignKey = "gltf";
+
+} // namespace patina
