@@ -9,6 +9,9 @@ inline constexpr const char* ownExtras = "patina";
 inline constexpr const char* presetKey = "preset";
 inline constexpr const char* writtenKey = "written";
 
+/// Is the name of an image of roughness whose metalness is 1 everywhere.
+inline constexpr const char* roughnessAlone = "roughness alone";
+
 /// Names in a material's extras what a glTF file said beyond what a material has; it has the keys
 /// "extensions" and "extras" of the file.
 inline constexpr const char* foreignKey = "gltf";

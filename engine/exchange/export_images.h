@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "material/texture_use.h"
 
 namespace patina {
 
@@ -28,6 +29,10 @@ class ExportImages {
     /// be read, or where its name has none of the endings that a format can show.
     Result<std::string> add(const std::string& file, const std::vector<std::string_view>& endings);
 
+    /// Makes an image of roughness as glTF has it, the square roots of a channel in green and a
+    /// metalness of 1 in blue, and returns its path as add() does.
+    Result<std::string> addRoughness(const TextureUse& use, TextureChannel channel);
+
     /// Returns the path from the exported file of an image that was taken; null where it was not.
     const std::string* pathOf(const std::string& file) const {
         const auto known = paths_.find(file);
@@ -42,9 +47,12 @@ class ExportImages {
     const std::vector<ExportedFile>& files() const { return files_; }
 
   private:
+    std::string take(const std::string& stem, const std::string& ending, std::string bytes);
+
     std::string folder_;
     std::vector<ExportedFile> files_;
     std::map<std::string, std::size_t> places_; ///< maps a path to its place in `files_`
+    std::map<std::string, std::string> made_;   ///< maps what an image was made of to its path
     std::map<std::string, std::string> paths_;  ///< maps a file to its path in the export
 };
 

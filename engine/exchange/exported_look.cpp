@@ -15,6 +15,7 @@
 #include "material/model_swap.h"
 #include "material/preset_file.h"
 #include "measure/match/model_matches.h"
+#include "shading/effects/textures.h"
 
 namespace patina {
 namespace {
@@ -399,6 +400,8 @@ void sayImages(ExportedLook& said, const Looking& looking, const Catalog& catalo
             said.images[key] = use;
         } else if (word != looking.look.values.end()) {
             said.images[word->first] = use;
+            said.channels[word->first] =
+                channelOf(use, textureTarget(key, use, looking.material, catalog));
         } else {
             said.tell(Kept::Dropped, what,
                       fmt::format("drives {}, which is not said",

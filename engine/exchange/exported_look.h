@@ -31,9 +31,10 @@ struct ExportLine {
 
 /// Is a material in the words of mesh files, of which each format writes those that it has.
 struct ExportedLook {
-    MeshMaterial material;                     ///< has no images: they are below
-    std::map<std::string, TextureUse> images;  ///< have the words of values, "normal" ...
-    std::map<std::string, std::string> labels; ///< maps a word to the parameter's label
+    MeshMaterial material;                          ///< has no images: they are below
+    std::map<std::string, TextureUse> images;       ///< have the words of values, "normal" ...
+    std::map<std::string, TextureChannel> channels; ///< says which counts of each of them
+    std::map<std::string, std::string> labels;      ///< maps a word to the parameter's label
     std::vector<ExportLine> lines;
     nlohmann::json preset;        ///< is the whole material, whose images have full paths
     std::set<std::string> fitted; ///< has the words whose values are not the material's own

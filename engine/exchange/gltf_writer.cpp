@@ -63,24 +63,38 @@ class GltfFile {
                       path ? "is added to the value" : path.error().text());
             return nullptr;
         }
-        const Json texture{{"source", imageIndex(*path)}, {"sampler", samplerIndex(use)}};
-        Json json{{"index", indexIn("textures", texture)}};
         std::string lost = lostSettings(use);
-        if (!isUnplaced(use)) {
-            place(json, use, lost);
-        }
+        Json json = placed(use, imageIndex(*path, fileNameOf(*path)), lost);
         look.tell(lost.empty() ? Kept::Exact : Kept::Approximated, imageTitle(use),
                   lost.empty() ? *path : fmt::format("{}, without {}", *path, lost));
         return json;
     }
 
+    /// Returns the same of an image on the width of a highlight, whose roots are in an image of
+    /// their own.
+    Json roughnessTexture(ExportedLook& look, const std::string& word) {
+        const TextureUse& use = look.images.at(word);
+        const auto path = images_.addRoughness(use, look.channels.at(word));
+        if (!path) {
+            look.tell(Kept::Dropped, imageTitle(use), path.error().text());
+            return nullptr;
+        }
+        std::string lost;
+        Json json = placed(use, imageIndex(*path, roughnessAlone), lost);
+        look.tell(lost.empty() ? Kept::Exact : Kept::Approximated, imageTitle(use),
+                  lost.empty() ? "the green of " + *path
+                               : fmt::format("the green of {}, without {}", *path, lost));
+        return json;
+    }
+
     /// Gives the images of a preset their paths in the export, and leaves out those that are not
     /// files there.
-    void nameImages(Json& textures) const {
+    void nameImages(Json& textures) {
         Json named = Json::object();
         for (const auto& [key, use] : textures.items()) {
-            const std::string* path = images_.pathOf(use.value("file", std::string()));
-            if (path != nullptr && !isBinary_) {
+            const auto path = isBinary_ ? Result<std::string>(failure("they are inside"))
+                                        : images_.add(use.value("file", std::string()), {});
+            if (path) {
                 named[key] = use;
                 named[key]["file"] = *path;
             }
@@ -190,9 +204,19 @@ class GltfFile {
         return static_cast<int>(all.size()) - 1;
     }
 
-    int imageIndex(const std::string& path) {
+    /// Returns what names an image where a material uses it, with its place.
+    Json placed(const TextureUse& use, int image, std::string& lost) {
+        const Json texture{{"source", image}, {"sampler", samplerIndex(use)}};
+        Json json{{"index", indexIn("textures", texture)}};
+        if (!isUnplaced(use)) {
+            place(json, use, lost);
+        }
+        return json;
+    }
+
+    int imageIndex(const std::string& path, const std::string& name) {
         if (!isBinary_) {
-            return indexIn("images", {{"uri", path}});
+            return indexIn("images", {{"uri", path}, {"name", name}});
         }
         const auto known = inside_.find(path);
         if (known != inside_.end()) {
@@ -201,7 +225,7 @@ class GltfFile {
         const bool isPng = path.ends_with(".png");
         const Json image{{"bufferView", addView(images_.bytes(path))},
                          {"mimeType", isPng ? "image/png" : "image/jpeg"},
-                         {"name", fileNameOf(path)}};
+                         {"name", name}};
         return inside_[path] = indexIn("images", image);
     }
 
@@ -286,14 +310,28 @@ class GltfMaterial {
         if (look_.material.hasGrain()) {
             writeGrain(base);
         } else {
-            const double roughness = std::sqrt(look_.value("alpha").x);
-            base["roughnessFactor"] = roughness;
-            look_.tellOf("alpha", Kept::Exact,
-                         fmt::format("roughnessFactor {}, its root", shortestFloatText(roughness)));
+            writeRoughness(base);
         }
-        drop("alpha", "drives a width, of which glTF's images have the root");
         if (look_.material.isDielectric()) {
             writeReflectance();
+        }
+    }
+
+    void writeRoughness(Json& base) {
+        const TextureUse* image = look_.image("alpha");
+        const bool isWritten = image != nullptr && !isAdded(*image) && image->strength == 1.0;
+        if (!isWritten) {
+            drop("alpha", "counts in part, or is added to the width");
+        }
+        const double roughness =
+            std::sqrt((isWritten ? imageFactor(look_, "alpha") : look_.value("alpha")).x);
+        base["roughnessFactor"] = roughness;
+        look_.tellOf("alpha", Kept::Exact,
+                     fmt::format("roughnessFactor {}, its root", shortestFloatText(roughness)));
+        if (isWritten) {
+            if (Json texture = file_.roughnessTexture(look_, "alpha"); !texture.is_null()) {
+                base["metallicRoughnessTexture"] = std::move(texture);
+            }
         }
     }
 
@@ -318,6 +356,7 @@ class GltfMaterial {
                      fmt::format("KHR_materials_anisotropy {}", shortestFloatText(strength)));
         look_.tellOf("grain", Kept::Exact,
                      "KHR_materials_anisotropy, which turns across the grain");
+        drop("alpha", "drives a width that a grain has in two directions");
         drop("anisotropy", "drives an anisotropy, which takes another image in glTF");
     }
 

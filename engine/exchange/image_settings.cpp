@@ -38,6 +38,9 @@ std::string lostSettings(const TextureUse& use) {
     if (use.colorSpace == TextureColorSpace::Linear) {
         lose("that it is linear");
     }
+    if (use.colorSpace == TextureColorSpace::Roots) {
+        lose("that its numbers are roots");
+    }
     return lost;
 }
 

@@ -190,6 +190,11 @@ class MaterialXMaterial {
         const TextureUse* image = look_.image("alpha");
         if (image != nullptr && image->mode == TextureMode::Replace) {
             const std::string node = imageNode("alpha", "float");
+            if (!node.empty() && image->colorSpace == TextureColorSpace::Roots) {
+                inputs_ += linkText("specular_roughness", "float", node);
+                look_.tellOf("alpha", Kept::Exact, "specular_roughness, its image as it is");
+                return;
+            }
             if (!node.empty()) {
                 const std::string root = name("alpha_root");
                 nodes_ += fmt::format("  <sqrt name=\"{}\" type=\"float\">\n{}  </sqrt>\n", root,

@@ -199,6 +199,11 @@ MeshMaterial materialFrom(const tinygltf::Material& from, const tinygltf::Model&
     setGrain(material, from, left);
     addTexture(material, material.isMetal() ? "f0" : "diffuse", look.baseColorTexture.index,
                look.baseColorTexture.extensions, model, folder, left);
+    if (!material.hasGrain() && material.look != "matte") {
+        addTexture(material, "alpha", look.metallicRoughnessTexture.index,
+                   look.metallicRoughnessTexture.extensions, model, folder, left);
+        material.values[std::string("alpha") + imageRootWord] = glm::dvec3(1.0);
+    }
     addTexture(material, "normal", from.normalTexture.index, from.normalTexture.extensions, model,
                folder, left);
     addTexture(material, "emissive", from.emissiveTexture.index, from.emissiveTexture.extensions,

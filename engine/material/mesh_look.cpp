@@ -100,6 +100,10 @@ void layImages(Material& material, const MeshMaterial& from, const MeshLook& loo
         }
         placeImage(use, from, word);
         setSampler(use, from, word);
+        if (from.values.contains(word + imageRootWord)) {
+            use.colorSpace = TextureColorSpace::Roots;
+            use.channel = TextureChannel::Green;
+        }
         material.textures[key] = use;
     }
 }

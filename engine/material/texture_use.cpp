@@ -10,9 +10,10 @@
 namespace patina {
 namespace {
 
-constexpr Words<TextureColorSpace, 3> colorSpaces{{{"auto", TextureColorSpace::Auto},
+constexpr Words<TextureColorSpace, 4> colorSpaces{{{"auto", TextureColorSpace::Auto},
                                                    {"srgb", TextureColorSpace::Srgb},
-                                                   {"linear", TextureColorSpace::Linear}}};
+                                                   {"linear", TextureColorSpace::Linear},
+                                                   {"roots", TextureColorSpace::Roots}}};
 constexpr Words<TextureChannel, 6> channelWords{{{"auto", TextureChannel::Auto},
                                                  {"rgb", TextureChannel::Color},
                                                  {"r", TextureChannel::Red},
@@ -124,7 +125,10 @@ Parameter colorSpaceSetting() {
     return chosen("colorSpace", "Colour space", "How the numbers in the file are meant.",
                   {{"auto", "Automatic", "sRGB for colours, linear for everything else."},
                    {"srgb", "sRGB", "Encoded as for a screen."},
-                   {"linear", "Linear", "The numbers themselves."}});
+                   {"linear", "Linear", "The numbers themselves."},
+                   {"roots", "Square roots",
+                    "The square roots of what is meant, as those of roughness in glTF and in game "
+                    "engines are."}});
 }
 
 Parameter modeSetting() {

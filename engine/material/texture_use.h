@@ -21,8 +21,9 @@ enum class TextureRole {
 };
 
 /// Tells how a file encodes its values. Auto is sRGB for the colours of 8-bit and 16-bit files, and
-/// linear for everything else.
-enum class TextureColorSpace { Auto, Srgb, Linear };
+/// linear for everything else. Roots are the square roots of numbers, as those of roughness are in
+/// glTF and in game engines.
+enum class TextureColorSpace { Auto, Srgb, Linear, Roots };
 
 /// Tells which channel is used. Auto is the first channel that the parameter takes; alpha for the
 /// opacity.

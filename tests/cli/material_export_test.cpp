@@ -4,6 +4,7 @@
 #include "exchange/material_export.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -373,6 +374,41 @@ TEST_F(ExportedMaterial, EdgesAndPixelsOfImages_ComeBackAsTheyWere) {
             ASSERT_TRUE(back.textures.contains("diffuse.color"));
             EXPECT_EQ(back.textures.at("diffuse.color").wrap, wrap);
             EXPECT_EQ(back.textures.at("diffuse.color").filter, filter);
+        }
+    }
+}
+
+/// glTF has roots in the green of an image that has the metalness in its blue.
+TEST_F(ExportedMaterial, ImageOfARoughness_IsWrittenAsItsRoots) {
+    ASSERT_TRUE(client_.saveImage(
+        folder_ / "worn.exr", Image{2, 2, 3, {0.25f, 0, 0, 0.04f, 0, 0, 0.64f, 0, 0, 1, 0, 0}}));
+    for (const TextureMode mode : {TextureMode::Replace, TextureMode::Multiply}) {
+        Material steel = looking("metal", {"roughness=0.25"});
+        TextureUse& use = steel.textures["roughness"];
+        use = textureUse("roughness", folder_ / "worn.exr");
+        use.mode = mode;
+        use.wrap = TextureWrap::Mirror;
+        const std::vector<ExportLine> lines = write(steel, "steel.gltf");
+        EXPECT_TRUE(isAllExact(lines)) << exportText(lines);
+        const Material back = read("steel.gltf");
+        const bool isMultiplied = mode == TextureMode::Multiply;
+        EXPECT_EQ(back.model.parameters.at("roughness"), Value(isMultiplied ? 0.25 : 1.0));
+        ASSERT_TRUE(back.textures.contains("roughness"));
+        const TextureUse& written = back.textures.at("roughness");
+        EXPECT_EQ(written.colorSpace, TextureColorSpace::Roots);
+        EXPECT_EQ(written.channel, TextureChannel::Green);
+        EXPECT_EQ(written.mode, TextureMode::Multiply);
+        EXPECT_EQ(written.wrap, TextureWrap::Mirror);
+        const auto picture = client_.loadTexture(written.file, TextureDecoding::Linear);
+        ASSERT_TRUE(picture) << picture.error().text();
+        ASSERT_EQ((*picture)->format, TexelFormat::Color8);
+        const auto number = [&](std::size_t texel, std::size_t channel) {
+            return std::to_integer<int>((*picture)->bytes[texel * 4 + channel]) / 255.0;
+        };
+        const std::array<double, 4> roots{0.8, 1.0, 0.5, 0.2}; // rows go up
+        for (std::size_t texel = 0; texel < roots.size(); ++texel) {
+            EXPECT_NEAR(number(texel, 1), roots[texel], 0.6 / 255.0);
+            EXPECT_EQ(number(texel, 2), 1.0) << "all is metal";
         }
     }
 }

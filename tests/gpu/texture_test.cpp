@@ -39,6 +39,15 @@ TEST_F(TextureTest, EightBitColorSaidToBeLinear_IsTheNumberItself) {
     expectNear(at(drawn(), 0.5, 0.5), glm::vec3(0.4f));
 }
 
+TEST_F(TextureTest, SquareRoots_AreSquared) {
+    file("roots", {1, 1}, 3, {0.5f, 0.2f, 1.0f});
+    use("diffuse.color", "roots").colorSpace = TextureColorSpace::Roots;
+    expectNear(at(drawn(), 0.5, 0.5), {0.25f, 0.04f, 1.0f});
+    use("diffuse.color", "roots").colorSpace = TextureColorSpace::Roots;
+    use("diffuse.color", "roots").channel = TextureChannel::Green;
+    expectNear(at(drawn(), 0.5, 0.5), glm::vec3(0.2f));
+}
+
 TEST_F(TextureTest, FloatColor_IsLinear) {
     file("float", {1, 1}, 3, {0.25f, 0.5f, 0.75f});
     use("diffuse.color", "float");

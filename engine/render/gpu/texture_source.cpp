@@ -19,6 +19,7 @@ TextureDecoding decodingOf(const TextureUse& use, const BoundTexture& image) {
     case TextureColorSpace::Srgb:
         return TextureDecoding::Srgb;
     case TextureColorSpace::Linear:
+    case TextureColorSpace::Roots: // which the program squares
         return TextureDecoding::Linear;
     default:
         return isColorUse(image.role, image.channel) && !isAlongSurface(image)

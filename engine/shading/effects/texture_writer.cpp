@@ -92,6 +92,9 @@ void TextureWriter::writeDeclarations(SourceBuilder& out) const {
         return;
     }
     out.addFile("passes/texture.glsl");
+    if (std::ranges::any_of(set_.textures, &BoundTexture::isOfRoots)) {
+        out.addFile("passes/texture_roots.glsl");
+    }
     if (has(TextureRole::Normal)) {
         out.addFile("passes/texture_normal.glsl");
     }
@@ -129,7 +132,9 @@ std::string TextureWriter::texel(std::size_t index) const {
     if (narrows && texture.isOfVertices) {
         return "vertexGrey()";
     }
-    return widens ? "vec3(" + read + ")" : narrows ? "imageGrey(" + read + ")" : read;
+    const std::string taken = narrows ? "imageGrey(" + read + ")" : read;
+    const std::string meant = texture.isOfRoots ? "imageSquare(" + taken + ")" : taken;
+    return widens ? "vec3(" + meant + ")" : meant;
 }
 
 std::string TextureWriter::changed(std::size_t index, const std::string& value) const {

@@ -113,7 +113,9 @@ std::string detailOf(const BoundTexture& texture, const EffectSubject* subject) 
     const bool isChosen = use == nullptr || use->channel == texture.channel;
     return fmt::format("{}{}, {}{}", texture.isOfVertices ? "vertex colours: " : "",
                        channelText(texture, isChosen), modeText(texture.mode),
-                       texture.cutOut ? ", cut out" : "");
+                       texture.cutOut      ? ", cut out"
+                       : texture.isOfRoots ? ", squared"
+                                           : "");
 }
 
 /// Returns a parameter of the table that a level reads which an image changes; null: there is none.
@@ -288,7 +290,9 @@ BoundTexture boundTexture(const TextureUse& use, const TextureTarget& target) {
             channelOf(use, target),
             use.mode,
             target.role == TextureRole::Opacity && use.cutOut,
-            isVertexColors(use.file)};
+            isVertexColors(use.file),
+            target.role == TextureRole::Input && use.colorSpace == TextureColorSpace::Roots &&
+                !isVertexColors(use.file)};
 }
 
 void TexturesEffect::choose(const MaterialSubject& subject, const EffectSet& set) {
@@ -315,6 +319,7 @@ void TexturesEffect::addTo(ChoiceHash& hash) const {
         hash.add(static_cast<std::uint64_t>(texture.mode));
         hash.add(texture.cutOut);
         hash.add(texture.isOfVertices);
+        hash.add(texture.isOfRoots);
     }
 }
 

@@ -46,6 +46,7 @@ struct BoundTexture {
     TextureMode mode = TextureMode::Replace;
     bool cutOut = false;
     bool isOfVertices = false; ///< it is the mesh's colours and has no sampler
+    bool isOfRoots = false;    ///< its numbers are square roots
 
     /// Its key in Material::textures, and whether a key is that.
     std::string key() const;
