@@ -31,8 +31,8 @@ struct MeshMaterial {
     /// and "opacity"; a number is in all three. With a grain "alpha" is the geometric mean of both
     /// widths.
     std::map<std::string, glm::dvec3> values;
-    /// Holds full paths of images, or vertexColorsName, by the same words, by "normal" and by
-    /// "height".
+    /// Holds full paths of images, data URIs of those inside the file, or vertexColorsName, by the
+    /// same words, by "normal" and by "height".
     std::map<std::string, std::string> images;
     /// Holds the preset that the material was exported from, as JSON, whose images have full paths;
     /// empty where the file has none or says other values since.

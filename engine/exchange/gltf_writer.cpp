@@ -48,6 +48,8 @@ class GltfFile {
         document_["asset"] = {{"version", "2.0"}, {"generator", "Patina"}};
     }
 
+    bool isBinary() const { return isBinary_; }
+
     void addExtension(const std::string& name) { extensions_.insert(name); }
 
     /// Returns {"index": n} of an image, with its place; null where it is dropped, which is told.
@@ -92,8 +94,7 @@ class GltfFile {
     void nameImages(Json& textures) {
         Json named = Json::object();
         for (const auto& [key, use] : textures.items()) {
-            const auto path = isBinary_ ? Result<std::string>(failure("they are inside"))
-                                        : images_.add(use.value("file", std::string()), {});
+            const auto path = images_.add(use.value("file", std::string()), {});
             if (path) {
                 named[key] = use;
                 named[key]["file"] = *path;
@@ -494,6 +495,9 @@ class GltfMaterial {
     /// Writes the preset itself, which comes back as it was while nobody changes the factors.
     void writePreset() {
         Json preset = look_.preset;
+        if (file_.isBinary() && !preset["textures"].empty()) {
+            return; // its images are inside, and have no paths
+        }
         file_.nameImages(preset["textures"]);
         const Json& base = material_["pbrMetallicRoughness"];
         Json written = base["baseColorFactor"];

@@ -188,8 +188,12 @@ std::string firstLine(const std::string& text) {
     return line.empty() ? "is not valid glTF" : "is not valid glTF: " + line;
 }
 
-bool skipImage(tinygltf::Image*, const int, std::string*, std::string*, int, int,
-               const unsigned char*, int, void*) {
+/// Keeps the bytes of an image that lies in the file; others are read from where they lie.
+bool keepImage(tinygltf::Image* image, const int, std::string*, std::string*, int, int,
+               const unsigned char* bytes, int size, void*) {
+    if (image->uri.empty() && bytes != nullptr && size > 0) {
+        image->image.assign(bytes, bytes + size);
+    }
     return true;
 }
 
@@ -220,7 +224,7 @@ bool writeNothing(std::string*, const std::string&, const std::vector<unsigned c
 Result<tinygltf::Model> parsed(const std::string& bytes, bool binary, MeshFolder& folder) {
     const std::string fromTheFolder;
     tinygltf::TinyGLTF loader;
-    loader.SetImageLoader(skipImage, nullptr);
+    loader.SetImageLoader(keepImage, nullptr);
     loader.SetStoreOriginalJSONForExtrasAndExtensions(true); // it rounds none of their numbers
     loader.SetFsCallbacks({isThere, asItIs, readWhole, writeNothing, &folder});
     tinygltf::Model model;

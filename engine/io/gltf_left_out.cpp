@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/exchange_keys.h"
+#include "io/gltf_embedded.h"
 #include "io/gltf_extensions.h"
 #include "io/gltf_extras.h"
 
@@ -62,7 +63,7 @@ void addTexture(LeftOut& left, const tinygltf::Model& model, const char* use, in
     }
     const tinygltf::Image& image = model.images[std::size_t(source)];
     const bool isInside = image.uri.empty() || image.uri.starts_with("data:");
-    if (!isRead || isInside) {
+    if (!isRead || (isInside && !isEmbeddedImage(image))) {
         const std::string name =
             isInside ? image.name : std::filesystem::path(image.uri).filename().string();
         left.add(What::Image, name.empty() ? use : use + (" of " + name));

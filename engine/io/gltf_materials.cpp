@@ -8,6 +8,7 @@
 
 #include "core/grain_widths.h"
 #include "core/image_place.h"
+#include "io/gltf_embedded.h"
 #include "io/gltf_extras.h"
 #include "io/material_images.h"
 #include "io/material_look.h"
@@ -91,8 +92,15 @@ void addTexture(MeshMaterial& material, const char* word, int index,
     if (source < 0 || std::size_t(source) >= model.images.size()) {
         return;
     }
-    const std::string& uri = model.images[std::size_t(source)].uri;
-    if (!uri.empty() && !uri.starts_with("data:") && addImage(material, word, uri, folder)) {
+    const tinygltf::Image& image = model.images[std::size_t(source)];
+    if (isEmbeddedImage(image)) {
+        material.images[word] = embeddedImage(image);
+        addPlace(material, word, extensions, left);
+        addSampler(material, word, model.textures[std::size_t(index)].sampler, model, left);
+        return;
+    }
+    const std::string& uri = image.uri;
+    if (!uri.empty() && addImage(material, word, uri, folder)) {
         addPlace(material, word, extensions, left);
         addSampler(material, word, model.textures[std::size_t(index)].sampler, model, left);
     }

@@ -12,7 +12,7 @@
 namespace patina {
 
 /// Returns what a glTF 2.0 file says of its materials, by their numbers, and adds to `left` what of
-/// their values no model has. Images inside the file are left out.
+/// their values no model has. Images inside the file are data URIs of PNG or JPEG.
 std::vector<MeshMaterial> materialsFrom(const tinygltf::Model& model, MeshFolder& folder,
                                         LeftOut& left);
 

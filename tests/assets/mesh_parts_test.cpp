@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/color.h"
+#include "glb_writer.h"
 #include "mesh_files.h"
 
 namespace patina::tests::mesh_parts_test {
@@ -206,6 +207,32 @@ TEST_F(MeshInParts, GltfThatSaysMoreThanAModelHas_IsToldByName) {
     EXPECT_NEAR(material.values.at("alpha").x, 0.1, 1e-9) << "the mean of 1 and 0.01";
     EXPECT_EQ(material.values.at("f0.wrap").x, 1.0);
     EXPECT_EQ(material.values.at("f0.nearest").x, 1.0);
+}
+
+/// An image of a buffer and one of a data URI; what is no PNG or JPEG is told.
+TEST_F(MeshInParts, GltfWithImagesInside_HasThemAsDataUris) {
+    GlbWriter glb;
+    const int corners = glb.addView<float>({0, 0, 0, 1, 0, 0, 0, 1, 0});
+    glb.primitive()["attributes"]["POSITION"] = glb.addAccessor(corners, 5126, "VEC3", 3);
+    glb.primitive()["material"] = 0;
+    const std::string png = "\x89PNG\r\n\x1a\nand more";
+    const int bytes = glb.addView(std::vector<char>(png.begin(), png.end()));
+    glb.document["images"] = {{{"bufferView", bytes}, {"mimeType", "image/png"}},
+                              {{"uri", "data:image/jpeg;base64,/9j/"}},
+                              {{"uri", "data:image/png;base64,R0lG"}, {"name", "moving"}}};
+    glb.document["textures"] = {{{"source", 0}}, {{"source", 1}}, {{"source", 2}}};
+    glb.document["materials"] = {
+        {{"name", "paint"},
+         {"pbrMetallicRoughness", {{"metallicFactor", 0}, {"baseColorTexture", {{"index", 0}}}}},
+         {"normalTexture", {{"index", 1}}},
+         {"emissiveTexture", {{"index", 2}}}}};
+    const auto mesh = load("inside.glb", glb.bytes());
+    ASSERT_TRUE(mesh) << mesh.error().text();
+    const auto& images = (*mesh)->parts().front().material.images;
+    ASSERT_EQ(images.size(), 2u);
+    EXPECT_EQ(images.at("diffuse"), "data:image/png;base64,iVBORw0KGgphbmQgbW9yZQ==");
+    EXPECT_EQ(images.at("normal"), "data:image/jpeg;base64,/9j/");
+    EXPECT_EQ((*mesh)->remarks(), "not read: 1 image (glow of moving)");
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <QTest>
 
+#include "files/embedded_images.h"
 #include "files/import_dialog.h"
 #include "scene/scene_file.h"
 #include "ui/window_fixture.h"
@@ -59,6 +60,22 @@ TEST_F(ImportedMesh, Opened_BecomesAnObjectAsTheLastOneDid) {
     EXPECT_TRUE(object.flipNormals);
     EXPECT_EQ(object.scale, glm::dvec3(0.5));
     EXPECT_EQ(object.rotation, glm::dvec3(-90.0, 0.0, 0.0));
+}
+
+TEST(EmbeddedImages, OfAMaterial_AreFilesOfTheirContent) {
+    const TemporaryFolder folder;
+    MeshMaterial material;
+    material.images = {{"diffuse", "data:image/png;base64,iVBORw0KGgo="},
+                       {"emissive", "data:image/png;base64,iVBORw0KGgo="},
+                       {"normal", "data:image/jpeg;base64,no base64 at all"},
+                       {"height", "/elsewhere/bumps.png"}};
+    const Errors errors = keepEmbeddedImages(material, folder / "images");
+    ASSERT_EQ(errors.size(), 1u);
+    EXPECT_EQ(errors.front().problem, "an image inside the file is damaged");
+    ASSERT_EQ(material.images.size(), 3u);
+    EXPECT_EQ(readFile(material.images.at("diffuse")), "\x89PNG\r\n\x1a\n");
+    EXPECT_EQ(material.images.at("emissive"), material.images.at("diffuse"));
+    EXPECT_EQ(material.images.at("height"), "/elsewhere/bumps.png");
 }
 
 /// Is a mesh of two materials, of which the file says how they look.

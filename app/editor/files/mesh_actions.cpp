@@ -9,6 +9,7 @@
 #include <QGuiApplication>
 
 #include "document/scene_edits.h"
+#include "files/embedded_images.h"
 #include "files/import_dialog.h"
 #include "files/place_beside.h"
 #include "material/mesh_look.h"
@@ -150,8 +151,11 @@ void MeshActions::place(const std::vector<Object>& objects, bool isInPlace) {
 /// the file says, or with the current material where the file says nothing.
 std::vector<Object> MeshActions::objectsOf(const Object& mesh) const {
     std::vector<Object> objects;
-    const std::vector<MeshMaterial> materials = meshes_.materialsOf(mesh);
-    for (const MeshMaterial& from : materials) {
+    std::vector<MeshMaterial> materials = meshes_.materialsOf(mesh);
+    for (MeshMaterial& from : materials) {
+        for (const Error& error : keepEmbeddedImages(from, userDataFolder() / "images")) {
+            Q_EMIT files_.message(error);
+        }
         Object object = withCurrentMaterial(mesh);
         if (materials.size() > 1) {
             object.name = from.name;
