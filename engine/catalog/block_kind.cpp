@@ -118,6 +118,7 @@ constexpr auto inPass = std::to_array<ParameterRole>(
     {{.word = roles::blend, .type = ParameterType::Enum, .choices = blends},
      {roles::blendAmount},
      {roles::threshold, ParameterType::Texture},
+     {.word = roles::accuracy, .type = ParameterType::Enum, .mayRepeat = true},
      {.word = roles::depthTest, .type = ParameterType::Enum, .choices = depthTests}});
 constexpr auto inFresnel = std::to_array<ParameterRole>(
     {{roles::indexOutside},

@@ -15,4 +15,8 @@ inline constexpr std::string_view depthTest = "depthTest";
 /// Is the image whose brightness is a pass's thresholds.
 inline constexpr std::string_view threshold = "threshold";
 
+/// Are a pass's choices that compute the same look more cheaply, of which the last is exact. They
+/// are on the chart of the scene's picture.
+inline constexpr std::string_view accuracy = "accuracy";
+
 } // namespace patina::roles

@@ -6,6 +6,8 @@
 #include <QCheckBox>
 
 #include "accuracy/picture_target.h"
+#include "document/scene_edits.h"
+#include "measure/choice/pass_choices.h"
 #include "scene/picture_choice_text.h"
 #include "scene/scene_file.h"
 #include "ui/accuracy_fixture.h"
@@ -182,6 +184,34 @@ TEST_F(PicturePanel, ShadowsLayersAndDirections_AreGivenToWhatHasThem) {
     EXPECT_EQ(levelsOfPicture(document().scene(), choices, document().catalog()), wanted);
     document().undoStack().undo();
     EXPECT_NE(levelsOfPicture(document().scene(), choices, document().catalog()), wanted);
+}
+
+TEST_F(PicturePanel, LevelsOfPasses_AreGivenToThePassesAsOneStep) {
+    const PictureTarget target(document(), window().comparison(), window().views());
+    EXPECT_FALSE(std::ranges::any_of(target.choices(), isOfPass));
+    addPass(document(), "kuwahara");
+    const std::vector<Choice> choices = target.choices();
+    ASSERT_TRUE(std::ranges::any_of(choices, isOfPass));
+    ChosenLevels wanted = target.levels(choices);
+    wanted["pass.kuwahara.samples"] = "coarse";
+    const int count = steps();
+    PictureTarget(document(), window().comparison(), window().views())
+        .apply(choices, wanted, "Accuracy");
+    EXPECT_EQ(steps(), count + 1);
+    EXPECT_EQ(target.levels(choices), wanted);
+    EXPECT_EQ(std::get<std::string>(document().scene().passes[0].parameters.at("samples")),
+              "coarse");
+}
+
+TEST_F(PicturePanel, PassesThatAreCompared_DifferInTheirLevelsAlone) {
+    addPass(document(), "kuwahara");
+    PictureTarget target(document(), window().comparison(), window().views());
+    target.compare(target.choices(), {{"pass.kuwahara.samples", "coarse"}});
+    const auto samplesOf = [this](Side side) {
+        return std::get<std::string>(document().scene(side).passes[0].parameters.at("samples"));
+    };
+    EXPECT_EQ(samplesOf(Side::A), "fine");
+    EXPECT_EQ(samplesOf(Side::B), "coarse");
 }
 
 TEST_F(PicturePanel, PicturesAccuracy_LeavesTheMaterialsChartFresh) {

@@ -25,7 +25,7 @@ void give(Values& own, const Values& others) {
 } // namespace
 
 SidePicture pictureOf(const Scene& shown, const Scene& own) {
-    SidePicture picture{shown.accuracy, std::nullopt, {}, {}};
+    SidePicture picture{shown.accuracy, std::nullopt, {}, {}, {}};
     const BlockValues* transparency = shown.part(kinds::transparency);
     const BlockValues* ownTransparency = own.part(kinds::transparency);
     if (transparency && !(ownTransparency && *transparency == *ownTransparency)) {
@@ -47,6 +47,12 @@ SidePicture pictureOf(const Scene& shown, const Scene& own) {
             picture.shadows[i] = std::move(others);
         }
     }
+    for (std::size_t i = 0; i < shown.passes.size() && i < own.passes.size(); ++i) {
+        Values others = otherValues(shown.passes[i].parameters, own.passes[i].parameters);
+        if (shown.passes[i].id == own.passes[i].id && !others.empty()) {
+            picture.passes[i] = std::move(others);
+        }
+    }
     return picture;
 }
 
@@ -62,6 +68,11 @@ void layOver(Scene& scene, const SidePicture& picture) {
         const bool isThere = light < scene.lights.size();
         if (BlockValues* shadow = isThere ? scene.lights[light].part(kinds::shadows) : nullptr) {
             give(shadow->parameters, values);
+        }
+    }
+    for (const auto& [pass, values] : picture.passes) {
+        if (pass < scene.passes.size()) {
+            give(scene.passes[pass].parameters, values);
         }
     }
 }

@@ -16,6 +16,7 @@ struct SidePicture {
     std::optional<BlockValues> transparency; ///< is absent where the scene's own applies
     Values environment;                      ///< holds only values that differ from the scene's
     std::map<std::size_t, Values> shadows;   ///< holds the same by index of the light
+    std::map<std::size_t, Values> passes;    ///< holds the same by index of the pass
 
     friend bool operator==(const SidePicture&, const SidePicture&) = default;
 };
@@ -35,8 +36,8 @@ struct ComparedPicture {
 /// in their picture settings only.
 SidePicture pictureOf(const Scene& shown, const Scene& own);
 
-/// Lays picture settings over a scene. Those of parts and lights that the scene does not have are
-/// skipped.
+/// Lays picture settings over a scene. Those of parts, lights and passes that the scene does not
+/// have are skipped.
 void layOver(Scene& scene, const SidePicture& picture);
 
 } // namespace patina

@@ -34,6 +34,9 @@ void setPicture(Document& document, const Scene& from) {
             setValues(document, pathOf(kinds::shadows, static_cast<int>(i)), *shadow);
         }
     }
+    for (std::size_t i = 0; i < from.passes.size(); ++i) {
+        setValues(document, pathOf(kinds::pass, static_cast<int>(i)), from.passes[i]);
+    }
 }
 
 } // namespace patina

@@ -30,8 +30,13 @@ void addBlock(std::vector<Choice>& choices, const BlockUse& use, const EffectSet
         if (isKnown || accuracy.values.size() < 2 || isWithoutEffect(use, accuracy, set)) {
             continue;
         }
-        Choice choice{Choice::Scope::Material, prefix + accuracy.id, accuracy.id, accuracy.label,
-                      accuracy.doc, block.label, {}};
+        Choice choice{Choice::Scope::Material,
+                      prefix + accuracy.id,
+                      accuracy.id,
+                      accuracy.label,
+                      accuracy.doc,
+                      block.label,
+                      {}};
         for (const EnumValue& value : accuracy.values) {
             choice.levels.push_back({value.id, value.label, value.doc});
         }
@@ -65,7 +70,8 @@ std::vector<Choice> materialChoices(const Scene& scene, std::size_t object,
     for (const BlockUse& slot : set.slots) {
         addBlock(choices, slot, set, slot.block().kind + '.');
     }
-    for (const std::optional<BlockUse>& part : {set.blend, set.refraction}) {
+    for (const std::optional<BlockUse>& part :
+         {set.blend, set.refraction, set.shells, set.strokes}) {
         if (part) {
             addBlock(choices, *part, set, part->block().kind + '.');
         }

@@ -69,8 +69,9 @@ ChosenLevels levelsOfPicture(const Scene& scene, const std::vector<Choice>& choi
 struct ChosenFrame {
     Scene scene;
     View view;
-    int samplesAtOnce = 0; ///< limits the directions of an environment that are captured at once;
-                           ///< 0: the renderer decides
+    int samplesAtOnce = 0;   ///< limits the directions of an environment that are captured at once;
+                             ///< 0: the renderer decides
+    bool isFinished = false; ///< is captured behind the picture passes, as the light that is shown
 };
 
 /// Gives each of these choices the level that `levels` names, or the exact one. Choices of the

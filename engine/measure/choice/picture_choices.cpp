@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include <fmt/format.h>
 
+#include "measure/choice/pass_choices.h"
 #include "scene/environment.h"
 #include "scene/picture_choice_text.h"
 #include "scene/transparency.h"
@@ -242,7 +244,8 @@ std::string currentLevel(const Scene& scene, const Choice& choice, const Catalog
         }
     }
     const PictureChoiceText* text = textOf(choice);
-    return text == nullptr ? std::string() : text->levels[scene.accuracy.level(text->choice)].id;
+    return text == nullptr ? passLevel(scene, choice, catalog)
+                           : text->levels[scene.accuracy.level(text->choice)].id;
 }
 
 } // namespace
@@ -261,6 +264,7 @@ std::vector<Choice> choicesOfPicture(const Scene& scene, const Catalog& catalog)
             choices.push_back(choiceOf(text));
         }
     }
+    std::ranges::move(choicesOfPasses(scene, catalog), std::back_inserter(choices));
     return choices;
 }
 
@@ -292,6 +296,7 @@ void choosePicture(ChosenFrame& frame, const Choice& choice, const std::string& 
             row.apply(frame, level, catalog);
         }
     }
+    choosePass(frame.scene, choice, level, catalog);
     const PictureChoiceText* text = textOf(choice);
     if (const auto number = text == nullptr ? std::nullopt : text->level(level)) {
         frame.scene.accuracy.choose(text->choice, *number);

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "measure/choice/pass_choices.h"
+
 namespace patina {
 namespace {
 
@@ -174,7 +176,7 @@ std::string sameText(const CostChart& chart) {
 }
 
 bool CostChart::isAgainstConverged(const CostPoint& point) const {
-    return converged && point.levels.contains(converged->choice);
+    return converged && point.levels.contains(converged->choice) && !hasPassLevel(point.levels);
 }
 
 RatioBound CostChart::boundOf(const CostPoint& point) const {

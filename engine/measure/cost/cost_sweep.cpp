@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/steps.h"
+#include "measure/choice/pass_choices.h"
 #include "measure/choice/picture_choices.h"
 #include "measure/cost/same_levels.h"
 #include "measure/cost/sweep_estimate.h"
@@ -56,7 +57,8 @@ class CostSweep::Implementation {
         baseline_.emplace(GroundTruthFrame::Wish{drawn_->renderer(), drawn_->meshes(),
                                                  frames_.of({}), frames_.captured({}),
                                                  frames_.counted(), frames_.isOfMaterial()},
-                          directions == chart_.choices.end() ? std::string() : directions->id);
+                          directions == chart_.choices.end() ? std::string() : directions->id,
+                          std::ranges::any_of(chart_.choices, isOfPass));
         run_ = run();
     }
 
@@ -130,7 +132,7 @@ class CostSweep::Implementation {
     Steps makeBaseline() {
         Result<bool> done = baseline_->step(patience_);
         while (done && !*done) {
-            const bool isGroundTruth = !baseline_->groundTruth().isDone();
+            const bool isGroundTruth = !baseline_->hasGroundTruth();
             doing_ = {isGroundTruth ? SweepStep::Work::GroundTruthFrame
                                     : SweepStep::Work::ConvergedFrame,
                       {},
@@ -144,6 +146,9 @@ class CostSweep::Implementation {
         }
         chart_.pixels = baseline_->groundTruth().pixels();
         chart_.groundTruth = baseline_->groundTruth().method();
+        if (std::ranges::any_of(chart_.choices, isOfPass)) {
+            chart_.groundTruth += "; ways of picture passes with the finished picture";
+        }
         chart_.converged = baseline_->converged();
         if (!frames_.isOfMaterial()) {
             foldLevels();

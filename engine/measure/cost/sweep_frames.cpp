@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "measure/choice/pass_choices.h"
 #include "measure/cost/measured_scene.h"
 #include "render/surfaces/surface_buffer_drawer.h"
 
@@ -50,11 +51,15 @@ ChosenFrame SweepFrames::captured(const ChosenLevels& levels) const {
         frame.view.environmentSamples = sampledDirections;
         frame.samplesAtOnce = SurfaceBufferDrawer::plainSamples;
     }
+    frame.isFinished = hasPassLevel(levels);
     return frame;
 }
 
 ChosenFrame SweepFrames::empty() const {
     ChosenFrame frame = of({});
+    if (!isOfMaterial()) {
+        frame.scene.passes.clear();
+    }
     for (std::size_t i = 0; i < counted_.size(); ++i) {
         frame.scene.objects[i].visible = frame.scene.objects[i].visible && !counted_[i];
     }

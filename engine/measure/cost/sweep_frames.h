@@ -24,10 +24,12 @@ class SweepFrames {
     ChosenFrame of(const ChosenLevels& levels) const;
 
     /// Returns the frame of these levels as it is captured. For a material it has 32-bit floats and
-    /// few directions of an environment; for a picture it is the frame that is timed.
+    /// few directions of an environment; for a picture it is the frame that is timed, behind the
+    /// passes where a level is of one.
     ChosenFrame captured(const ChosenLevels& levels) const;
 
-    /// Returns the exact frame without the objects that are measured.
+    /// Returns the exact frame without the objects that are measured, and of a picture without its
+    /// passes.
     ChosenFrame empty() const;
 
   private:

@@ -8,19 +8,23 @@
 
 namespace patina {
 
-/// Makes the frames with which a sweep's points are compared: the ground truth and, where points
-/// differ in their directions of an environment, a converged frame. It must be made, used and
-/// destroyed with the same context current.
+/// Makes the frames with which a sweep's points are compared: the ground truth, where points
+/// differ in their directions of an environment a converged frame, and where they differ in their
+/// picture passes the finished picture. It must be made, used and destroyed with the same context
+/// current.
 class ErrorBaseline {
   public:
-    /// Takes as `directions` the Choice::id of the choice of directions; empty where there is none.
-    ErrorBaseline(GroundTruthFrame::Wish wish, std::string directions);
+    /// Takes as `directions` the Choice::id of the choice of directions, empty where there is none,
+    /// and whether there are choices of passes.
+    ErrorBaseline(GroundTruthFrame::Wish wish, std::string directions, bool hasPasses = false);
 
     /// Works for about so long, and returns true when all is done.
     Result<bool> step(std::chrono::milliseconds patience);
     bool isDone() const;
     std::size_t steps() const { return directions_.empty() ? 1 : 2; } ///< counts frames
     double progressOfStep() const; ///< 0 .. 1, of the current frame
+    /// Tells whether the frames are done that the device draws with the finest levels.
+    bool hasGroundTruth() const;
 
     const GroundTruthFrame& groundTruth() const { return groundTruth_; }
 
@@ -35,7 +39,8 @@ class ErrorBaseline {
     GroundTruthFrame::Wish wish_;
     std::string directions_;
     GroundTruthFrame groundTruth_;
-    std::optional<ConvergedFrame> converged_; ///< exists once the ground truth is done
+    std::optional<GroundTruthFrame> finished_; ///< is absent without choices of passes
+    std::optional<ConvergedFrame> converged_;  ///< exists once the ground truth is done
 };
 
 } // namespace patina

@@ -136,8 +136,10 @@ Steps GroundTruthFrame::draw(const std::optional<LinearFrame>& computed) {
     }
     drawn->counts = std::move(counts_);
     ParallelJob preparing;
-    meter_.emplace(std::move(*drawn),
-                   DisplayCurve::of(wish_.exact.scene, *wish_.renderer.catalog()), preparing);
+    const DisplayCurve curve = wish_.drawn.isFinished // its light is exposed and tone mapped
+                                   ? DisplayCurve()
+                                   : DisplayCurve::of(wish_.exact.scene, *wish_.renderer.catalog());
+    meter_.emplace(std::move(*drawn), curve, preparing);
     while (!preparing.step(patience_)) {
         co_yield Steps::Pause();
     }

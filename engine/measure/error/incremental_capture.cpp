@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/color.h"
 #include "core/exposure.h"
 #include "render/frame/frame_job.h"
 
@@ -63,17 +64,20 @@ double IncrementalCapture::progress() const {
 }
 
 Result<LinearFrame> IncrementalCapture::frame() const {
-    const auto image = renderer_.job().read(false);
+    const auto image = renderer_.job().read(frame_.isFinished);
     if (!image) {
         return tl::unexpected(image.error());
     }
     const double factor = exposureFactor(frame_.scene.exposure);
+    const auto light = [this, factor](const glm::dvec3& color) {
+        return frame_.isFinished ? srgbDecoded(color) : color / factor;
+    };
     LinearFrame frame;
     frame.size = {image->width, image->height};
     frame.colors.reserve(image->pixels.size() / 4);
     for (std::size_t i = 0; i + 3 < image->pixels.size(); i += 4) {
         const glm::dvec3 color(image->pixels[i], image->pixels[i + 1], image->pixels[i + 2]);
-        frame.colors.push_back(color / factor);
+        frame.colors.push_back(light(color));
     }
     return frame;
 }

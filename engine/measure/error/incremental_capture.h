@@ -24,7 +24,8 @@ class IncrementalCapture {
     /// Returns 0 .. 1, by the samples of an environment, which take most of the time.
     double progress() const;
 
-    /// Returns the frame before exposure, once it is done; its `counts` are empty.
+    /// Returns the frame before exposure, once it is done, or the light that is shown where the
+    /// finished picture is captured; its `counts` are empty.
     Result<LinearFrame> frame() const;
 
   private:
