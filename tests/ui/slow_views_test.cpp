@@ -8,6 +8,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "document/scene_edits.h"
 #include "ui/window_fixture.h"
 
 namespace patina::tests::slow_views_test {
@@ -85,18 +86,18 @@ TEST_F(SlowViews, ResizedAllTheTimeBeforeTheirFirstPicture_StillGetOne) {
         document().setValue(pathOf(kinds::models, 0, side), "sigma0",
                             1.0); // adds up a hundred terms
     }
-    for (int lamp = 0; lamp < int(document().scene().lights.size()); ++lamp) {
-        document().setBlock(pathOf(kinds::shadows, lamp), "soft");
+    for (int lamp = 0; lamp < 6; ++lamp) {
+        addLight(document(), "point");
     }
-    ASSERT_TRUE(rest());
     window().comparison().setComparing(true);
     FrameLoop& frames = secondView().frames();
     QSignalSpy sketches(&frames, &FrameLoop::sketchDrawn);
+    const QSize whole = secondView().size();
     int moves = 0;
     const bool isShown = QTest::qWaitFor(
         [&] {
             ++moves;
-            window().resize(large - QSize(moves % 40, moves % 40));
+            secondView().resize(whole - QSize(moves % 40, moves % 40));
             return !sketches.isEmpty();
         },
         limitMs / 4);
