@@ -100,7 +100,7 @@ TEST_F(SlowViews, ResizedAllTheTimeBeforeTheirFirstPicture_StillGetOne) {
             secondView().resize(whole - QSize(moves % 40, moves % 40));
             return !sketches.isEmpty();
         },
-        limitMs / 4);
+        limitMs);
     EXPECT_TRUE(isShown) << moves << " moves";
     EXPECT_EQ(frames.surface().picture().size(), secondView().size()) << "it is stretched";
 }
