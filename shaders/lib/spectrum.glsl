@@ -22,7 +22,7 @@ vec3 srgbWavelengths() {
 // Per channel, per nanometre; the area under each is 1, so that light of all wavelengths is white.
 // Fitted to the colour matching functions of CIE 1931 (C. Wyman, P.-P. Sloan and P. Shirley, Simple
 // Analytic Approximations to the CIE XYZ Color Matching Functions, JCGT 2(2), 2013) in linear
-// sRGB, at most 0.09 of a channel's peak off; what is negative there, since no display shows pure
+// sRGB, at most 0.1 of a channel's peak off; what is negative there, since no display shows pure
 // colours, is 0 here. Wavelengths in nm, >= 0; `uneven` is the standard deviation of what each
 // arrives as over the wavelength itself, 0 to 1. `scale` is srgbWavelengths() over the wavelengths
 // that stand for red, green and blue: what each channel sees is stretched to these.

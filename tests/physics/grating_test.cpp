@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "catalog/wavelengths.h"
@@ -55,6 +56,42 @@ TEST(SpectrumOfChannels, EachHasAnAreaOfOneAndNoneIsNegative_HoweverUneven) {
         EXPECT_NEAR(area.g, 1.0, missing) << uneven;
         EXPECT_NEAR(area.b, 1.0, missing) << uneven;
     }
+}
+
+/// Returns linear sRGB of a pure wavelength by the paper's fit to the CIE's observer of 1931, in
+/// which each function is a sum of bells; what is negative is 0.
+glm::dvec3 channelsOfThePaper(double wavelength) {
+    const auto bell = [wavelength](double middle, double below, double above) {
+        const double t = (wavelength - middle) / (wavelength < middle ? below : above);
+        return std::exp(-0.5 * t * t);
+    };
+    const glm::dvec3 xyz(1.056 * bell(599.8, 37.9, 31.0) + 0.362 * bell(442.0, 16.0, 26.7) -
+                             0.065 * bell(501.1, 20.4, 26.2),
+                         0.821 * bell(568.8, 46.9, 40.5) + 0.286 * bell(530.9, 16.3, 31.1),
+                         1.217 * bell(437.0, 11.8, 36.0) + 0.681 * bell(459.0, 26.0, 13.8));
+    return glm::max(glm::dvec3(3.2406 * xyz.x - 1.5372 * xyz.y - 0.4986 * xyz.z,
+                               -0.9689 * xyz.x + 1.8758 * xyz.y + 0.0415 * xyz.z,
+                               0.0557 * xyz.x - 0.2040 * xyz.y + 1.0570 * xyz.z),
+                    glm::dvec3(0.0));
+}
+
+TEST(SpectrumOfChannels, EachIsWithinATenthOfItsPeakOfTheObserver) {
+    constexpr double step = 0.5;
+    glm::dvec3 area(0.0);
+    for (double wavelength = 360.0; wavelength < 810.0; wavelength += step) {
+        area += step * channelsOfThePaper(wavelength);
+    }
+    glm::dvec3 farthest(0.0);
+    glm::dvec3 peak(0.0);
+    for (double wavelength = 360.0; wavelength < 810.0; wavelength += step) {
+        const glm::dvec3 seen = seenOf(wavelength, 0.0);
+        peak = glm::max(peak, seen);
+        farthest = glm::max(farthest, glm::abs(seen - channelsOfThePaper(wavelength) / area));
+    }
+    for (int channel = 0; channel < 3; ++channel) {
+        EXPECT_LT(farthest[channel], 0.1 * peak[channel]) << channel;
+    }
+    EXPECT_GT(farthest.r, 0.09 * peak.r) << "what is stated could be less";
 }
 
 TEST(Grating, Order_SendsTheWavelengthOfTheGratingEquation) {
