@@ -7,6 +7,8 @@
 #include <random>
 
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 
 #include "catalog/parameter_type.h"
 #include "measure/eval/eval_source.h"
@@ -24,7 +26,18 @@ glm::dvec3 floatVector(const glm::dvec3& v) {
     return glm::dvec3(glm::vec3(v));
 }
 
-/// Draws directions above the surface.
+/// Is a surface's own axes: along its tangent, its bitangent and its normal.
+struct SurfaceAxes {
+    glm::dmat3 toWorld{1.0};
+
+    explicit SurfaceAxes(const EvalPlace& place)
+        : toWorld(place.t, glm::cross(place.n, place.t), place.n) {}
+
+    glm::dvec3 inWorld(const glm::dvec3& local) const { return floatVector(toWorld * local); }
+    glm::dvec3 inSurface(const glm::dvec3& world) const { return glm::transpose(toWorld) * world; }
+};
+
+/// Draws directions above the surface, in its own axes.
 class DirectionDraw {
   public:
     explicit DirectionDraw(std::uint32_t seed) : engine_(seed) {}
@@ -68,15 +81,37 @@ class DirectionDraw {
             made.number = static_cast<double>(static_cast<float>(uniform(0.0, 1.0)));
             return made;
         }
-        made.l = above();
+        if (below(4) != 0) {
+            turn(made);
+        }
+        const SurfaceAxes axes(made);
+        const glm::dvec3 l = above();
         const std::uint32_t which = below(12);
-        made.v = which < 4 ? near(mirrored(made.l), 0.3) : which == 4 ? near(made.l, 0.3) : above();
+        made.l = axes.inWorld(l);
+        made.v = axes.inWorld(which < 4    ? near(mirrored(l), 0.3)
+                              : which == 4 ? near(l, 0.3)
+                                           : above());
         made.pixel = floatVector({uniform(0.0, 24.0), uniform(0.0, 24.0), 0.0});
         return made;
     }
 
   private:
-    /// Returns the direction of a vector, not lower than the lowest, as floats hold it.
+    /// Turns the surface anywhere.
+    void turn(EvalPlace& place) {
+        const double z = uniform(-1.0, 1.0);
+        const double side = std::sqrt(std::max(1.0 - z * z, 0.0));
+        const double phi = uniform(0.0, 2.0 * std::numbers::pi);
+        const double around = uniform(0.0, 2.0 * std::numbers::pi);
+        const glm::dvec3 n(side * std::cos(phi), side * std::sin(phi), z);
+        const glm::dvec3 other =
+            std::abs(z) < 0.7 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0);
+        const glm::dvec3 first = glm::normalize(glm::cross(other, n));
+        const glm::dvec3 second = glm::cross(n, first);
+        place.n = floatVector(n);
+        place.t = floatVector(std::cos(around) * first + std::sin(around) * second);
+    }
+
+    /// Returns the direction of a vector, not lower than the lowest.
     static glm::dvec3 raised(const glm::dvec3& vector) {
         glm::dvec3 unit = glm::normalize(vector);
         const double flat = std::hypot(unit.x, unit.y);
@@ -84,7 +119,7 @@ class DirectionDraw {
             const double scale = std::sqrt(1.0 - minCosine * minCosine) / flat;
             unit = {unit.x * scale, unit.y * scale, minCosine};
         }
-        return floatVector(unit);
+        return unit;
     }
 
     std::mt19937 engine_;
@@ -224,8 +259,13 @@ std::vector<EvalCase> nearbyCases(const EvalCase& from, std::size_t count, bool 
     for (EvalCase& each : cases) {
         const std::uint32_t which = draw.below(4); // bit 0: not the light, bit 1: not the viewer
         if (each.subject == EvalCase::Subject::Model) {
-            each.l = (which & 1u) == 0 ? draw.near(each.l, 1.0) : each.l;
-            each.v = (which & 2u) == 0 ? draw.near(each.v, 1.0) : each.v;
+            const SurfaceAxes axes(each);
+            for (glm::dvec3* direction :
+                 {(which & 1u) == 0 ? &each.l : nullptr, (which & 2u) == 0 ? &each.v : nullptr}) {
+                if (direction != nullptr) {
+                    *direction = axes.inWorld(draw.near(axes.inSurface(*direction), 1.0));
+                }
+            }
         } else if (each.subject == EvalCase::Subject::Fresnel) {
             const double step = draw.ofAnySize(1.0);
             each.number = static_cast<double>(

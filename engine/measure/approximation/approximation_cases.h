@@ -23,9 +23,11 @@ struct CaseWish {
 };
 
 /// Returns cases with light and viewer anywhere above the surface, and for other kinds anything
-/// that is common. Of 16 directions one is near the normal and one near the lowest, of 12 viewers 4
-/// are near the mirror direction and one near the light, each at an angle of any size. What is
-/// found, what it is judged by and what tries its stated error are drawn so, by different seeds.
+/// that is common. Of four surfaces three are turned anywhere and one has the normal z, along which
+/// cosines have nothing to round. Of 16 directions one is near the normal and one near the lowest,
+/// of 12 viewers 4 are near the mirror direction and one near the light, each at an angle of any
+/// size. What is found, what it is judged by and what tries its stated error are drawn so, by
+/// different seeds.
 std::vector<EvalCase> commonCases(const EvalCase& subject, const CaseWish& wish);
 
 /// Returns about `count` cases where formulas break: those of the stability sweep, thinned out.
