@@ -265,7 +265,7 @@ TEST(Approximate, FolderOfTheBlockItself_IsRefused) {
 TEST(Approximate, ShippedBlock_GetsAnIdOfItsOwnAndItsTables) {
     const TemporaryFolder folder;
     const Outcome outcome = approximated(
-        {"strauss", "--seconds", "30", "--cases", "1000", "--declared", "-o", folder / "models"});
+        {"strauss", "--seconds", "12", "--cases", "1000", "--declared", "-o", folder / "models"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("terms=table"), std::string::npos) << "its own level, judged too";
     EXPECT_NE(outcome.err.find("models/strauss-cheaper.glsl"), std::string::npos) << outcome.err;
