@@ -13,9 +13,9 @@ inline constexpr const char* imageOffsetWord = ".offset";
 // These say in the same way whether an image ends at its edge (1) or is mirrored there (2), and
 // whether its pixels stay square (1); it goes on and is smooth where nothing is said.
 inline constexpr const char* imageWrapWord = ".wrap";
+inline constexpr const char* imageNearestWord = ".nearest";
+
 /// Says in the same way that the numbers are square roots in the green channel (1).
 inline constexpr const char* imageRootWord = ".root";
-
-inline constexpr const char* imageNearestWord = ".nearest";
 
 } // namespace patina
