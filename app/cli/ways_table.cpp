@@ -63,6 +63,7 @@ nlohmann::json waysJson(const WaysTable& table) {
                         {"changes", ways.moves},
                         {"tried", ways.tried},
                         {"unseenCases", ways.heldOut},
+                        {"statedFor", ways.places + valuesInWords(ways)},
                         {"checkedOnDevice", table.isChecked},
                         {"finished", !ways.isStopped},
                         {"seconds", table.seconds}};
@@ -113,9 +114,10 @@ std::string waysText(const WaysTable& table) {
         text += '\n';
     }
     return text +
-           fmt::format("{} changes, {} texts compiled; errors where white is 1, on {} cases that "
+           fmt::format("errors are for {}{}\n"
+                       "{} changes, {} texts compiled; errors where white is 1, on {} cases that "
                        "the search did not see{}; {:.0f} s\n",
-                       ways.moves, ways.tried, ways.heldOut,
+                       ways.places, valuesInWords(ways), ways.moves, ways.tried, ways.heldOut,
                        table.isChecked ? " and on the graphics device"
                                        : ", not checked on the graphics device",
                        table.seconds) +

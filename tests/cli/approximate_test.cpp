@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/patina_program.h"
+#include "measure/approximation/approximation_subject.h"
 #include "measure/approximation/error_climb.h"
 #include "measure/approximation/measured_text.h"
 #include "measure/eval/eval_reference.h"
@@ -176,6 +177,98 @@ INSTANTIATE_TEST_SUITE_P(Approximate, OfAPaper, testing::Values(&hair, &banks, &
                                                 : each.param == &banks ? "Banks"
                                                                        : "Edwards");
                          });
+
+/// Tells how far a level of a written block is from the exact block in some cases.
+TextError errorOfLevel(const EvalCase& exact, std::vector<EvalCase> cases, const Block& written,
+                       const std::string& level) {
+    const auto text = MeasuredText::of(exact, shipped("shaders"));
+    EvalCase cheaper = exact;
+    cheaper.block.block = &written;
+    cheaper.block.accuracy[written.accuracy.back().id] = level;
+    const auto changed = MeasuredText::of(cheaper, shipped("shaders"));
+    if (!text || !changed) {
+        return {INFINITY, INFINITY, false};
+    }
+    const JudgedCases judged = text->judged(texelsOfCases(cases));
+    for (EvalCase& each : cases) {
+        each.block.block = cheaper.block.block;
+        each.block.accuracy = cheaper.block.accuracy;
+    }
+    return changed->error({}, {texelsOfCases(cases), judged.exact}, INFINITY);
+}
+
+// Height fog has a case of its own for a ray that is exactly level, and only such a ray comes to
+// it.
+TEST(Approximate, HeightFog_KeepsItsStatedErrorsAlongLevelRays) {
+    const TemporaryFolder folder;
+    const Outcome outcome = approximated(
+        {"fog/height", "--seconds", "20", "--cases", "2000", "--json", "-o", folder.path()});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const auto json = nlohmann::json::parse(outcome.out);
+    ASSERT_FALSE(json.at("ways").empty());
+    const Catalog catalog = catalogWith(folder.path());
+    ASSERT_EQ(catalog.errors, Errors());
+    const EvalCase exact = *defaultCase(catalog, *catalog.find(kinds::fog, "height"));
+    std::vector<EvalCase> level;
+    for (const double height : {-3.0, -1.0, -0.25, 0.5, 4.0}) {
+        for (const double range : {0.5, 2.0, 20.0}) {
+            level.push_back(exact);
+            level.back().l = {1.0, height, -2.0};
+            level.back().v = {0.6, 0.0, 0.8};
+            level.back().number = range;
+        }
+    }
+    for (const auto& way : json.at("ways")) {
+        const TextError error = errorOfLevel(
+            exact, level, *catalog.find(kinds::fog, "height-cheaper"), way.at("level"));
+        EXPECT_LE(error.worst, way.at("atMost").get<double>()) << way.dump();
+    }
+    EXPECT_EQ(json.at("statedFor"),
+              "ways of up to 1000 m in any direction, from within 5 m of the origin along each "
+              "axis, with values that sliders reach: Density from 0 to 2 1/m, Base from -5 to 5 m, "
+              "Thickness from 0 to 5 m");
+}
+
+// No drawn case has a cosine of just one half, but an edge case has.
+TEST(Approximate, ValueAtASinglePlace_IsKept) {
+    const TemporaryFolder folder;
+    const Paper dark{"dark-line",
+                     "#include \"lib/directions.glsl\"\nvec3 darkLine(Directions d, DarkLine p) {\n"
+                     "    float light = d.nl == 0.5 ? 0.0 : 1.0;\n"
+                     "    return p.diffuseColor * (light * exp(-d.nl * d.nl));\n}\n",
+                     colors};
+    writePaper(dark, folder / "before");
+    const Outcome outcome =
+        approximated({(folder / "before/models/dark-line.glsl").string(), "--seconds", "15",
+                      "--cases", "2000", "--json", "-o", (folder / "after/models").string()});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const auto json = nlohmann::json::parse(outcome.out);
+    const Catalog before = catalogWith(folder / "before");
+    const Catalog after = catalogWith(folder / "after");
+    EvalCase exact = caseOf(before, "dark-line");
+    EvalCase line = exact;
+    line.l = {0.0, std::sqrt(0.75), 0.5};
+    line.v = {0.0, 0.0, 1.0};
+    for (const auto& way : json.at("ways")) {
+        const TextError error =
+            errorOfLevel(exact, {line}, *after.find(kinds::models, "dark-line"), way.at("level"));
+        EXPECT_LE(error.worst, way.at("atMost").get<double>()) << way.dump();
+    }
+    EXPECT_EQ(json.at("statedFor"), "light and viewer 3 degrees or more above the surface, with "
+                                    "values that sliders reach: Shininess from 4 to 60");
+}
+
+TEST(StatedErrors, OfEachKind_SayWhichCasesTheyAreOf) {
+    const Catalog catalog = catalogWith({});
+    const auto placesOfBlock = [&catalog](std::string_view kind, const char* id) {
+        return placesInWords(*defaultCase(catalog, *catalog.find(kind, id)));
+    };
+    EXPECT_EQ(placesOfBlock(kinds::fresnel, "schlick"), "cosines from 0 to 1");
+    EXPECT_EQ(placesOfBlock(kinds::tone, "reinhard"), "radiance up to 2");
+    EXPECT_EQ(placesOfBlock(kinds::lights, "point"),
+              "points within 5 m of the origin along each axis");
+    EXPECT_EQ(slidersInWords(*defaultCase(catalog, *catalog.find(kinds::fresnel, "schlick"))), "");
+}
 
 // The tangent from a rounded cosine loses half of its digits within 0.0003 of the normal, where few
 // cases that are drawn evenly lie; what is stated has to hold there, too.

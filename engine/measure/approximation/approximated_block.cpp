@@ -511,17 +511,24 @@ double greatestErrorStatedAs(double stated) {
     return std::floor(stated / digit + roundingSlack) * digit / statedMargin;
 }
 
+std::string valuesInWords(const CheaperWays& ways) {
+    return ways.isOfValues        ? ", with the values of its preset"
+           : ways.sliders.empty() ? ", with any values"
+                                  : ", with values that sliders reach: " + ways.sliders;
+}
+
 std::string foundLevelDoc(const CheaperWays& ways, std::size_t index) {
     const CheaperWay& way = ways.ways[index];
     const bool isOfFloats = ways.exact.error > notableShare * way.error;
     return fmt::format(
-        "{}. At most {:.2g} off where white is 1{}, {:.2g} on the mean, for light and viewer 3 "
-        "degrees or more above the surface{}. {:.0f} in place of {:.0f} {} (predicted).",
+        "{}. At most {:.2g} off where white is 1{}, {:.2g} on the mean, for {}{}. {:.0f} in place "
+        "of {:.0f} {} (predicted).",
         capitalised(wordsOf(way)), statedError(way),
         isOfFloats
             ? fmt::format(" (floats alone are up to {:.2g} off in the exact way)", ways.exact.error)
             : std::string(),
-        way.meanError, way.isForValues ? ", and for the values of its preset only" : "", way.cost,
+        way.meanError, ways.places,
+        way.isForValues ? ", and for the values of its preset only" : valuesInWords(ways), way.cost,
         ways.exact.cost, ways.unit);
 }
 

@@ -40,7 +40,11 @@ double statedError(const CheaperWay& way);
 /// Returns the largest error of a way that is stated as `stated` at most.
 double greatestErrorStatedAs(double stated);
 
-/// Returns what a level is, in plain words, with its error and its cost.
+/// Says with which values the errors of ways are what they are, behind which places: ", with the
+/// values of its preset".
+std::string valuesInWords(const CheaperWays& ways);
+
+/// Returns what a level is, in plain words, with its error, what it is stated for, and its cost.
 std::string foundLevelDoc(const CheaperWays& ways, std::size_t way);
 
 /// Is what a written block is called.

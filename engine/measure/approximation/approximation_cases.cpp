@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -21,6 +22,9 @@ namespace {
 
 /// Is the least cosine of light and viewer: lower is in the surface itself.
 constexpr double minCosine = 0.05;
+constexpr std::size_t rowsOfStatedEdges = 64;
+constexpr double maxFogRange = 1000.0; ///< in metres
+constexpr double unitSlack = 1e-6; ///< is how far lengths and cosines of axes may be off in floats
 
 glm::dvec3 floatVector(const glm::dvec3& v) {
     return glm::dvec3(glm::vec3(v));
@@ -81,6 +85,9 @@ class DirectionDraw {
             made.number = static_cast<double>(static_cast<float>(uniform(0.0, 1.0)));
             return made;
         }
+        if (subject == EvalCase::Subject::Fog) {
+            return fogRay();
+        }
         if (below(4) != 0) {
             turn(made);
         }
@@ -96,6 +103,30 @@ class DirectionDraw {
     }
 
   private:
+    /// Returns a ray from somewhere near the origin in any direction, of eight one exactly level
+    /// along some axis and one nearly. Half of them are short, the others of any length.
+    EvalPlace fogRay() {
+        EvalPlace made;
+        const double range = below(2) == 0 ? uniform(0.0, ordinaryReach) : ofAnySize(maxFogRange);
+        made.number = static_cast<double>(static_cast<float>(range));
+        for (int axis = 0; axis < 3; ++axis) {
+            made.l[axis] = uniform(-ordinaryReach, ordinaryReach);
+        }
+        made.l = floatVector(made.l);
+        const std::uint32_t which = below(8);
+        const double across = which == 0   ? 0.0
+                              : which == 1 ? (below(2) == 0 ? 1.0 : -1.0) * ofAnySize(1.0)
+                                           : uniform(-1.0, 1.0);
+        const double phi = uniform(0.0, 2.0 * std::numbers::pi);
+        const double side = std::sqrt(std::max(1.0 - across * across, 0.0));
+        const int axis = static_cast<int>(below(3));
+        made.v[axis] = across;
+        made.v[(axis + 1) % 3] = side * std::cos(phi);
+        made.v[(axis + 2) % 3] = side * std::sin(phi);
+        made.v = floatVector(made.v);
+        return made;
+    }
+
     /// Turns the surface anywhere.
     void turn(EvalPlace& place) {
         const double z = uniform(-1.0, 1.0);
@@ -164,7 +195,8 @@ void moveOneValue(EvalBlock& block, DirectionDraw& draw) {
 /// Returns common places, different ones for each seed.
 std::vector<EvalPlace> commonPlaces(const EvalCase& subject, const CaseWish& wish) {
     const bool isDrawn = subject.subject == EvalCase::Subject::Model ||
-                         subject.subject == EvalCase::Subject::Fresnel;
+                         subject.subject == EvalCase::Subject::Fresnel ||
+                         subject.subject == EvalCase::Subject::Fog;
     std::vector<EvalPlace> places;
     if (isDrawn) {
         DirectionDraw draw(wish.seed);
@@ -186,6 +218,21 @@ std::vector<EvalPlace> commonPlaces(const EvalCase& subject, const CaseWish& wis
 std::vector<EvalPlace> edgeCasePlaces(const EvalCase& subject) {
     return subject.subject == EvalCase::Subject::Fields ? edgeCaseFields(fieldsOf(subject))
                                                         : edgeCaseDirections(subject.subject);
+}
+
+bool isUnit(const glm::dvec3& v) {
+    return std::abs(glm::length(v) - 1.0) < unitSlack;
+}
+
+/// Tells whether an edge case is one for which an error is stated.
+bool isStatedAt(const EvalPlace& place, EvalCase::Subject subject) {
+    if (subject == EvalCase::Subject::Fresnel) {
+        return place.number >= 0.0 && place.number <= 1.0;
+    }
+    return subject != EvalCase::Subject::Model ||
+           (isUnit(place.n) && isUnit(place.t) && isUnit(place.l) && isUnit(place.v) &&
+            std::abs(glm::dot(place.n, place.t)) < unitSlack &&
+            glm::dot(place.n, place.l) >= minCosine && glm::dot(place.n, place.v) >= minCosine);
 }
 
 /// Moves values of every other set, each with a chance of one half, to an end of their sliders:
@@ -213,6 +260,33 @@ void moveToEnds(std::vector<EvalCase>& rows) {
     }
 }
 
+/// Says up to which numbers the fields of common cases go that have no largest one.
+std::string fieldsInWords(std::span<const ArgumentField> fields) {
+    std::string words;
+    for (const ArgumentField& field : fields) {
+        if (field.type == ArgumentField::Type::Color || field.type == ArgumentField::Type::Amount) {
+            words += fmt::format("{}{} up to {}", words.empty() ? "" : ", ", field.key,
+                                 ordinaryMax(field));
+        }
+    }
+    return words.empty() ? "all that it can be given" : words;
+}
+
+/// Returns places with sets of values: different ones, as many as are asked for.
+std::vector<EvalCase> atPlaces(const std::vector<EvalPlace>& places,
+                               const std::vector<EvalCase>& rows, std::size_t count) {
+    if (places.empty()) {
+        return rows;
+    }
+    std::vector<EvalCase> cases;
+    // Steps that have no divisor in common with their number reach all places and rows.
+    for (std::size_t i = 0; i < count; ++i) {
+        cases.push_back(rows[i * 7919 % rows.size()]);
+        static_cast<EvalPlace&>(cases.back()) = places[i * 104729 % places.size()];
+    }
+    return cases;
+}
+
 } // namespace
 
 std::vector<EvalCase> commonCases(const EvalCase& subject, const CaseWish& wish) {
@@ -237,19 +311,22 @@ std::vector<EvalCase> commonCases(const EvalCase& subject, const CaseWish& wish)
 }
 
 std::vector<EvalCase> edgeCases(const EvalCase& subject, std::size_t count, bool hasOwnValues) {
-    const std::vector<EvalPlace> places = edgeCasePlaces(subject);
-    const std::vector<EvalCase> rows =
-        hasOwnValues ? std::vector<EvalCase>{subject} : sweepRows(subject);
-    std::vector<EvalCase> cases;
-    if (places.empty()) {
-        return rows;
+    return atPlaces(edgeCasePlaces(subject),
+                    hasOwnValues ? std::vector<EvalCase>{subject} : sweepRows(subject), count);
+}
+
+std::vector<EvalCase> statedEdgeCases(const EvalCase& subject, std::size_t count,
+                                      bool hasOwnValues) {
+    std::vector<EvalPlace> places = edgeCasePlaces(subject);
+    std::erase_if(
+        places, [&subject](const EvalPlace& place) { return !isStatedAt(place, subject.subject); });
+    std::vector<EvalCase> rows{subject};
+    if (!hasOwnValues) {
+        rows = ordinaryRows(subject, rowsOfStatedEdges);
+        moveToEnds(rows);
+        rows.push_back(subject);
     }
-    // Steps that have no divisor in common with their number reach all places and rows.
-    for (std::size_t i = 0; i < count; ++i) {
-        cases.push_back(rows[i * 7919 % rows.size()]);
-        static_cast<EvalPlace&>(cases.back()) = places[i * 104729 % places.size()];
-    }
-    return cases;
+    return atPlaces(places, rows, count);
 }
 
 std::vector<EvalCase> nearbyCases(const EvalCase& from, std::size_t count, bool hasOwnValues,
@@ -279,6 +356,44 @@ std::vector<EvalCase> nearbyCases(const EvalCase& from, std::size_t count, bool 
         }
     }
     return cases;
+}
+
+std::string placesInWords(const EvalCase& subject) {
+    switch (subject.subject) {
+    case EvalCase::Subject::Model:
+        return fmt::format("light and viewer {:.0f} degrees or more above the surface",
+                           std::asin(minCosine) * 180.0 / std::numbers::pi);
+    case EvalCase::Subject::Fresnel:
+        return "cosines from 0 to 1";
+    case EvalCase::Subject::Light:
+        return fmt::format("points within {} m of the origin along each axis", ordinaryReach);
+    case EvalCase::Subject::Fog:
+        return fmt::format("ways of up to {} m in any direction, from within {} m of the origin "
+                           "along each axis",
+                           maxFogRange, ordinaryReach);
+    default:
+        return fieldsInWords(fieldsOf(subject));
+    }
+}
+
+std::string slidersInWords(const EvalCase& subject) {
+    std::string words;
+    for (const EvalBlock* part : {&subject.block, &subject.slot}) {
+        if (part->block == nullptr) {
+            continue;
+        }
+        for (const Parameter& parameter : part->block->parameters) {
+            const bool isReached =
+                parameter.softMin <= parameter.min && parameter.softMax >= parameter.max;
+            if (infoOf(parameter.type).hasRange && !isReached) {
+                words += fmt::format("{}{} from {} to {}{}", words.empty() ? "" : ", ",
+                                     parameter.label, std::max(parameter.softMin, parameter.min),
+                                     std::min(parameter.softMax, parameter.max),
+                                     parameter.unit.empty() ? "" : ' ' + parameter.unit);
+            }
+        }
+    }
+    return words;
 }
 
 CaseTexels texelsOfCases(const std::vector<EvalCase>& cases) {

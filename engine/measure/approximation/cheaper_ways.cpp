@@ -32,6 +32,10 @@ constexpr std::size_t minQuickCases = 16; ///< are those of a block that takes l
 constexpr double secondsOfWay = 0.25;
 constexpr std::size_t edgeCaseCount = 3000;
 constexpr std::size_t lastEdgeCases = 20000;
+constexpr std::size_t statedEdgeCount = 1000;
+constexpr std::size_t lastStatedEdges = 10000;
+/// Is what floats of the exact way may always lose in edge cases whose errors count.
+constexpr double edgeLoss = 1e-6;
 constexpr std::size_t rowsOfSearch = 48;
 constexpr std::uint32_t searchSeed = 1;
 constexpr std::uint32_t heldOutSeed = 2;
@@ -83,6 +87,9 @@ class CheaperSearch {
           price_(subject, text_->source(), text_->syntax(), *options.family),
           limit_(greatestErrorStatedAs(options.maxError)) {
         found_.text = text_;
+        found_.places = placesInWords(subject);
+        found_.sliders = slidersInWords(subject);
+        found_.isOfValues = options.ofValues;
     }
 
     Checked<CheaperWays> run() {
@@ -91,6 +98,7 @@ class CheaperSearch {
             return tl::unexpected(oneError(
                 Error{{}, 0, 0, "the block's program does not compile", "one that draws"}));
         }
+        statedEdges_ = judgedEdges(fitting(statedEdgeCount, quickCases)).judged;
         findKnownMoves();
         trySingles(0);
         tryTogether(roundsOfKnown);
@@ -136,13 +144,15 @@ class CheaperSearch {
     /// Returns how long so many ways of the front take until those that stay are judged, about.
     double secondsOfJudging(std::size_t ways) const {
         const std::size_t kept = std::min(ways, options_.ways);
-        return secondsOfFirst(ways) + secondsOfCase_ * slowerThanExact * static_cast<double>(kept) *
-                                          static_cast<double>(options_.heldOut + casesOfClimb);
+        return secondsOfFirst(ways) +
+               secondsOfCase_ * slowerThanExact * static_cast<double>(kept) *
+                   static_cast<double>(options_.heldOut + casesOfClimb + lastStatedEdges);
     }
 
     /// Returns the same of the front as it is, and of the exact way.
     double secondsOfJudging() const {
-        const auto cases = static_cast<double>(options_.heldOut + casesOfClimb + lastEdgeCases);
+        const auto cases =
+            static_cast<double>(options_.heldOut + casesOfClimb + lastEdgeCases + lastStatedEdges);
         return secondsOfCase_ * cases +
                secondsOfJudging(std::min(front_.size(), 2 * options_.ways));
     }
@@ -155,23 +165,50 @@ class CheaperSearch {
         }
     }
 
+    /// Returns how many of so many cases the search judges a way by, `few` at least.
+    std::size_t fitting(std::size_t count, std::size_t few) const {
+        return std::max(static_cast<std::size_t>(share_ * static_cast<double>(count)), few);
+    }
+
     void prepareCases() {
         const CaseWish wish{options_.cases, searchSeed, 0, rowsOfSearch, options_.ofValues};
         CaseTexels texels = texelsOfCases(commonCases(subject_, wish));
         const double before = secondsGone();
         judgeBy(texels, quickCases, quick_);
         const double each = (secondsGone() - before) / static_cast<double>(quick_.texels.size());
-        const double share =
-            std::min(1.0, secondsOfWay / (each * static_cast<double>(options_.cases)));
-        const auto some = [share](std::size_t count, std::size_t few) {
-            return std::max(static_cast<std::size_t>(share * static_cast<double>(count)), few);
-        };
-        judgeBy(texels, some(quickCases, minQuickCases), quick_);
-        judgeBy(texels, some(options_.cases, quickCases), cases_);
-        edgeCases_ = text_->judged(
-            texelsOfCases(edgeCases(subject_, some(edgeCaseCount, quickCases), options_.ofValues)));
+        share_ = std::min(1.0, secondsOfWay / (each * static_cast<double>(options_.cases)));
+        judgeBy(texels, fitting(quickCases, minQuickCases), quick_);
+        judgeBy(texels, fitting(options_.cases, quickCases), cases_);
+        edgeCases_ = text_->judged(texelsOfCases(
+            edgeCases(subject_, fitting(edgeCaseCount, quickCases), options_.ofValues)));
         secondsOfCase_ = each;
         observed_ = text_->observed(cases_.texels);
+    }
+
+    /// Is edge cases whose errors count.
+    struct StatedEdges {
+        std::vector<EvalCase> cases;
+        JudgedCases judged;
+    };
+
+    /// Returns edge cases in which floats of the exact way lose no more than in common ones: how
+    /// far off a way is there is its own doing.
+    StatedEdges judgedEdges(std::size_t count) const {
+        const EvaluationEnd isEnded = [this] { return isLate(); };
+        const std::vector<EvalCase> all = statedEdgeCases(subject_, count, options_.ofValues);
+        const JudgedCases judged = text_->judged(texelsOfCases(all), isEnded);
+        const std::vector<double> errors = text_->errors({}, judged, isEnded);
+        StatedEdges kept;
+        for (std::size_t i = 0; i < errors.size(); ++i) {
+            if (errors[i] <= std::max(found_.exact.error, edgeLoss)) {
+                const auto exact =
+                    std::span(judged.exact).subspan(i * text_->results(), text_->results());
+                kept.cases.push_back(all[i]);
+                kept.judged.texels.push_back(judged.texels[i]);
+                kept.judged.exact.insert(kept.judged.exact.end(), exact.begin(), exact.end());
+            }
+        }
+        return kept;
     }
 
     /// Judges by the first of the cases.
@@ -321,15 +358,20 @@ class CheaperSearch {
             static_cast<std::size_t>(std::clamp(fitting, 2.0, static_cast<double>(maxTextsAtOnce)));
     }
 
-    /// Leaves out those of a few ways that break in an edge case.
+    /// Leaves out those of a few ways that break in an edge case, or are too far off there.
     void leaveOutBroken(std::vector<TriedWay>& ways) const {
         inParallel(ways.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
-                ways[i].error.isSafe =
-                    !isOver() && text_->isSafe(editsFor(ways[i].moves), edgeCases_);
+                const std::vector<ShaderEdit> edits = editsFor(ways[i].moves);
+                TextError& error = ways[i].error;
+                error.isSafe = !isOver() && text_->isSafe(edits, edgeCases_);
+                error.worst =
+                    std::max(error.worst, text_->error(edits, statedEdges_, limit_).worst);
             }
         });
-        std::erase_if(ways, [](const TriedWay& way) { return !way.error.isSafe; });
+        std::erase_if(ways, [this](const TriedWay& way) {
+            return !way.error.isWithin(limit_) || isBehind(way);
+        });
     }
 
     bool stopsNow() {
@@ -471,6 +513,7 @@ class CheaperSearch {
         const JudgedCases edge = text_->judged(
             texelsOfCases(edgeCases(subject_, lastEdgeCases, options_.ofValues)), isEnded);
         judgeExact(unseen);
+        lastEdges_ = judgedEdges(std::min(options_.heldOut, lastStatedEdges));
         do {
             do {
                 renewFront();
@@ -650,6 +693,7 @@ class CheaperSearch {
             WorstCases worst = climbed(editsFor(way->moves));
             way->error.worst = std::max(way->error.worst, worst.error);
             way->worst = std::move(worst.cases);
+            judgeAtEdges(*way);
             way->isProven = !isLate();
             hasProven_ = hasProven_ || (way->isProven && way->error.isWithin(limit_));
         }
@@ -668,6 +712,17 @@ class CheaperSearch {
         renewFront();
         thin();
         return !open.empty() && !isLate();
+    }
+
+    /// Enlarges the error of a way by what it is in edge cases, of which it keeps the worst.
+    void judgeAtEdges(TriedWay& way) const {
+        const std::vector<double> errors =
+            text_->errors(editsFor(way.moves), lastEdges_.judged, [this] { return isLate(); });
+        const auto worst = std::ranges::max_element(errors);
+        if (worst != errors.end() && !isLate()) {
+            way.error.worst = std::max(way.error.worst, *worst);
+            way.worst.push_back(lastEdges_.cases[static_cast<std::size_t>(worst - errors.begin())]);
+        }
     }
 
     /// Enlarges the errors of ways by what they are in parts of cases.
@@ -730,6 +785,9 @@ class CheaperSearch {
     JudgedCases cases_;
     JudgedCases quick_;
     JudgedCases edgeCases_;
+    JudgedCases statedEdges_;
+    StatedEdges lastEdges_;        ///< judge those that stay
+    double share_ = 1.0;           ///< is that of cases which there is time for
     std::vector<EvalCase> unseen_; ///< are those that judge all of the front
     std::vector<ObservedValues> observed_;
     std::vector<CheapMove> moves_;

@@ -51,6 +51,9 @@ struct CheaperWays {
     std::size_t moves = 0;        ///< counts the changes that there are to make
     std::size_t tried = 0;        ///< counts the texts that were compiled
     std::size_t heldOut = 0;      ///< counts the cases, unknown to the search, that errors are of
+    std::string places;           ///< are those that errors are of (placesInWords())
+    std::string sliders;          ///< are the values that errors are of (slidersInWords())
+    bool isOfValues = false;      ///< errors are those of the subject's own values only
     /// Are where the ways were found to be farthest off, and where the exact one loses digits.
     std::vector<EvalCase> worst;
     bool isStopped = false;
@@ -63,9 +66,10 @@ using CheaperProgress = std::function<bool(double share, const CheaperWays& soFa
 /// Searches for ways to compute the function of a case more cheaply. Moves are tried by themselves,
 /// then together, beginning with what is best so far. Errors are those of float against double
 /// precision, costs are predicted. Every way is finite and not negative in edge cases, and its
-/// error is the largest on cases that the search did not see, and where these lead to by small
-/// steps towards larger errors (worstCases()). It is an error where the text does not compile or
-/// cannot be evaluated in double precision, where the block has found ways already
+/// error is the largest on cases that the search did not see, where these lead to by small steps
+/// towards larger errors (worstCases()), and in edge cases (statedEdgeCases()) but those in which
+/// floats of the exact way lose more than among the others. It is an error where the text does not
+/// compile or cannot be evaluated in double precision, where the block has found ways already
 /// (whyNotSearched()), or where the search is abandoned.
 Checked<CheaperWays> cheaperWays(const EvalCase& subject, const std::filesystem::path& shaders,
                                  const CheaperSearchOptions& options,

@@ -198,6 +198,12 @@ class Random {
     }
     std::size_t below(std::size_t count) { return engine_() % count; }
 
+    glm::dvec3 point() {
+        const double x = uniform(-ordinaryReach, ordinaryReach);
+        const double y = uniform(-ordinaryReach, ordinaryReach);
+        return inFloat(glm::dvec3(x, y, uniform(-ordinaryReach, ordinaryReach)));
+    }
+
     glm::dvec3 upperDirection() {
         const double c = uniform(0.05, 1.0);
         const double phi = uniform(0.0, 2.0 * std::numbers::pi);
@@ -227,16 +233,14 @@ EvalPlace ordinaryPlace(Subject subject, Random& random) {
         place.pixel = {inFloat(random.uniform(0, 24)), inFloat(random.uniform(0, 24))};
         break;
     case Subject::Light:
-        place.l = inFloat(
-            glm::dvec3(random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-5, 5)));
+        place.l = random.point();
         break;
     case Subject::Fresnel:
         place.number = inFloat(random.uniform(0.05, 1.0));
         break;
     default:
-        place.number = inFloat(random.uniform(0.0, 5.0));
-        place.l = inFloat(
-            glm::dvec3(random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-5, 5)));
+        place.number = inFloat(random.uniform(0.0, ordinaryReach));
+        place.l = random.point();
         place.v = random.upperDirection();
     }
     return place;

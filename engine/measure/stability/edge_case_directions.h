@@ -7,6 +7,9 @@
 
 namespace patina {
 
+/// Is how far from the origin along each axis, in metres, common places are that are points.
+inline constexpr double ordinaryReach = 5.0;
+
 /// Returns the places where formulas break, all exact in float. Models get light and viewer at
 /// cosines of 0, the smallest float, 1e-30, 6e-17, 1e-12, 1e-8, 1e-6, 1e-4, 1e-2, 0.1, 0.3, 0.5,
 /// 0.7, 0.9, 1 - 1e-4, 1 - 1e-6, 1 - 1e-8 and 1, above the horizon and below, in every azimuth

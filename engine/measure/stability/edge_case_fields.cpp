@@ -36,8 +36,9 @@ constexpr double amounts[] = {0.0,   std::numeric_limits<float>::min(),
                               1e6,   1e20,
                               3e38};
 
-/// Is the largest amount that counts as ordinary.
+/// Are the largest amount and the brightest colour that count as ordinary.
 constexpr double ordinaryAmount = 5.0;
+constexpr double ordinaryColor = 2.0;
 
 glm::dvec3 rounded(const glm::dvec3& v) {
     return glm::dvec3(glm::vec3(v));
@@ -137,11 +138,11 @@ glm::dvec3 ordinaryValue(const ArgumentField& field, std::mt19937& random) {
         return directionTo(2, between(-1.0, 1.0), between(0.0, 2.0 * std::numbers::pi));
     }
     if (field.isTriple()) {
-        const double x = between(0.0, 2.0);
-        const double y = between(0.0, 2.0);
-        return rounded({x, y, between(0.0, 2.0)});
+        const double x = between(0.0, ordinaryColor);
+        const double y = between(0.0, ordinaryColor);
+        return rounded({x, y, between(0.0, ordinaryColor)});
     }
-    const double largest = field.type == Type::Amount ? ordinaryAmount : field.max;
+    const double largest = ordinaryMax(field);
     const double x = between(0.0, largest);
     return field.isContinuous() ? rounded(glm::dvec3(std::min(x, largest)))
                                 : glm::dvec3(std::round(x));
@@ -165,6 +166,12 @@ std::vector<EvalPlace> edgeCaseFields(std::span<const ArgumentField> fields) {
         places.push_back(filling.place);
     }
     return places;
+}
+
+double ordinaryMax(const ArgumentField& field) {
+    return field.type == Type::Amount  ? ordinaryAmount
+           : field.type == Type::Color ? ordinaryColor
+                                       : field.max;
 }
 
 std::vector<EvalPlace> ordinaryFields(std::span<const ArgumentField> fields, std::size_t count) {

@@ -13,6 +13,9 @@ namespace patina {
 /// it.
 std::vector<EvalPlace> edgeCaseFields(std::span<const ArgumentField> fields);
 
+/// Returns the largest number that a field has in ordinary places.
+double ordinaryMax(const ArgumentField& field);
+
 /// Returns `count` places with ordinary values, the same for every call.
 std::vector<EvalPlace> ordinaryFields(std::span<const ArgumentField> fields, std::size_t count);
 
