@@ -21,6 +21,7 @@ CostPoint point(const ChosenLevels& levels, double ratio, double error) {
     made.levels = levels;
     made.cost.ratio = {ratio, 0.99 * ratio, 1.01 * ratio};
     made.cost.milliseconds = {10.0 * ratio, 9.9 * ratio, 10.1 * ratio};
+    made.cost.runs = 20;
     made.error.p99 = error;
     return made;
 }
@@ -51,6 +52,21 @@ TEST(CostFront, FasterByNoMoreThanTheNoise_IsATie) {
     EXPECT_EQ(standings(points),
               (std::vector<Standing>{Standing::OnFront, Standing::OnFront, Standing::Tie,
                                      Standing::Beaten, Standing::Beaten}));
+}
+
+// Compilers count the same cycles each time.
+TEST(CostFront, PredictedTimes_HaveNoNoise) {
+    std::vector<CostPoint> points{point({}, 1.0, 0.0), point({{"a", "little"}}, 0.994, 0.01),
+                                  point({{"a", "alike"}}, 0.994, 0.01),
+                                  point({{"a", "slower"}}, 0.9941, 0.02)};
+    EXPECT_EQ(costFront(points), std::vector<std::size_t>{0}) << "measured";
+    for (CostPoint& each : points) {
+        const double ratio = each.cost.ratio.median;
+        each.cost = {};
+        each.cost.ratio = {ratio, ratio, ratio};
+    }
+    EXPECT_EQ(standings(points), (std::vector<Standing>{Standing::OnFront, Standing::OnFront,
+                                                        Standing::Tie, Standing::Beaten}));
 }
 
 /// Pairs of the exact frame and itself have their noise, too, but no other point's ratio has it.

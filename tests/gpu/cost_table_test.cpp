@@ -16,6 +16,7 @@ CostChart chartWith(const ChosenLevels& levels, double ratio, double error) {
     const auto time = [](CostPoint& point, double times) {
         point.cost.ratio = {times, 0.99 * times, 1.01 * times};
         point.cost.milliseconds = {10.0 * times, 9.9 * times, 10.1 * times};
+        point.cost.runs = 20;
     };
     time(chart.points[0], 1.0);
     time(chart.points[1], ratio);

@@ -13,8 +13,8 @@
 namespace patina {
 namespace {
 
-/// Is the relative difference within which times are taken for equal, as are those whose intervals
-/// meet.
+/// Is the relative difference within which measured times are taken for equal, as are those whose
+/// intervals meet.
 constexpr double timeNoise = 0.03;
 
 /// Is the error below which a point is as good as exact, since it is the rounding of floats.
@@ -206,6 +206,9 @@ double errorOf(const CostPoint& point) {
 }
 
 bool tiesInTime(const CostPoint& a, const CostPoint& b) {
+    if (a.cost.isGiven() && b.cost.isGiven()) {
+        return timeOf(a) == timeOf(b);
+    }
     if (!a.cost.isSure() || !b.cost.isSure()) {
         return true;
     }

@@ -86,7 +86,8 @@ std::string leftOutText(const CostChart& chart);
 /// Returns the error by which points are ranked: the relative error that 99 of 100 pixels keep.
 double errorOf(const CostPoint& point);
 
-/// Tells whether two points cannot be told apart in time, or in their errors.
+/// Tells whether two points cannot be told apart in time, or in their errors. Times that are given,
+/// as predicted ones are, are told apart unless they are equal.
 bool tiesInTime(const CostPoint& a, const CostPoint& b);
 bool tiesInError(const CostPoint& a, const CostPoint& b);
 

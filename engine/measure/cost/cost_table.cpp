@@ -144,13 +144,17 @@ std::string costText(const CostChart& chart) {
                             columns, pointText(point, chart));
     }
     text += tiesText(chart) + lineOf(sameText(chart)) + lineOf(leftOutText(chart));
-    return text + fmt::format("* worth choosing: nothing measured errs no more and is as fast, "
-                              "as far as can be told; = may be, too: the difference is within the "
-                              "noise; {}\n"
+    const std::string_view meaning =
+        chart.predictedFor.empty()
+            ? "* worth choosing: nothing measured errs no more and is as fast, as far as can be "
+              "told; = may be, too: the difference is within the noise"
+            : "* worth choosing: nothing errs no more and is as fast; = is as fast and cannot be "
+              "told from it in error";
+    return text + fmt::format("{}; {}\n"
                               "{} x {} pixels, {} of them shaded; {}; {:.3f} ms without them\n"
                               "errors against {}\n{}",
-                              signsText("the exact way"), chart.size.x, chart.size.y, chart.pixels,
-                              chart.timer, chart.emptyMilliseconds, chart.groundTruth,
+                              meaning, signsText("the exact way"), chart.size.x, chart.size.y,
+                              chart.pixels, chart.timer, chart.emptyMilliseconds, chart.groundTruth,
                               convergedLine(chart));
 }
 

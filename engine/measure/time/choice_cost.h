@@ -21,6 +21,8 @@ struct ChoiceCost {
     bool settled = false; ///< says that the ratio's interval is as narrow as wanted
     /// Tells whether there are pairs enough for an interval of 95 %, or the time is given.
     bool isSure() const { return haveInterval(runs); }
+    /// Tells whether the time is given, as a predicted one is: then it has no noise.
+    bool isGiven() const { return runs == 0; }
     /// Says that most frames cannot be told from one without anything to shade: the time is at most
     /// what the ratio says.
     bool belowNoise = false;
