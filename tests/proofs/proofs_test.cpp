@@ -14,9 +14,12 @@
 //   // states FILE FILE ...: SENTENCE
 //
 // is an error unless each of the files has that sentence. Further lines of these are indented.
+// Without the tools proofs are skipped; where PATINA_TOOLS_INSTALLED is set, as packaging/test does
+// when it has installed what tests need, that is a failure.
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <regex>
@@ -304,9 +307,11 @@ std::string completed(const fs::path& script) {
 }
 
 std::optional<fs::path> installed(const std::string& program) {
-    for (const fs::path folder : {"/usr/bin", "/usr/local/bin"}) {
-        if (fs::exists(folder / program)) {
-            return folder / program;
+    const char* const path = std::getenv("PATH");
+    std::istringstream folders(path == nullptr ? "" : path);
+    for (std::string folder; std::getline(folders, folder, ':');) {
+        if (fs::exists(fs::path(folder) / program)) {
+            return fs::path(folder) / program;
         }
     }
     return std::nullopt;
@@ -326,11 +331,21 @@ bool isMissing(const fs::path& script) {
     return !installed(script.extension().string().substr(1));
 }
 
+/// Ends a test whose tool is missing.
+void endWithoutTool() {
+    constexpr const char* what = "no proof without it: apt-get install sollya gappa, or run "
+                                 "./packaging/test, which installs them";
+    if (std::getenv("PATINA_TOOLS_INSTALLED") != nullptr) {
+        FAIL() << what;
+    }
+    GTEST_SKIP() << what;
+}
+
 class Proof : public testing::TestWithParam<fs::path> {};
 
 TEST_P(Proof, HoldsForTheShadersThatShip) {
     if (isMissing(GetParam())) {
-        GTEST_SKIP() << "apt-get install sollya gappa";
+        return endWithoutTool();
     }
     const Outcome outcome = outcomeOf(GetParam(), completed(GetParam()));
     EXPECT_EQ(outcome.exitCode, 0) << outcome.out << outcome.err;
@@ -371,7 +386,7 @@ TEST(Proofs, OfAWrongCoefficient_Fail) {
     for (const auto& [name, from, to] : wrong) {
         const fs::path script = proofsFolder() / name;
         if (isMissing(script)) {
-            GTEST_SKIP() << "apt-get install sollya gappa";
+            return endWithoutTool();
         }
         std::string text = completed(script);
         const std::size_t at = text.find(from);
@@ -384,6 +399,25 @@ TEST(Proofs, OfAWrongCoefficient_Fail) {
         EXPECT_TRUE(script.extension() == ".gappa" ? outcome.exitCode == 1 : isRefused)
             << outcome.out << outcome.err;
     }
+}
+
+/// Runs a proof where no tool is in the path, and PATINA_TOOLS_INSTALLED is this; "": not set.
+Outcome withoutTools(const std::string& toolsInstalled) {
+    Start start;
+    start.arguments = {"--gtest_filter=*horner_gappa"};
+    start.environment = {{"PATH", "/nowhere"},
+                         {"PATINA_TOOLS_INSTALLED", toolsInstalled},
+                         {"GTEST_TOTAL_SHARDS", ""},
+                         {"GTEST_SHARD_INDEX", ""}};
+    return run(fs::read_symlink("/proc/self/exe"), start);
+}
+
+TEST(Proofs, WithoutTheirTools_AreSkippedUntilTheseWereInstalled) {
+    const Outcome fresh = withoutTools("");
+    EXPECT_EQ(fresh.exitCode, 0) << fresh.out;
+    EXPECT_NE(fresh.out.find("apt-get install sollya gappa"), std::string::npos) << fresh.out;
+    const Outcome installedOnce = withoutTools("1");
+    EXPECT_EQ(installedOnce.exitCode, 1) << installedOnce.out;
 }
 
 } // namespace
