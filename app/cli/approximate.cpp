@@ -293,6 +293,9 @@ Result<void> writeWays(const ApproximateSubject& subject, const CheaperWays& way
     }
     std::cerr << fmt::format("written: {}, {}\n", (folder / (made->id + ".glsl")).string(),
                              (folder / (made->id + ".json")).string());
+    if (const std::string how = howToUseLevels(block); !how.empty()) {
+        std::cerr << how << '\n';
+    }
     const BlockRoot own = standardBlockRoots().back();
     if (!own.shipped && !isSameFile(folder, own.folder / block.kind)) {
         std::cerr << fmt::format("to use it, put both files into {}\n",

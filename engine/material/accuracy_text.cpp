@@ -23,6 +23,11 @@ const AccuracyChoice* choiceNamed(const Block& block, const std::string& name) {
 
 } // namespace
 
+bool hasChosenLevels(std::string_view kind) {
+    const BlockKind* known = findKind(kind);
+    return known != nullptr && known->owner == BlockOwner::Material;
+}
+
 const AccuracyChoice* accuracyChoiceIn(const Material& material, const std::string& name,
                                        const Catalog& catalog) {
     for (const Block* block : blocksInUse(material, catalog)) {

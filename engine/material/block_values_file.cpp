@@ -9,6 +9,7 @@
 #include "catalog/fills.h"
 #include "catalog/suggestion.h"
 #include "catalog/value_json.h"
+#include "material/accuracy_text.h"
 
 namespace patina {
 namespace {
@@ -160,6 +161,23 @@ class ValuesReader {
     Json& parked_;
 };
 
+/// Returns what is wrong with levels of accuracy choices in a block, which stand elsewhere or
+/// nowhere; nothing where it has none.
+std::optional<Error> misplacedAccuracy(const JsonReader& block, std::string_view kind) {
+    constexpr const char* key = "accuracy";
+    if (!block.unknown().contains(key)) {
+        return std::nullopt;
+    }
+    const bool isChosen = hasChosenLevels(kind);
+    const BlockKind* known = findKind(kind);
+    return block.document().error(
+        block.pointer(key),
+        isChosen ? "levels are not read from here"
+                 : fmt::format("no level of a {} is chosen: its exact way is drawn",
+                               known == nullptr ? kind : known->singular),
+        isChosen ? "\"accuracy\" of the preset itself" : "no \"accuracy\" here");
+}
+
 std::vector<std::string> idsOf(const std::vector<const Block*>& blocks) {
     std::vector<std::string> ids;
     for (const Block* block : blocks) {
@@ -180,6 +198,9 @@ BlockValues BlockReader::read(JsonReader& block, JsonReader& parameters, std::st
         block.addError("id", "the key \"id\" is missing", "the id of a block");
     } else if (id != nullptr && id->is_string() && id->get_ref<const std::string&>().empty()) {
         block.addError("id", "the id is empty", oneOf({}, idsOf(catalog.ofKind(kind))));
+    }
+    if (auto misplaced = misplacedAccuracy(block, kind)) {
+        notes.push_back(std::move(*misplaced));
     }
     ValuesReader reader(parameters, values, notes, parked);
     const Block* known = catalog.find(kind, values.id);

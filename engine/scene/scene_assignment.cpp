@@ -9,6 +9,7 @@
 #include "catalog/settings.h"
 #include "catalog/suggestion.h"
 #include "catalog/typed_value.h"
+#include "material/accuracy_text.h"
 #include "material/block_assignment.h"
 #include "scene/picture_levels.h"
 #include "scene/scene_settings.h"
@@ -90,6 +91,10 @@ Result<void> assignInBlock(const Block* block, BlockValues* values, const Assign
                            const std::string& what, const std::string& option) {
     if (block == nullptr || values == nullptr) {
         return failure(what + " is not there", option);
+    }
+    if (block->accuracyChoice(inner.id) != nullptr && !hasChosenLevels(block->kind)) {
+        return failure(fmt::format("no level of {} is chosen: its exact way is drawn", what),
+                       oneOf(inner.id, parameterIds(*block)));
     }
     const auto done = assignIn(*block, values->parameters, inner);
     if (!done) {

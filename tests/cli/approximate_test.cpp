@@ -201,12 +201,15 @@ TextError errorOfLevel(const EvalCase& exact, std::vector<EvalCase> cases, const
 // it.
 TEST(Approximate, HeightFog_KeepsItsStatedErrorsAlongLevelRays) {
     const TemporaryFolder folder;
+    const std::filesystem::path shaders = folder / "data/patina/shaders";
     const Outcome outcome = approximated(
-        {"fog/height", "--seconds", "20", "--cases", "2000", "--json", "-o", folder.path()});
+        {"fog/height", "--seconds", "20", "--cases", "2000", "--json", "-o", shaders.string()});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("nothing chooses a level of a fog"), std::string::npos)
+        << outcome.err;
     const auto json = nlohmann::json::parse(outcome.out);
     ASSERT_FALSE(json.at("ways").empty());
-    const Catalog catalog = catalogWith(folder.path());
+    const Catalog catalog = catalogWith(shaders);
     ASSERT_EQ(catalog.errors, Errors());
     const EvalCase exact = *defaultCase(catalog, *catalog.find(kinds::fog, "height"));
     std::vector<EvalCase> level;
@@ -227,6 +230,14 @@ TEST(Approximate, HeightFog_KeepsItsStatedErrorsAlongLevelRays) {
               "ways of up to 1000 m in any direction, from within 5 m of the origin along each "
               "axis, with values that sliders reach: Density from 0 to 2 1/m, Base from -5 to 5 m, "
               "Thickness from 0 to 5 m");
+    const Outcome chosen =
+        patina(Start{.arguments = {"render", "--model", "lambert", "--fog", "height-cheaper",
+                                   "--set", "fog.cheaper.height=found-1", "-o", folder / "a.png"},
+                     .environment = {{"XDG_DATA_HOME", folder / "data"}},
+                     .input = {}});
+    EXPECT_EQ(chosen.exitCode, 1);
+    EXPECT_NE(chosen.err.find("no level of the scene's fog is chosen"), std::string::npos)
+        << chosen.err;
 }
 
 // No drawn case has a cosine of just one half, but an edge case has.
@@ -343,6 +354,14 @@ TEST(Approximate, BlockWithFoundWays_IsRefusedBeforeTheSearch) {
     EXPECT_EQ(outcome.exitCode, 1);
     EXPECT_NE(outcome.err.find("\"cheaper.other\""), std::string::npos) << outcome.err;
     EXPECT_FALSE(std::filesystem::exists(folder / "after"));
+}
+
+TEST(Approximate, ModelOfMeasuredTables_IsRefusedWithTheReason) {
+    const Outcome outcome = approximated({"measured"});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.err.find("models/measured.json: it reads a file of measured numbers"),
+              std::string::npos)
+        << outcome.err;
 }
 
 TEST(Approximate, FolderOfTheBlockItself_IsRefused) {

@@ -249,6 +249,31 @@ TEST(ValidateCommand, MisspeltAccuracyChoice_IsAMistakeWithTheKnownOnes) {
         << ofScene.err;
 }
 
+// A part of a scene is drawn by its exact way, whatever levels its block has.
+TEST(ValidateCommand, LevelsInAPart_AreAMistakeAtTheirPlace) {
+    const TemporaryFolder folder;
+    const std::string scene = (folder / "a.patina-scene.json").string();
+    writeFile(scene, R"({"format": "patina.scene", "version": 1,
+  "fog": {"id": "height",
+    "accuracy": {"cheaper.height": "found-1"}},
+  "lights": [{"id": "point", "accuracy": {}}]})");
+    const Outcome ofScene = validate({scene});
+    EXPECT_EQ(ofScene.exitCode, 1);
+    EXPECT_NE(ofScene.err.find("a.patina-scene.json:3:17: no level of a fog is chosen: its exact "
+                               "way is drawn; expected no \"accuracy\" here"),
+              std::string::npos)
+        << ofScene.err;
+    EXPECT_NE(ofScene.err.find("a.patina-scene.json:4:42: no level of a light"), std::string::npos)
+        << ofScene.err;
+    std::string preset = soundPreset;
+    preset.replace(preset.find("\"model\": {"), 10, "\"model\": {\"accuracy\": {}, ");
+    writeFile(folder / "a.patina.json", preset);
+    const Outcome ofPreset = validate({(folder / "a.patina.json").string()});
+    EXPECT_EQ(ofPreset.exitCode, 1);
+    EXPECT_NE(ofPreset.err.find("\"accuracy\" of the preset itself"), std::string::npos)
+        << ofPreset.err;
+}
+
 /// What a model kept of another one's is no slip.
 TEST(ValidateCommand, AccuracyChoiceOfAnotherModel_IsValid) {
     const TemporaryFolder folder;

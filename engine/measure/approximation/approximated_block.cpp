@@ -13,6 +13,7 @@
 #include "catalog/parameter_layout.h"
 #include "catalog/table_source.h"
 #include "core/text.h"
+#include "material/accuracy_text.h"
 #include "measure/approximation/compiled_choices.h"
 #include "measure/approximation/tidied_text.h"
 #include "measure/interpreter/shader_parser.h"
@@ -435,7 +436,9 @@ nlohmann::json tableJson(const BlockTable& table) {
     return {{"id", table.id}, {"size", size}, {"of", table.of}};
 }
 
-nlohmann::json choiceJson(const CheaperWays& ways, const std::string& id) {
+nlohmann::json choiceJson(const CheaperWays& ways, const std::string& id, const Block& block) {
+    std::string howTo = howToUseLevels(block);
+    howTo = howTo.empty() ? howTo : ' ' + capitalised(howTo) + '.';
     nlohmann::json levels = nlohmann::json::array();
     levels.push_back({{"id", "exact"},
                       {"label", "Exact"},
@@ -451,7 +454,7 @@ nlohmann::json choiceJson(const CheaperWays& ways, const std::string& id) {
     }
     return {{"id", id},
             {"label", "Cheaper ways"},
-            {"doc", "Ways to compute it that were found by a search."},
+            {"doc", "Ways to compute it that were found by a search." + howTo},
             {"values", std::move(levels)}};
 }
 
@@ -483,6 +486,14 @@ std::string foundChoiceId(const Block& block) {
 }
 
 Errors whyNotSearched(const Block& block) {
+    if (std::ranges::any_of(block.parameters, [](const Parameter& parameter) {
+            return infoOf(parameter.type).isTable;
+        })) {
+        return oneError({block.descriptorFile.string(), 0, 0,
+                         "it reads a file of measured numbers, and hardly computes anything: there "
+                         "is no formula to search",
+                         "a block that computes what it gives"});
+    }
     const auto found = std::ranges::find_if(block.accuracy, [](const AccuracyChoice& choice) {
         return choice.id.starts_with(foundPrefix);
     });
@@ -532,6 +543,15 @@ std::string foundLevelDoc(const CheaperWays& ways, std::size_t index) {
         ways.exact.cost, ways.unit);
 }
 
+std::string howToUseLevels(const Block& block) {
+    return hasChosenLevels(block.kind)
+               ? std::string()
+               : fmt::format(
+                     "nothing chooses a level of a {}: to use one, let the block's function "
+                     "return it in place of the exact way, in the GLSL file",
+                     findKind(block.kind)->singular);
+}
+
 BlockNaming usualNaming(const Block& block) {
     return block.shipped ? numberedNaming(block, 1) : BlockNaming{block.id, block.label};
 }
@@ -565,7 +585,7 @@ Result<ApproximatedBlock> approximatedBlock(const EvalCase& subject, const Cheap
     made.id = block.id;
     made.glsl = LevelWriter(subject, ways, fieldName(made.choice)).written(*glsl);
     made.descriptor = std::move(descriptor->value);
-    made.descriptor["accuracy"].push_back(choiceJson(ways, made.choice));
+    made.descriptor["accuracy"].push_back(choiceJson(ways, made.choice, block));
     const std::vector<BlockTable> tables = newTables(ways, block);
     for (const BlockTable& table : tables) {
         made.descriptor["tables"].push_back(tableJson(table));

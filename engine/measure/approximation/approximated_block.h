@@ -23,8 +23,9 @@ struct ApproximatedBlock {
 /// Returns the id of the choice that a block gets, "cheaper.blinnPhong".
 std::string foundChoiceId(const Block& block);
 
-/// Returns why a block cannot be searched: it has ways that were found already, under its own name
-/// or under that of the block that it is a copy of. Empty where it can be.
+/// Returns why a block cannot be searched: it shows tables of measured surfaces, or it has ways
+/// that were found already, under its own name or under that of the block that it is a copy of.
+/// Empty where it can be.
 Errors whyNotSearched(const Block& block);
 
 /// Returns the id of the level of a way, "found-1" for the first.
@@ -46,6 +47,10 @@ std::string valuesInWords(const CheaperWays& ways);
 
 /// Returns what a level is, in plain words, with its error, what it is stated for, and its cost.
 std::string foundLevelDoc(const CheaperWays& ways, std::size_t way);
+
+/// Says what to do with the levels of a written block that nothing chooses (hasChosenLevels());
+/// empty for other blocks.
+std::string howToUseLevels(const Block& block);
 
 /// Is what a written block is called.
 struct BlockNaming {
