@@ -128,9 +128,13 @@ VkPhysicalDevice firstDevice(const Instance& instance) {
     return count > 0 ? physical : VK_NULL_HANDLE;
 }
 
-/// Tells whether the driver knows a chip. It ends the process where it does not, so that another
-/// one tries.
-bool isKnown(const std::string& chip) {
+/// Says what a driver makes of a chip.
+enum class ChipAnswer { Known, Unknown, NoDriver };
+
+/// Asks the driver whether it knows a chip. It ends the process where it does not, so that another
+/// one tries; one that cannot be loaded at all lets it go on.
+ChipAnswer answerAbout(const std::string& chip) {
+    constexpr int noDriver = 3;
     const pid_t child = ::fork();
     if (child == 0) {
         const rlimit noCore{0, 0};
@@ -138,11 +142,14 @@ bool isKnown(const std::string& chip) {
         ::close(STDERR_FILENO);
         ::setenv(chipVariable, chip.c_str(), 1);
         const auto instance = makeInstance();
-        ::_exit(instance && firstDevice(*instance) != VK_NULL_HANDLE ? 0 : 1);
+        ::_exit(!instance ? noDriver : firstDevice(*instance) != VK_NULL_HANDLE ? 0 : 1);
     }
     int status = 1;
     ::waitpid(child, &status, 0);
-    return child > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    const int ended = child > 0 && WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+    return ended == 0          ? ChipAnswer::Known
+           : ended == noDriver ? ChipAnswer::NoDriver
+                               : ChipAnswer::Unknown;
 }
 
 /// Returns how many lanes the smallest waves of a device have.
@@ -533,7 +540,15 @@ Result<NullDevice> NullDevice::create(std::span<const std::string> chips) {
     ::setenv("VK_ICD_FILENAMES", manifest.c_str(), 1);
     ::setenv("VK_DRIVER_FILES", manifest.c_str(), 1);
     ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
-    const auto chip = std::ranges::find_if(chips, isKnown);
+    ChipAnswer answer = ChipAnswer::Unknown;
+    const auto chip = std::ranges::find_if(chips, [&answer](const std::string& each) {
+        answer = answerAbout(each);
+        return answer != ChipAnswer::Unknown;
+    });
+    if (answer == ChipAnswer::NoDriver) {
+        return failure("\"" + manifest.string() + "\" names no Vulkan driver that can be loaded",
+                       "that of the package mesa-vulkan-drivers, radeon_icd");
+    }
     if (chip == chips.end()) {
         return failure("this Vulkan driver does not know the chip " +
                            (chips.empty() ? std::string() : chips.back()),

@@ -423,6 +423,18 @@ CompiledForFamilies compiledBy(const std::string& rest, FamilyCompilerOptions op
     return compiled.value_or(CompiledForFamilies());
 }
 
+TEST(PredictedCost, ManifestThatNamesNoDriver_IsTold) {
+    const TemporaryFolder folder;
+    const std::string manifest = folder / "radeon_icd.json";
+    writeFile(manifest, "");
+    const Outcome outcome = patina(Start{.arguments = {"cost", gold, "--gpu", "rdna2"},
+                                         .environment = {{"VK_DRIVER_FILES", manifest}},
+                                         .input = {}});
+    EXPECT_NE(outcome.err.find("\"" + manifest + "\" names no Vulkan driver that can be loaded"),
+              std::string::npos)
+        << outcome.err;
+}
+
 TEST(FamilyCompiler, ProgramThatEndsIt_IsAnErrorOfThatProgramOnly) {
     const CompiledForFamilies compiled =
         compiledBy("grep -q first && kill -9 $$\necho '{\"families\":{}}'");
