@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What accuracy costs, from the command line.
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <regex>
@@ -39,6 +40,22 @@ TEST(Cost, Table_NamesEveryLevel) {
     for (const char* word : {"exact", "power=rational", "double precision", "glFinish"}) {
         EXPECT_NE(outcome.out.find(word), std::string::npos) << word << '\n' << outcome.out;
     }
+}
+
+TEST(Cost, ChoicesOfAPicturePass_HaveTimesAndErrorsOfTheFinishedPicture) {
+    const Outcome outcome = cost({"--picture", "--pass", "kuwahara", "--json"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const auto json = nlohmann::json::parse(outcome.out);
+    const auto& points = json.at(0).at("points");
+    const auto coarse = std::ranges::find_if(points, [](const nlohmann::json& point) {
+        return point.at("levels") == nlohmann::json({{"pass.kuwahara.samples", "coarse"}});
+    });
+    ASSERT_NE(coarse, points.end()) << outcome.out;
+    EXPECT_GT(coarse->at("error").at("mean").get<double>(), 0.0);
+    EXPECT_GT(coarse->at("ratio").at("median").get<double>(), 0.0);
+    EXPECT_NE(outcome.out.find("ways of picture passes with the finished picture"),
+              std::string::npos)
+        << outcome.out;
 }
 
 TEST(Cost, Json_HasErrorsTimesAndInstructions) {

