@@ -15,7 +15,8 @@ constexpr int restMs = 600;
 } // namespace
 
 EditorCourse::EditorCourse(MainWindow& window) : view_(window.views().first().viewport()) {
-    QObject::connect(&view_, &Viewport::shown, &window, [this] { ++swaps_; });
+    QObject::connect(&view_, &Viewport::shown, &window,
+                     [this] { onScreen_ = view_.frames().frameCount(); });
 }
 
 EditorCourse::Cost EditorCourse::take(const std::string& name, const std::function<void()>& begin,
@@ -62,11 +63,7 @@ bool EditorCourse::waitUntil(const std::function<bool()>& done) {
 bool EditorCourse::waitForPicture() {
     const int drawn = view_.frames().frameCount();
     view_.frames().refresh();
-    if (!waitUntil([&] { return view_.frames().frameCount() > drawn; })) {
-        return false;
-    }
-    const int swapped = swaps_;
-    return waitUntil([&] { return swaps_ > swapped; });
+    return waitUntil([&] { return onScreen_ > drawn; });
 }
 
 void printStep(const EditorCourse::Cost& cost, const std::string& name) {

@@ -41,7 +41,7 @@ class EditorCourse {
 
     Viewport& view_;
     Heartbeat heart_;
-    int swaps_ = 0;
+    int onScreen_ = 0; ///< counts the frames that were finished when a picture came on the screen
 };
 
 /// Prints a step as step() does.
