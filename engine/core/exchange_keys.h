@@ -9,6 +9,9 @@ inline constexpr const char* ownExtras = "patina";
 inline constexpr const char* presetKey = "preset";
 inline constexpr const char* writtenKey = "written";
 
+/// Stands before the number of an image of the file where a preset in it names that.
+inline constexpr const char* imageNumberPrefix = "image:";
+
 /// Is the name of an image of roughness whose metalness is 1 everywhere.
 inline constexpr const char* roughnessAlone = "roughness alone";
 

@@ -15,7 +15,9 @@ inline constexpr const char* imageOffsetWord = ".offset";
 inline constexpr const char* imageWrapWord = ".wrap";
 inline constexpr const char* imageNearestWord = ".nearest";
 
-/// Says in the same way that the numbers are square roots in the green channel (1).
+// These say in the same way which channel has the numbers, from red (0) to alpha (3), and that they
+// are square roots (1).
+inline constexpr const char* imageChannelWord = ".channel";
 inline constexpr const char* imageRootWord = ".root";
 
 } // namespace patina

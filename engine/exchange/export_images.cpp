@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstring>
+#include <memory>
 
 #include <fmt/format.h>
 
@@ -46,21 +47,70 @@ float numberAt(const TexturePicture& picture, std::size_t texel, TextureChannel 
                                                   : alpha);
 }
 
+/// Has the numbers of an image that was read; 1 where there is none.
+struct ReadNumbers {
+    std::shared_ptr<const TexturePicture> picture;
+    TextureChannel channel = TextureChannel::Auto;
+    bool isOfRoots = false;
+
+    glm::ivec2 size() const { return picture ? picture->levels.front().size : glm::ivec2(1); }
+
+    /// Returns the number at a pixel of an image of another size, whose rows go down.
+    float at(int x, int y, glm::ivec2 among) const {
+        if (!picture) {
+            return 1.0f;
+        }
+        const glm::ivec2 own = size();
+        const std::size_t column = std::size_t(x) * std::size_t(own.x) / std::size_t(among.x);
+        const std::size_t row =
+            std::size_t(among.y - 1 - y) * std::size_t(own.y) / std::size_t(among.y);
+        const std::size_t texel = row * std::size_t(own.x) + column;
+        return std::clamp(numberAt(*picture, texel, channel), 0.0f, 1.0f);
+    }
+};
+
+Result<ReadNumbers> read(AssetClient& client, const ExportImages::Numbers& numbers) {
+    const TextureUse& use = numbers.use;
+    auto picture = client.loadTexture(use.file, use.colorSpace == TextureColorSpace::Srgb
+                                                    ? TextureDecoding::Srgb
+                                                    : TextureDecoding::Linear);
+    if (!picture) {
+        return tl::unexpected(picture.error());
+    }
+    return ReadNumbers{std::move(*picture), numbers.channel,
+                       use.colorSpace == TextureColorSpace::Roots};
+}
+
 /// Returns the image, decoded as it is encoded for a file: its codes are the numbers themselves.
-Image roughnessImage(const TexturePicture& picture, TextureChannel channel, bool isOfRoots) {
-    const glm::ivec2 size = picture.levels.front().size;
+Image metallicRoughnessImage(const ReadNumbers& widths, const ReadNumbers& metalness) {
+    const glm::ivec2 size = glm::max(widths.size(), metalness.size());
     Image image{size.x, size.y, 3, {}};
     image.pixels.reserve(std::size_t(size.x) * std::size_t(size.y) * 3);
     for (int y = 0; y < size.y; ++y) {
         for (int x = 0; x < size.x; ++x) {
-            const std::size_t from = std::size_t(size.y - 1 - y) * std::size_t(size.x);
-            const float number =
-                std::clamp(numberAt(picture, from + std::size_t(x), channel), 0.0f, 1.0f);
-            const float root = isOfRoots ? number : std::sqrt(number);
-            image.pixels.insert(image.pixels.end(), {1.0f, float(srgbDecoded(root)), 1.0f});
+            const float width = widths.at(x, y, size);
+            const float root = widths.isOfRoots ? width : std::sqrt(width);
+            image.pixels.insert(image.pixels.end(), {1.0f, float(srgbDecoded(root)),
+                                                     float(srgbDecoded(metalness.at(x, y, size)))});
         }
     }
     return image;
+}
+
+/// Tells whether an image is one of glTF already.
+bool isGltfs(const std::optional<ExportImages::Numbers>& widths,
+             const std::optional<ExportImages::Numbers>& metalness) {
+    return widths && metalness && widths->use.file == metalness->use.file &&
+           widths->channel == TextureChannel::Green &&
+           widths->use.colorSpace == TextureColorSpace::Roots &&
+           metalness->channel == TextureChannel::Blue &&
+           metalness->use.colorSpace != TextureColorSpace::Srgb;
+}
+
+std::string keyOf(const std::optional<ExportImages::Numbers>& numbers) {
+    return numbers ? fmt::format("{}\n{} {}", numbers->use.file, int(numbers->channel),
+                                 static_cast<int>(numbers->use.colorSpace))
+                   : std::string();
 }
 
 } // namespace
@@ -102,26 +152,31 @@ std::string ExportImages::take(const std::string& name, const std::string& endin
     return path;
 }
 
-Result<std::string> ExportImages::addRoughness(const TextureUse& use, TextureChannel channel) {
-    const bool isOfRoots = use.colorSpace == TextureColorSpace::Roots;
-    const std::string key =
-        fmt::format("{}\n{} {}", use.file, int(channel), static_cast<int>(use.colorSpace));
+Result<std::string> ExportImages::addMetallicRoughness(const std::optional<Numbers>& widths,
+                                                       const std::optional<Numbers>& metalness) {
+    const std::vector<std::string_view> endings{".png", ".jpg", ".jpeg"};
+    if (isGltfs(widths, metalness) &&
+        std::ranges::find(endings, endingOf(widths->use.file)) != endings.end()) {
+        return add(widths->use.file, endings);
+    }
+    const std::string key = keyOf(widths) + '\n' + keyOf(metalness);
     if (const auto known = made_.find(key); known != made_.end()) {
         return known->second;
     }
     AssetClient client;
-    const auto texture = client.loadTexture(use.file, use.colorSpace == TextureColorSpace::Srgb
-                                                          ? TextureDecoding::Srgb
-                                                          : TextureDecoding::Linear);
-    if (!texture) {
-        return tl::unexpected(texture.error());
+    const Result<ReadNumbers> readWidths = widths ? read(client, *widths) : ReadNumbers();
+    const Result<ReadNumbers> readMetalness = metalness ? read(client, *metalness) : ReadNumbers();
+    if (!readWidths || !readMetalness) {
+        return tl::unexpected(readWidths ? readMetalness.error() : readWidths.error());
     }
-    auto bytes = client.encodeImage(".png", roughnessImage(**texture, channel, isOfRoots));
+    auto bytes = client.encodeImage(".png", metallicRoughnessImage(*readWidths, *readMetalness));
     if (!bytes) {
         return tl::unexpected(bytes.error());
     }
-    const std::string stem = std::filesystem::path(use.file).stem().string();
-    return made_[key] = take(stem + "-roughness", ".png", std::move(*bytes));
+    const std::string stem =
+        std::filesystem::path((metalness ? metalness : widths)->use.file).stem().string();
+    return made_[key] =
+               take(stem + (metalness ? "-metal" : "") + "-roughness", ".png", std::move(*bytes));
 }
 
 } // namespace patina

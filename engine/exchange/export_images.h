@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -29,9 +30,17 @@ class ExportImages {
     /// be read, or where its name has none of the endings that a format can show.
     Result<std::string> add(const std::string& file, const std::vector<std::string_view>& endings);
 
-    /// Makes an image of roughness as glTF has it, the square roots of a channel in green and a
-    /// metalness of 1 in blue, and returns its path as add() does.
-    Result<std::string> addRoughness(const TextureUse& use, TextureChannel channel);
+    /// Is an image of which one channel counts.
+    struct Numbers {
+        TextureUse use;
+        TextureChannel channel = TextureChannel::Auto;
+    };
+
+    /// Makes an image of metalness and roughness as glTF has it, the square roots of the widths in
+    /// green and the metalness in blue, 1 for what is not there; an image that is so already is
+    /// taken as it is. Returns its path as add() does.
+    Result<std::string> addMetallicRoughness(const std::optional<Numbers>& widths,
+                                             const std::optional<Numbers>& metalness);
 
     /// Returns the path from the exported file of an image that was taken; null where it was not.
     const std::string* pathOf(const std::string& file) const {

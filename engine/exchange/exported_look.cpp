@@ -332,7 +332,9 @@ Result<Looking> lookingOf(const Material& material, std::span<const std::string_
         if (!look) {
             return tl::unexpected(look.error());
         }
-        if (!isIsotropic || !look->look.values.contains("grain")) {
+        // A mix of two looks is fitted by the nearer one.
+        const bool isMix = look->look.values.contains("metalness");
+        if (!isMix && (!isIsotropic || !look->look.values.contains("grain"))) {
             looks.push_back(std::move(*look));
         }
     }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <iterator>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -48,8 +51,6 @@ class GltfFile {
         document_["asset"] = {{"version", "2.0"}, {"generator", "Patina"}};
     }
 
-    bool isBinary() const { return isBinary_; }
-
     void addExtension(const std::string& name) { extensions_.insert(name); }
 
     /// Returns {"index": n} of an image, with its place; null where it is dropped, which is told.
@@ -72,32 +73,50 @@ class GltfFile {
         return json;
     }
 
-    /// Returns the same of an image on the width of a highlight, whose roots are in an image of
-    /// their own.
-    Json roughnessTexture(ExportedLook& look, const std::string& word) {
-        const TextureUse& use = look.images.at(word);
-        const auto path = images_.addRoughness(use, look.channels.at(word));
+    /// Returns the same of the image that has the roots of a highlight's widths in green and the
+    /// metalness in blue, made of the images on the values of these two words; empty for none.
+    Json metallicRoughnessTexture(ExportedLook& look, const std::string& widths,
+                                  const std::string& metalness) {
+        std::vector<std::string> words;
+        std::ranges::copy_if(std::array{widths, metalness}, std::back_inserter(words),
+                             [](const std::string& word) { return !word.empty(); });
+        const auto numbers = [&look](const std::string& word) {
+            return word.empty() ? std::nullopt
+                                : std::optional(ExportImages::Numbers{look.images.at(word),
+                                                                      look.channels.at(word)});
+        };
+        const auto path = images_.addMetallicRoughness(numbers(widths), numbers(metalness));
         if (!path) {
-            look.tell(Kept::Dropped, imageTitle(use), path.error().text());
+            for (const std::string& word : words) {
+                look.tell(Kept::Dropped, imageTitle(look.images.at(word)), path.error().text());
+            }
             return nullptr;
         }
         std::string lost;
-        Json json = placed(use, imageIndex(*path, roughnessAlone), lost);
-        look.tell(lost.empty() ? Kept::Exact : Kept::Approximated, imageTitle(use),
-                  lost.empty() ? "the green of " + *path
-                               : fmt::format("the green of {}, without {}", *path, lost));
+        const std::string name = metalness.empty() ? roughnessAlone : fileNameOf(*path);
+        Json json = placed(look.images.at(words.front()), imageIndex(*path, name), lost);
+        for (const std::string& word : words) {
+            look.tell(lost.empty() ? Kept::Exact : Kept::Approximated,
+                      imageTitle(look.images.at(word)),
+                      fmt::format("the {} of {}{}", word == widths ? "green" : "blue", *path,
+                                  lost.empty() ? "" : ", without " + lost));
+        }
         return json;
     }
 
-    /// Gives the images of a preset their paths in the export, and leaves out those that are not
-    /// files there.
+    /// Gives the images of a preset their paths in the export, or their numbers where they are
+    /// inside the file, and leaves out those that are not files there.
     void nameImages(Json& textures) {
+        const std::vector<std::string_view> inside{".png", ".jpg", ".jpeg"};
         Json named = Json::object();
         for (const auto& [key, use] : textures.items()) {
-            const auto path = images_.add(use.value("file", std::string()), {});
+            const auto path = images_.add(use.value("file", std::string()),
+                                          isBinary_ ? inside : std::vector<std::string_view>());
             if (path) {
                 named[key] = use;
-                named[key]["file"] = *path;
+                named[key]["file"] = isBinary_ ? fmt::format("{}{}", imageNumberPrefix,
+                                                             imageIndex(*path, fileNameOf(*path)))
+                                               : *path;
             }
         }
         textures = std::move(named);
@@ -277,7 +296,7 @@ class GltfMaterial {
         const std::string colorWord = look_.isTransmissive()     ? "transmission"
                                       : look_.material.isMetal() ? "f0"
                                                                  : "diffuse";
-        base["metallicFactor"] = look_.material.isMetal() ? 1.0 : 0.0;
+        base["metallicFactor"] = look_.material.isMetal() ? 1.0 : 0.0; // unless it is mixed
         const glm::dvec3 color = imageFactor(look_, colorWord);
         const double opacity =
             look_.isTransmissive() ? 1.0 : look_.value("opacity", glm::dvec3(1.0)).x;
@@ -313,24 +332,47 @@ class GltfMaterial {
         } else {
             writeRoughness(base);
         }
-        if (look_.material.isDielectric()) {
+        if (!look_.material.isMetal()) {
             writeReflectance();
         }
     }
 
+    /// Returns the word where the image on its value is one of numbers that glTF has; empty where
+    /// there is none.
+    std::string imageOfNumbers(const std::string& word) const {
+        const TextureUse* image = look_.image(word);
+        return image != nullptr && !isAdded(*image) && image->strength == 1.0 ? word
+                                                                              : std::string();
+    }
+
+    /// Writes the metalness and the width, whose images lie alike, for they are one.
     void writeRoughness(Json& base) {
-        const TextureUse* image = look_.image("alpha");
-        const bool isWritten = image != nullptr && !isAdded(*image) && image->strength == 1.0;
-        if (!isWritten) {
+        const std::string widths = imageOfNumbers("alpha");
+        std::string metalness = imageOfNumbers("metalness");
+        if (widths.empty()) {
             drop("alpha", "counts in part, or is added to the width");
         }
+        if (metalness.empty()) {
+            drop("metalness", "counts in part, or is added to the metalness");
+        } else if (!widths.empty() && !liesAs(*look_.image("alpha"), *look_.image("metalness"))) {
+            drop("metalness", "lies otherwise than that on the roughness, with which it is one");
+            metalness.clear();
+        }
         const double roughness =
-            std::sqrt((isWritten ? imageFactor(look_, "alpha") : look_.value("alpha")).x);
+            std::sqrt((widths.empty() ? look_.value("alpha") : imageFactor(look_, "alpha")).x);
         base["roughnessFactor"] = roughness;
         look_.tellOf("alpha", Kept::Exact,
                      fmt::format("roughnessFactor {}, its root", shortestFloatText(roughness)));
-        if (isWritten) {
-            if (Json texture = file_.roughnessTexture(look_, "alpha"); !texture.is_null()) {
+        if (look_.material.hasMetalness()) {
+            const double share =
+                metalness.empty() ? look_.value("metalness").x : imageFactor(look_, "metalness").x;
+            base["metallicFactor"] = share;
+            look_.tellOf("metalness", Kept::Exact,
+                         fmt::format("metallicFactor {}", shortestFloatText(share)));
+        }
+        if (!widths.empty() || !metalness.empty()) {
+            Json texture = file_.metallicRoughnessTexture(look_, widths, metalness);
+            if (!texture.is_null()) {
                 base["metallicRoughnessTexture"] = std::move(texture);
             }
         }
@@ -495,9 +537,6 @@ class GltfMaterial {
     /// Writes the preset itself, which comes back as it was while nobody changes the factors.
     void writePreset() {
         Json preset = look_.preset;
-        if (file_.isBinary() && !preset["textures"].empty()) {
-            return; // its images are inside, and have no paths
-        }
         file_.nameImages(preset["textures"]);
         const Json& base = material_["pbrMetallicRoughness"];
         Json written = base["baseColorFactor"];

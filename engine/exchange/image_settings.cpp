@@ -20,6 +20,11 @@ bool isUnplaced(const TextureUse& use) {
     return texturePlace(use) == TexturePlace();
 }
 
+bool liesAs(const TextureUse& use, const TextureUse& other) {
+    return texturePlace(use) == texturePlace(other) && use.wrap == other.wrap &&
+           use.filter == other.filter;
+}
+
 bool isAdded(const TextureUse& use) {
     return use.mode == TextureMode::Add;
 }

@@ -16,6 +16,9 @@ std::string imageTitle(const TextureUse& use);
 /// Tells whether an image lies as the coordinates of its mesh say.
 bool isUnplaced(const TextureUse& use);
 
+/// Tells whether an image lies on the surface as another one does, edges and pixels included.
+bool liesAs(const TextureUse& use, const TextureUse& other);
+
 /// Tells whether a colour's image is added to it, which no format has: it is to be dropped.
 bool isAdded(const TextureUse& use);
 

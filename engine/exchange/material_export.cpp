@@ -17,10 +17,11 @@ namespace {
 namespace fs = std::filesystem;
 
 // The first looks say the most; the last one is what is left of a drawing.
-constexpr std::array<std::string_view, 5> physicalLooks{"metal", "dielectric", "grained-metal",
-                                                        "grained-dielectric", "matte"};
-constexpr std::array<std::string_view, 6> openPbrLooks{
-    "metal", "dielectric", "grained-metal", "grained-dielectric", "rough-matte", "matte"};
+constexpr std::array<std::string_view, 6> physicalLooks{
+    "metal", "dielectric", "metallic-roughness", "grained-metal", "grained-dielectric", "matte"};
+constexpr std::array<std::string_view, 7> openPbrLooks{
+    "metal",       "dielectric", "metallic-roughness", "grained-metal", "grained-dielectric",
+    "rough-matte", "matte"};
 constexpr std::array<std::string_view, 3> classicalLooks{"blinn-phong", "metal", "matte"};
 
 constexpr std::array<ExchangeFormat, 4> formats{{

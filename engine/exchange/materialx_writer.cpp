@@ -39,7 +39,8 @@ class MaterialXMaterial {
             writeMetal();
         } else {
             color("base_color", "diffuse", Kept::Exact, {});
-            if (look_.material.isDielectric()) {
+            if (look_.material.isDielectric() || look_.material.hasMetalness()) {
+                writeMetalness();
                 writeDielectric();
                 writeTransmission();
             } else {
@@ -66,6 +67,35 @@ class MaterialXMaterial {
         color("base_color", "f0", Kept::Exact, {});
         inputs_ += inputText("base_metalness", "float", "1");
         writeRoughness();
+    }
+
+    void writeMetalness() {
+        if (!look_.material.hasMetalness()) {
+            return;
+        }
+        const char* input = "base_metalness";
+        look_.tellOf("metalness", Kept::Exact, input);
+        const std::string node =
+            look_.images.contains("metalness") ? imageNode("metalness", "float") : std::string();
+        if (node.empty()) {
+            inputs_ += inputText(input, "float", shortestFloatText(look_.value("metalness").x));
+        } else {
+            product(input, "metalness", node, imageFactor(look_, "metalness").x);
+        }
+    }
+
+    /// Writes a number as a node of an image times a factor.
+    void product(const char* input, const std::string& word, const std::string& node,
+                 double factor) {
+        if (factor == 1.0) {
+            inputs_ += linkText(input, "float", node);
+            return;
+        }
+        const std::string product = name(word + "_product");
+        nodes_ += fmt::format("  <multiply name=\"{}\" type=\"float\">\n{}{}  </multiply>\n",
+                              product, linkText("in1", "float", node),
+                              inputText("in2", "float", shortestFloatText(factor)));
+        inputs_ += linkText(input, "float", product);
     }
 
     /// OpenPBR's matte base is EON, whose roughness ends at 1.
@@ -188,23 +218,20 @@ class MaterialXMaterial {
             return;
         }
         const TextureUse* image = look_.image("alpha");
-        if (image != nullptr && image->mode == TextureMode::Replace) {
-            const std::string node = imageNode("alpha", "float");
-            if (!node.empty() && image->colorSpace == TextureColorSpace::Roots) {
-                inputs_ += linkText("specular_roughness", "float", node);
-                look_.tellOf("alpha", Kept::Exact, "specular_roughness, its image as it is");
-                return;
-            }
-            if (!node.empty()) {
+        std::string node = image == nullptr ? std::string() : imageNode("alpha", "float");
+        if (!node.empty()) {
+            const bool isOfRoots = image->colorSpace == TextureColorSpace::Roots;
+            if (!isOfRoots) {
                 const std::string root = name("alpha_root");
                 nodes_ += fmt::format("  <sqrt name=\"{}\" type=\"float\">\n{}  </sqrt>\n", root,
                                       linkText("in", "float", node));
-                inputs_ += linkText("specular_roughness", "float", root);
-                look_.tellOf("alpha", Kept::Exact, "specular_roughness, the root of its image");
-                return;
+                node = root;
             }
-        } else {
-            drop("alpha");
+            product("specular_roughness", "alpha", node, std::sqrt(imageFactor(look_, "alpha").x));
+            look_.tellOf("alpha", Kept::Exact,
+                         isOfRoots ? "specular_roughness, its image as it is"
+                                   : "specular_roughness, the root of its image");
+            return;
         }
         const double roughness = std::sqrt(look_.value("alpha").x);
         inputs_ += inputText("specular_roughness", "float", shortestFloatText(roughness));
@@ -314,20 +341,46 @@ class MaterialXMaterial {
             return {};
         }
         const bool isColor = std::string_view(type) == "color3";
+        const int part = std::string_view(type) == "float" ? partOf(use.channel) : -1;
         const std::string place = isUnplaced(use) ? std::string() : placeNode(word, use);
-        const std::string image = name(word + "_image");
+        std::string image = name(word + "_image");
         nodes_ += fmt::format(
             "  <image name=\"{}\" type=\"{}\">\n"
             "    <input name=\"file\" type=\"filename\" value=\"{}\" colorspace=\"{}\"/>\n{}"
             "  </image>\n",
-            image, type, escapedForXml(*path), isColor ? "srgb_texture" : "lin_rec709",
+            image, part < 0 ? type : "color3", escapedForXml(*path),
+            isColor ? "srgb_texture" : "lin_rec709",
             place.empty() ? std::string() : linkText("texcoord", "vector2", place));
         TextureUse whole = use;
         whole.strength = 1.0; // which mixNode() writes
+        if (!isColor) {
+            whole.colorSpace = TextureColorSpace::Auto; // its numbers are taken as they are
+        }
+        if (part >= 0) {
+            image = partNode(word, image, part);
+            whole.channel = TextureChannel::Auto;
+        }
         const std::string lost = lostSettings(whole);
         look_.tell(lost.empty() ? Kept::Exact : Kept::Approximated, imageTitle(use),
                    lost.empty() ? *path : fmt::format("{}, without {}", *path, lost));
         return use.strength == 1.0 ? image : mixNode(word, type, image, use);
+    }
+
+    /// Returns the index of a channel of red, green and blue; -1 for others, which are an image of
+    /// one channel or are lost.
+    static int partOf(TextureChannel channel) {
+        return channel == TextureChannel::Red     ? 0
+               : channel == TextureChannel::Green ? 1
+               : channel == TextureChannel::Blue  ? 2
+                                                  : -1;
+    }
+
+    std::string partNode(const std::string& word, const std::string& image, int part) {
+        const std::string extracted = name(word + "_channel");
+        nodes_ += fmt::format("  <extract name=\"{}\" type=\"float\">\n{}{}  </extract>\n",
+                              extracted, linkText("in", "color3", image),
+                              inputText("index", "integer", std::to_string(part)));
+        return extracted;
     }
 
     /// Writes how much of an image shows, of the value or of white behind it.

@@ -2,14 +2,18 @@
 #include "io/gltf_extras.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "core/exchange_keys.h"
+#include "io/gltf_embedded.h"
 #include "io/gltf_extensions.h"
 #include "io/material_images.h"
 
@@ -46,9 +50,23 @@ bool isUnchanged(const tinygltf::Material& material, const Json& own) {
                       });
 }
 
-/// Gives the images of a preset full paths, and leaves out those that may not be read. Returns them
-/// by their keys.
-std::map<std::string, std::string> findImages(Json& preset, MeshFolder& folder) {
+/// Returns an image inside the file that a preset names by its number; nothing for other names and
+/// where the file has none that can be read.
+std::optional<std::string> imageInside(const std::string& name, const tinygltf::Model& model) {
+    const std::string_view prefix = imageNumberPrefix;
+    std::size_t number = model.images.size();
+    if (name.starts_with(prefix)) {
+        std::from_chars(name.data() + prefix.size(), name.data() + name.size(), number);
+    }
+    return number < model.images.size() && isEmbeddedImage(model.images[number])
+               ? std::optional(embeddedImage(model.images[number]))
+               : std::nullopt;
+}
+
+/// Finds the images of a preset, and leaves out of it those that may not be read. Returns them by
+/// their keys.
+std::map<std::string, std::string> findImages(Json& preset, const tinygltf::Model& model,
+                                              MeshFolder& folder) {
     MeshMaterial place;
     const auto textures = preset.find("textures");
     if (textures == preset.end() || !textures->is_object()) {
@@ -56,10 +74,13 @@ std::map<std::string, std::string> findImages(Json& preset, MeshFolder& folder) 
     }
     Json found = Json::object();
     for (const auto& [key, use] : textures->items()) {
-        if (use.is_object() && use.contains("file") && use["file"].is_string() &&
-            addImage(place, key, use["file"].get<std::string>(), folder)) {
+        const bool hasFile = use.is_object() && use.contains("file") && use["file"].is_string();
+        const std::string name = hasFile ? use["file"].get<std::string>() : std::string();
+        if (const auto inside = imageInside(name, model)) {
+            place.images[key] = *inside;
             found[key] = use;
-            found[key]["file"] = place.images.at(key);
+        } else if (hasFile && addImage(place, key, name, folder)) {
+            found[key] = use;
         }
     }
     *textures = std::move(found);
@@ -92,13 +113,14 @@ Json foreignIn(const tinygltf::Material& material) {
 
 } // namespace
 
-void addExtras(MeshMaterial& material, const tinygltf::Material& from, MeshFolder& folder) {
+void addExtras(MeshMaterial& material, const tinygltf::Material& from, const tinygltf::Model& model,
+               MeshFolder& folder) {
     Json extras = objectIn(from.extras_json_string);
     if (const auto own = extras.find(ownExtras);
         own != extras.end() && own->is_object() && own->contains(presetKey) &&
         (*own)[presetKey].is_object() && isUnchanged(from, *own)) {
         Json& preset = (*own)[presetKey];
-        material.presetImages = findImages(preset, folder);
+        material.presetImages = findImages(preset, model, folder);
         material.preset = preset.dump(-1, ' ', false, Json::error_handler_t::replace);
     }
     const Json foreign = foreignIn(from);

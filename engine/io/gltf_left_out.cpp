@@ -6,10 +6,10 @@
 #include <string>
 #include <string_view>
 
-#include "core/exchange_keys.h"
 #include "io/gltf_embedded.h"
 #include "io/gltf_extensions.h"
 #include "io/gltf_extras.h"
+#include "io/gltf_materials.h"
 
 namespace patina {
 namespace {
@@ -83,17 +83,6 @@ void addExtensionTexture(LeftOut& left, const tinygltf::Model& model,
     }
 }
 
-/// Tells whether the image of roughness and metalness is one of ours, in which all is metal.
-bool isRoughnessAlone(const tinygltf::Model& model, const tinygltf::PbrMetallicRoughness& look) {
-    const int index = look.metallicRoughnessTexture.index;
-    if (index < 0 || std::size_t(index) >= model.textures.size()) {
-        return false;
-    }
-    const int source = model.textures[std::size_t(index)].source;
-    return source >= 0 && std::size_t(source) < model.images.size() &&
-           model.images[std::size_t(source)].name == roughnessAlone;
-}
-
 /// Adds what materials have that is not read.
 void addMaterials(LeftOut& left, const tinygltf::Model& model) {
     for (const tinygltf::Material& material : model.materials) {
@@ -103,10 +92,10 @@ void addMaterials(LeftOut& left, const tinygltf::Model& model) {
         }
         addTexture(left, model, "colour", look.baseColorTexture.index, true);
         const bool hasGrain = material.extensions.contains("KHR_materials_anisotropy");
-        const bool isMetal = look.metallicFactor > 0.0;
-        addTexture(left, model, hasGrain || !isMetal ? "roughness" : "roughness or metalness",
-                   look.metallicRoughnessTexture.index,
-                   !hasGrain && (!isMetal || isRoughnessAlone(model, look)));
+        const bool isWhole =
+            look.metallicFactor <= 0.0 || isMixed(material, model) || isRoughnessAlone(model, look);
+        addTexture(left, model, isWhole ? "roughness" : "roughness or metalness",
+                   look.metallicRoughnessTexture.index, !hasGrain && isWhole);
         addTexture(left, model, "normals", material.normalTexture.index, true);
         addTexture(left, model, "occlusion", material.occlusionTexture.index, false);
         addTexture(left, model, "glow", material.emissiveTexture.index, true);

@@ -6,6 +6,7 @@
 
 #include <glm/common.hpp>
 
+#include "core/exchange_keys.h"
 #include "core/grain_widths.h"
 #include "core/image_place.h"
 #include "io/gltf_embedded.h"
@@ -134,7 +135,7 @@ glm::dvec3 colorIn(const tinygltf::Material& material, const char* extension, co
 /// without any is matte.
 void setReflectance(MeshMaterial& material, const tinygltf::Material& from) {
     const double factor = numberIn(from, "KHR_materials_specular", "specularFactor", 1.0);
-    if (factor <= 0.0) {
+    if (factor <= 0.0 && material.isDielectric()) {
         material.look = "matte";
         material.values.erase("f0");
         material.values.erase("alpha");
@@ -147,12 +148,16 @@ void setReflectance(MeshMaterial& material, const tinygltf::Material& from) {
         glm::clamp(factor * glm::min(root * root * tint, glm::dvec3(1.0)), 0.0, 1.0);
 }
 
+double transmissionOf(const tinygltf::Material& material) {
+    return glm::clamp(numberIn(material, "KHR_materials_transmission", "transmissionFactor", 0.0),
+                      0.0, 1.0);
+}
+
 /// Gives a material the transmission of KHR_materials_transmission, and the inside that
 /// KHR_materials_volume and KHR_materials_dispersion say. Without a volume it is a wall.
 void setTransmission(MeshMaterial& material, const glm::dvec3& base,
                      const tinygltf::Material& from) {
-    const double share = glm::clamp(
-        numberIn(from, "KHR_materials_transmission", "transmissionFactor", 0.0), 0.0, 1.0);
+    const double share = transmissionOf(from);
     if (share <= 0.0) {
         return;
     }
@@ -193,24 +198,35 @@ void setGrain(MeshMaterial& material, const tinygltf::Material& from, LeftOut& l
         glm::dvec3(grainAcross(numberIn(from, extension, "anisotropyRotation", 0.0)));
 }
 
+/// Adds the image of a texture of which one channel counts.
+void addNumbers(MeshMaterial& material, const char* word, int channel,
+                const tinygltf::TextureInfo& texture, const tinygltf::Model& model,
+                MeshFolder& folder, LeftOut& left) {
+    addTexture(material, word, texture.index, texture.extensions, model, folder, left);
+    material.values[std::string(word) + imageChannelWord] = glm::dvec3(double(channel));
+}
+
 MeshMaterial materialFrom(const tinygltf::Material& from, const tinygltf::Model& model,
                           MeshFolder& folder, LeftOut& left) {
     MeshMaterial material;
     material.name = from.name;
     const tinygltf::PbrMetallicRoughness& look = from.pbrMetallicRoughness;
-    lookMetallicRough(material, colorOf(look.baseColorFactor, 1.0), look.metallicFactor,
-                      look.roughnessFactor);
-    if (material.isDielectric() && (from.extensions.contains("KHR_materials_ior") ||
-                                    from.extensions.contains("KHR_materials_specular"))) {
+    const auto setLook = isMixed(from, model) ? lookMixed : lookMetallicRough;
+    setLook(material, colorOf(look.baseColorFactor, 1.0), look.metallicFactor,
+            look.roughnessFactor);
+    if (!material.isMetal() && (from.extensions.contains("KHR_materials_ior") ||
+                                from.extensions.contains("KHR_materials_specular"))) {
         setReflectance(material, from);
     }
     setGrain(material, from, left);
     addTexture(material, material.isMetal() ? "f0" : "diffuse", look.baseColorTexture.index,
                look.baseColorTexture.extensions, model, folder, left);
     if (!material.hasGrain() && material.look != "matte") {
-        addTexture(material, "alpha", look.metallicRoughnessTexture.index,
-                   look.metallicRoughnessTexture.extensions, model, folder, left);
+        addNumbers(material, "alpha", 1, look.metallicRoughnessTexture, model, folder, left);
         material.values[std::string("alpha") + imageRootWord] = glm::dvec3(1.0);
+    }
+    if (material.hasMetalness() && !isRoughnessAlone(model, look)) {
+        addNumbers(material, "metalness", 2, look.metallicRoughnessTexture, model, folder, left);
     }
     addTexture(material, "normal", from.normalTexture.index, from.normalTexture.extensions, model,
                folder, left);
@@ -226,11 +242,31 @@ MeshMaterial materialFrom(const tinygltf::Material& from, const tinygltf::Model&
     if (!material.isMetal()) {
         setTransmission(material, colorOf(look.baseColorFactor, 1.0), from);
     }
-    addExtras(material, from, folder);
+    addExtras(material, from, model, folder);
     return material;
 }
 
 } // namespace
+
+bool isMixed(const tinygltf::Material& material, const tinygltf::Model& model) {
+    const tinygltf::PbrMetallicRoughness& look = material.pbrMetallicRoughness;
+    if (look.metallicFactor <= 0.0 || transmissionOf(material) > 0.0 ||
+        material.extensions.contains("KHR_materials_anisotropy")) {
+        return false;
+    }
+    const bool hasImage = look.metallicRoughnessTexture.index >= 0;
+    return look.metallicFactor < 1.0 || (hasImage && !isRoughnessAlone(model, look));
+}
+
+bool isRoughnessAlone(const tinygltf::Model& model, const tinygltf::PbrMetallicRoughness& look) {
+    const int index = look.metallicRoughnessTexture.index;
+    if (index < 0 || std::size_t(index) >= model.textures.size()) {
+        return false;
+    }
+    const int source = model.textures[std::size_t(index)].source;
+    return source >= 0 && std::size_t(source) < model.images.size() &&
+           model.images[std::size_t(source)].name == roughnessAlone;
+}
 
 std::vector<MeshMaterial> materialsFrom(const tinygltf::Model& model, MeshFolder& folder,
                                         LeftOut& left) {

@@ -16,4 +16,11 @@ namespace patina {
 std::vector<MeshMaterial> materialsFrom(const tinygltf::Model& model, MeshFolder& folder,
                                         LeftOut& left);
 
+/// Tells whether a material mixes metal and dielectric, by a share or by an image, and is not one
+/// of those that are told otherwise: with a grain, or with a transmission.
+bool isMixed(const tinygltf::Material& material, const tinygltf::Model& model);
+
+/// Tells whether the image of roughness and metalness is one of ours, in which all is metal.
+bool isRoughnessAlone(const tinygltf::Model& model, const tinygltf::PbrMetallicRoughness& look);
+
 } // namespace patina

@@ -12,4 +12,7 @@ namespace patina {
 void lookMetallicRough(MeshMaterial& material, const glm::dvec3& base, double metallic,
                        double roughness);
 
+/// Gives a material the same look where an image or a share mixes metal and dielectric.
+void lookMixed(MeshMaterial& material, const glm::dvec3& base, double metallic, double roughness);
+
 } // namespace patina

@@ -2,6 +2,7 @@
 #include "material/mesh_look.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -64,6 +65,18 @@ void setSampler(TextureUse& use, const MeshMaterial& from, const std::string& wo
     }
 }
 
+/// Takes an image's numbers as the file says, whose other channels are of something else.
+void setNumbers(TextureUse& use, const MeshMaterial& from, const std::string& word) {
+    constexpr std::array channels{TextureChannel::Red, TextureChannel::Green, TextureChannel::Blue,
+                                  TextureChannel::Alpha};
+    if (const auto channel = from.values.find(word + imageChannelWord);
+        channel != from.values.end()) {
+        use.channel = channels.at(std::size_t(channel->second.x));
+        use.colorSpace = from.values.contains(word + imageRootWord) ? TextureColorSpace::Roots
+                                                                    : TextureColorSpace::Linear;
+    }
+}
+
 /// Places an image as the file says, whose coordinates begin at the top. It scales before it turns,
 /// so that an image that is turned by part of a right angle has one scale.
 void placeImage(TextureUse& use, const MeshMaterial& from, const std::string& word) {
@@ -100,10 +113,7 @@ void layImages(Material& material, const MeshMaterial& from, const MeshLook& loo
         }
         placeImage(use, from, word);
         setSampler(use, from, word);
-        if (from.values.contains(word + imageRootWord)) {
-            use.colorSpace = TextureColorSpace::Roots;
-            use.channel = TextureChannel::Green;
-        }
+        setNumbers(use, from, word);
         material.textures[key] = use;
     }
 }
@@ -213,14 +223,20 @@ Result<void> addTransmission(Material& material, const MeshMaterial& from, const
 /// Returns the material that was exported as this one; nothing where the file has none that can be
 /// read. Only images may be read for it that the reader of the file has found.
 std::optional<Material> ownMaterial(const MeshMaterial& from, const Catalog& catalog) {
-    const auto document = parseJson(from.preset, std::string());
-    if (!document) {
+    auto document = parseJson(from.preset, std::string());
+    if (!document || !document->value.is_object()) {
         return std::nullopt;
     }
     ReadingRights rights;
-    for (const auto& [word, file] : from.presetImages) {
+    Json textures = Json::object();
+    const Json named = document->value.value("textures", Json::object());
+    for (const auto& [key, file] : from.presetImages) {
         rights.allowed.insert(file);
+        const Json use = named.is_object() ? named.value(key, Json::object()) : Json::object();
+        textures[key] = use.is_object() ? use : Json::object();
+        textures[key]["file"] = file;
     }
+    document->value["textures"] = std::move(textures);
     auto reading = materialFromJson(*document, {}, catalog, rights);
     return reading ? std::optional(std::move(reading->material)) : std::nullopt;
 }

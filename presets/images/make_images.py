@@ -125,9 +125,9 @@ def save_color(name, rgb, quality=82):
     Image.fromarray(pixels).save(FOLDER / f"{name}.jpg", quality=quality, optimize=True)
 
 
-def save_grey(name, grey):
-    """One channel of numbers from 0 to 1."""
-    pixels = numpy.clip(numpy.rint(grey * 255), 0, 255).astype(numpy.uint8)
+def save_numbers(name, numbers):
+    """Numbers from 0 to 1, of one channel or of three."""
+    pixels = numpy.clip(numpy.rint(numbers * 255), 0, 255).astype(numpy.uint8)
     Image.fromarray(pixels).save(FOLDER / f"{name}.png", optimize=True)
 
 
@@ -232,7 +232,8 @@ def leather():
                                (1.0, (255, 246, 236))))
     height = -0.0042 * creases - 0.003 * folds + 0.00012 * fine
     save_normal("leather-normal", height, 256)
-    save_grey("leather-gloss", numpy.clip(0.85 - 0.6 * creases + 0.12 * wear, 0.1, 1.0)[::2, ::2])
+    gloss = numpy.clip(0.85 - 0.6 * creases + 0.12 * wear, 0.1, 1.0)
+    save_numbers("leather-gloss", gloss[::2, ::2])
 
 
 def corduroy():
@@ -307,7 +308,7 @@ def verdigris():
                  (1.0, (158, 198, 176)))
     brown = ramp(0.5 + 0.25 * fine, (0.0, (38, 22, 12)), (1.0, (74, 46, 24)))
     save_color("verdigris", mixed(brown, green, patina))
-    save_grey("verdigris-bare", (1.0 - patina)[::2, ::2])
+    save_numbers("verdigris-bare", (1.0 - patina)[::2, ::2])
     save_normal("verdigris-normal", 0.0022 * patina + 0.0006 * fine * patina, 256)
 
 
@@ -359,7 +360,7 @@ def rust():
     rgb = ramp(scabs + 0.12 * fine, (-0.2, (34, 30, 30)), (0.25, (70, 44, 34)),
                (0.6, (128, 62, 30)), (0.9, (168, 88, 40)), (1.3, (206, 128, 64)))
     save_color("rust", rgb)
-    save_grey("rust-bare", smooth(0.45, 0.0, scabs)[::2, ::2])
+    save_numbers("rust-bare", smooth(0.45, 0.0, scabs)[::2, ::2])
     save_normal("rust-normal", 0.0028 * scabs + 0.0008 * fine, 256)
 
 
@@ -521,7 +522,7 @@ def tiles():
     tone = 0.9 + 0.08 * (shade - 0.5) + 0.02 * noise(252, scale=8.0)
     rgb = tone[..., None] * numpy.array([255.0, 255.0, 255.0])
     save_color("tiles", mixed(numpy.array([122.0, 118.0, 110.0]), rgb, glaze), 88)
-    save_grey("tiles-glaze", glaze[::2, ::2])
+    save_numbers("tiles-glaze", glaze[::2, ::2])
     save_normal("tiles-normal", 0.009 * cushion + 0.0008 * noise(253, scale=5.0, slope=2.4), 256)
 
 
@@ -583,9 +584,32 @@ def rosettes():
     save_vectors("rosettes-comb", pixels)
 
 
+def chipped():
+    """Machine enamel chipped off its primer and the steel below, as texture painting programs write
+    it: one image of base colours, one with the roots of the widths in green and the metalness in
+    blue."""
+    broad = noise(301, scale=3.5, slope=1.2)
+    fine = noise(302, scale=30.0, slope=0.8)
+    depth = broad + 0.32 * fine
+    primer = smooth(0.98, 1.02, depth)
+    steel = smooth(1.22, 1.26, depth)
+    scratches = band(303, low=30.0, high=120.0, stretch=(0.08, 1.0))
+    dirt = smooth(0.2, 1.6, noise(304, scale=6.0, slope=1.6, stretch=(1.0, 0.35)) + 0.4 * broad)
+    enamel = mixed((226, 152, 12), (176, 112, 14), 0.55 * dirt)
+    rgb = mixed(enamel, numpy.array([112.0, 46.0, 36.0]), primer)
+    rgb = mixed(rgb, (186 + 6 * scratches)[..., None] * numpy.array([1.0, 0.985, 0.965]), steel)
+    save_color("chipped", rgb)
+    root = mixed(0.36 + 0.22 * dirt, numpy.full_like(dirt, 0.82), primer)
+    root = mixed(root, 0.5 + 0.05 * scratches, steel)
+    packed = numpy.stack([numpy.ones_like(root), root, steel], axis=-1)[::2, ::2]
+    save_numbers("chipped-metal-roughness", packed)
+    height = -0.0016 * primer - 0.0010 * steel + 0.00008 * scratches * steel
+    save_normal("chipped-normal", height, 256)
+
+
 IMAGES = [marble, wood, oak, concrete, leather, corduroy, felt, bamboo, verdigris, sheeting, char,
           rust, brick, denim, brushed, strands, crumpled, waves, orange_peel, flakes, craters, belts, tiles,
-          speckles, pile, embers, tracks, rosettes]
+          speckles, pile, embers, tracks, rosettes, chipped]
 
 if __name__ == "__main__":
     for make in IMAGES:

@@ -413,6 +413,85 @@ TEST_F(ExportedMaterial, ImageOfARoughness_IsWrittenAsItsRoots) {
     }
 }
 
+/// Returns a material of a metalness and a width that have images.
+Material chipped(const std::string& metalness, const std::string& width) {
+    Material paint = looking("metallic-roughness",
+                             {"diffuse.color=0.8,0.5,0.1", "metalness=0.5", "roughness=0.25"});
+    for (const auto& [key, file] : {std::pair("metalness", metalness), {"roughness", width}}) {
+        paint.textures[key] = textureUse(key, file);
+        paint.textures[key].mode = TextureMode::Multiply;
+    }
+    return paint;
+}
+
+TEST_F(ExportedMaterial, ShareOfMetal_ComesBackAsItWas) {
+    const Material alloy =
+        looking("metallic-roughness", {"diffuse.color=0.8,0.5,0.1", "f0=0.04,0.04,0.04",
+                                       "metalness=0.375", "roughness=0.25"});
+    const std::vector<ExportLine> lines = write(alloy, "alloy.gltf");
+    EXPECT_TRUE(isAllExact(lines)) << exportText(lines);
+    EXPECT_EQ(textOf(read("alloy.gltf")), textOf(alloy));
+}
+
+/// glTF has both in one image: the roots of the widths in green, the metalness in blue.
+TEST_F(ExportedMaterial, ImagesOfMetalnessAndRoughness_BecomeOne) {
+    ASSERT_TRUE(client_.saveImage(folder_ / "bare.png",
+                                  Image{2, 2, 3, {0, 0, 0, 1, 1, 1, 0, 0, 0, 1, 1, 1}}));
+    ASSERT_TRUE(client_.saveImage(folder_ / "worn.exr", Image{1, 1, 3, {0.25f, 0, 0}}));
+    const std::vector<ExportLine> lines =
+        write(chipped(folder_ / "bare.png", folder_ / "worn.exr"), "paint.gltf");
+    EXPECT_TRUE(isAllExact(lines)) << exportText(lines);
+    const Material back = read("paint.gltf");
+    EXPECT_EQ(back.model.id, "metallic-roughness");
+    EXPECT_EQ(back.model.parameters.at("metalness"), Value(0.5));
+    EXPECT_EQ(back.model.parameters.at("roughness"), Value(0.25));
+    const TextureUse& packed = back.textures.at("metalness");
+    EXPECT_EQ(packed.channel, TextureChannel::Blue);
+    EXPECT_EQ(packed.file, back.textures.at("roughness").file);
+    const auto picture = client_.loadTexture(packed.file, TextureDecoding::Linear);
+    ASSERT_TRUE(picture) << picture.error().text();
+    ASSERT_EQ((*picture)->levels.front().size, glm::ivec2(2, 2));
+    for (std::size_t texel = 0; texel < 4; ++texel) {
+        EXPECT_NEAR(std::to_integer<int>((*picture)->bytes[texel * 4 + 1]), 127.5, 0.6)
+            << "the root of 1/4";
+        EXPECT_EQ(std::to_integer<int>((*picture)->bytes[texel * 4 + 2]), texel % 2 == 1 ? 255 : 0);
+    }
+    write(back, "again.gltf");
+    EXPECT_EQ(readFile(folder_ / "again-images" / std::filesystem::path(packed.file).filename()),
+              readFile(packed.file))
+        << "one of glTF's own is taken as it is";
+}
+
+TEST_F(ExportedMaterial, ImageOfMetalnessThatLiesOtherwise_IsToldToBeDropped) {
+    for (const char* name : {"bare.png", "worn.png"}) {
+        ASSERT_TRUE(client_.saveImage(folder_ / name, Image{1, 1, 3, {1, 1, 1}}));
+    }
+    Material paint = chipped(folder_ / "bare.png", folder_ / "worn.png");
+    paint.textures["metalness"].scale = {2.0, 2.0};
+    const std::vector<ExportLine> lines = write(paint, "paint.gltf");
+    EXPECT_NE(exportText(lines).find("dropped       Image bare.png: lies otherwise"),
+              std::string::npos)
+        << exportText(lines);
+    EXPECT_FALSE(read("paint.gltf").textures.contains("metalness"));
+}
+
+TEST_F(ExportedMaterial, MaterialX_TakesChannelsOfAPackedImage) {
+    ASSERT_TRUE(client_.saveImage(folder_ / "packed.png", Image{1, 1, 3, {1, 0.5f, 0.25f}}));
+    Material paint = chipped(folder_ / "packed.png", folder_ / "packed.png");
+    paint.textures["metalness"].channel = TextureChannel::Blue;
+    paint.textures["roughness"].channel = TextureChannel::Green;
+    paint.textures["roughness"].colorSpace = TextureColorSpace::Roots;
+    write(paint, "paint.mtlx");
+    const std::string text = readFile(folder_ / "paint.mtlx");
+    for (const char* part :
+         {"name=\"index\" type=\"integer\" value=\"1\"",
+          "name=\"index\" type=\"integer\" value=\"2\"",
+          "name=\"base_metalness\" type=\"float\" nodename=\"paint_metalness_product\"",
+          "name=\"specular_roughness\" type=\"float\" nodename=\"paint_alpha_product\""}) {
+        EXPECT_NE(text.find(part), std::string::npos) << part << '\n' << text;
+    }
+}
+
 TEST_F(ExportedMaterial, MaterialX_NamesItsSurfaceAndItsImages) {
     writeFile(folder_ / "wood.png", "an image");
     Material wood = looking("dielectric", {"diffuse.color=0.5,0.25,0.125", "roughness=0.25"});

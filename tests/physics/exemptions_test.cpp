@@ -42,6 +42,20 @@ TEST(RareExemptions, SteepLafortuneLobe_IsBrighterAtTheHorizonThanTenDegreesAbov
     EXPECT_GT(low, model.shade(geometry(direction(80.0, 0.0), viewer)).x);
 }
 
+TEST(RareExemptions, SmoothWhiteBaseOfGltf_GivesBackMoreThanArrives) {
+    const glm::dvec3 l = direction(89.0, 0.0);
+    for (const double metalness : {0.0, 1.0}) {
+        const Subject model(
+            "models", "metallic-roughness",
+            {{"diffuse.color", white}, {"metalness", metalness}, {"roughness", 0.2}});
+        double sum = 0.0;
+        for (const WeightedDirection& to : hemisphereRule(l)) {
+            sum += to.weight * model.shade(geometry(l, to.v)).x;
+        }
+        EXPECT_EQ(sum / l.z > 1.0, metalness == 0.0) << sum / l.z;
+    }
+}
+
 TEST(RareExemptions, StraussUnderLightBelowThreeDegrees_GivesBackMoreThanArrives) {
     const Subject model("models", "strauss", {{"diffuse.color", white}});
     const glm::dvec3 l = direction(89.0, 0.0);

@@ -43,6 +43,7 @@ std::vector<Lobe> microfacets() {
         lobes.push_back({"models", "ward", {{"variant", v.id}}, {"roughness.x", "roughness.y"}});
     }
     lobes.push_back({"models", "anisotropic-ggx", {}, {"roughness"}});
+    lobes.push_back({"models", "metallic-roughness", {{"metalness", 1.0}}, {"roughness"}});
     return lobes;
 }
 

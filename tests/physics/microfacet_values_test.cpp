@@ -171,5 +171,18 @@ TEST(CookTorrance, GaussianConstant_ScalesThePrintedGaussian) {
                 2.0 * Subject("models", "cook-torrance", printed).shade(g, reflectingAll).x, 1e-14);
 }
 
+TEST(MetallicRoughness, Brdf_IsThatOfGltf) {
+    for (const auto& data : numbers()["metallicRoughness"]) {
+        const Subject model("models", "metallic-roughness",
+                            {{"diffuse.color", glm::dvec3(data["base"].get<double>())},
+                             {"metalness", data["metalness"].get<double>()},
+                             {"roughness", data["roughness"].get<double>()},
+                             {"f0", glm::dvec3(data["f0"].get<double>())}});
+        expectRow(data["values"], [&](const reference::Geometry& g) {
+            return model.shade(g).x / (std::numbers::pi * g.l.z);
+        });
+    }
+}
+
 } // namespace
 } // namespace patina::physics::microfacet_values_test

@@ -4,8 +4,10 @@
 #include <QLocale>
 #include <QTest>
 
+#include "exchange/material_export.h"
 #include "files/embedded_images.h"
 #include "files/import_dialog.h"
+#include "material/preset_file.h"
 #include "scene/scene_file.h"
 #include "ui/window_fixture.h"
 
@@ -76,6 +78,30 @@ TEST(EmbeddedImages, OfAMaterial_AreFilesOfTheirContent) {
     EXPECT_EQ(readFile(material.images.at("diffuse")), "\x89PNG\r\n\x1a\n");
     EXPECT_EQ(material.images.at("emissive"), material.images.at("diffuse"));
     EXPECT_EQ(material.images.at("height"), "/elsewhere/bumps.png");
+}
+
+class ExportedGlb : public WindowFixture {};
+
+/// The images are inside of the file, where a preset names them by their numbers.
+TEST_F(ExportedGlb, PresetWithImages_ComesBackAsItWas) {
+    const Catalog& catalog = document().catalog();
+    const auto reading =
+        readPreset(dataFolder() / "presets/oren-nayar/brick.patina.json", catalog, {});
+    ASSERT_TRUE(reading);
+    const Material& brick = reading->material;
+    const Progress progress;
+    ASSERT_TRUE(exportMaterials(home("brick.glb"), {brick}, catalog, progress));
+    window().files().open({QString::fromStdString(home("brick.glb").string())}, Side::A);
+    const auto material = [this]() -> const Material& {
+        return document().scene().objects.front().material;
+    };
+    ASSERT_TRUE(QTest::qWaitFor([&] { return material().model.id == brick.model.id; }, readingMs));
+    EXPECT_EQ(material().model, brick.model);
+    ASSERT_EQ(material().textures.size(), brick.textures.size());
+    for (const auto& [key, use] : brick.textures) {
+        EXPECT_EQ(readFile(material().textures.at(key).file), readFile(use.file)) << key;
+        EXPECT_EQ(material().textures.at(key).scale, use.scale) << key;
+    }
 }
 
 /// Is a mesh of two materials, of which the file says how they look.

@@ -21,6 +21,7 @@ MeshMaterial everyValue(const std::string& look) {
     for (const char* word : {"diffuse", "specular", "emissive", "f0"}) {
         material.values[word] = glm::dvec3(0.25, 0.5, 0.75);
     }
+    material.values["metalness"] = glm::dvec3(0.5);
     material.values["shininess"] = glm::dvec3(40.0);
     material.values["alpha"] = glm::dvec3(0.125);
     material.values["opacity"] = glm::dvec3(0.5);
@@ -51,8 +52,8 @@ TEST_P(EveryMeshLook, Value_BeyondItsRange_IsBroughtIntoIt) {
 
 INSTANTIATE_TEST_SUITE_P(Shipped, EveryMeshLook,
                          testing::Values("matte", "rough-matte", "phong", "blinn-phong",
-                                         "dielectric", "metal", "grained-dielectric",
-                                         "grained-metal"));
+                                         "dielectric", "metal", "metallic-roughness",
+                                         "grained-dielectric", "grained-metal"));
 
 TEST(MeshLook, Metal_HasItsReflectanceAndWidth) {
     const auto material = materialOf(everyValue("metal"), shipped());
@@ -75,6 +76,24 @@ TEST(MeshLook, Images_LieOnTheParametersOfTheirWords) {
     EXPECT_EQ(material->textures.at("specular.color").mode, TextureMode::Replace)
         << "nothing would be left of it";
     EXPECT_EQ(material->textures.at("normal").file, "/n.png");
+}
+
+TEST(MeshLook, ImageOfMetalnessAndRoughness_LiesOnBothByItsChannels) {
+    MeshMaterial from = everyValue("metallic-roughness");
+    from.images = {{"alpha", "/packed.png"}, {"metalness", "/packed.png"}};
+    from.values["alpha.channel"] = glm::dvec3(1.0);
+    from.values["alpha.root"] = glm::dvec3(1.0);
+    from.values["metalness.channel"] = glm::dvec3(2.0);
+    const auto material = materialOf(from, shipped());
+    ASSERT_TRUE(material) << material.error().text();
+    const TextureUse& width = material->textures.at("roughness");
+    EXPECT_EQ(width.channel, TextureChannel::Green);
+    EXPECT_EQ(width.colorSpace, TextureColorSpace::Roots);
+    const TextureUse& metalness = material->textures.at("metalness");
+    EXPECT_EQ(metalness.channel, TextureChannel::Blue);
+    EXPECT_EQ(metalness.colorSpace, TextureColorSpace::Linear);
+    EXPECT_EQ(metalness.mode, TextureMode::Multiply);
+    EXPECT_EQ(material->model.parameters.at("metalness"), Value(0.5));
 }
 
 TEST(MeshLook, Unknown_SaysSo) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "files/embedded_images.h"
 
+#include <map>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -48,21 +49,27 @@ Result<std::string> keptImage(const std::string& uri, const std::filesystem::pat
     return file.generic_string();
 }
 
-} // namespace
-
-Errors keepEmbeddedImages(MeshMaterial& material, const std::filesystem::path& folder) {
-    Errors errors;
-    for (auto image = material.images.begin(); image != material.images.end();) {
+void keepAll(std::map<std::string, std::string>& images, const std::filesystem::path& folder,
+             Errors& errors) {
+    for (auto image = images.begin(); image != images.end();) {
         const auto kept = image->second.starts_with("data:") ? keptImage(image->second, folder)
                                                              : Result<std::string>(image->second);
         if (!kept) {
             errors.push_back(kept.error());
-            image = material.images.erase(image);
+            image = images.erase(image);
             continue;
         }
         image->second = *kept;
         ++image;
     }
+}
+
+} // namespace
+
+Errors keepEmbeddedImages(MeshMaterial& material, const std::filesystem::path& folder) {
+    Errors errors;
+    keepAll(material.images, folder, errors);
+    keepAll(material.presetImages, folder, errors);
     return errors;
 }
 
