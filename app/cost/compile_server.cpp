@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <numeric>
 #include <optional>
+#include <set>
 #include <span>
 #include <utility>
 #include <variant>
@@ -48,12 +51,17 @@ StageStatistics stageStatistics(const NullDevice::Statistics& numbers, double cy
     return stage;
 }
 
-/// Is how often the driver's compiler takes a loop to run whose rounds it does not count.
-constexpr double guessedRounds = 8.0;
+/// Returns how often the driver's compiler takes what is in so many loops to run whose rounds it
+/// does not count: 8 times, in a loop within another 4 times that, and farther in twice that.
+double guessedRuns(std::size_t depth) {
+    return depth == 0 ? 1.0 : depth == 1 ? 8.0 : 16.0 * std::exp2(static_cast<double>(depth) - 1.0);
+}
 
 /// Corrects what a compiler guesses of loops whose rounds are constants. The program is compiled
-/// with one round of such loops; what the guess has more than that are their other rounds. Loops
-/// with as many rounds are taken together, since the guess is as far off in each.
+/// with one round of each of them: what the guess has more are its other rounds, and those of the
+/// loops within, which are guessed to be fewer then. So what one round of each loop takes is told
+/// from the innermost on. Loops with as many rounds that have no loops around or in them are taken
+/// together.
 class KnownRounds {
   public:
     explicit KnownRounds(const SpirvProgram& program) : program_(program) {
@@ -75,30 +83,69 @@ class KnownRounds {
         if (!guessed && !groups_.empty()) {
             guessed = fragmentOf(program_, device, false);
         }
-        for (Group& each : groups_) {
-            auto single = std::exchange(each.single, std::nullopt);
+        std::vector<Round> rounds(groups_.size()); // behind those that are in them
+        for (std::size_t i = groups_.size(); i-- > 0 && guessed;) {
+            auto single = std::exchange(groups_[i].single, std::nullopt);
+            single = single ? single : fragmentOf(groups_[i].once, device, false);
             if (!single) {
-                single = fragmentOf(each.once, device, false);
+                return;
             }
-            if (guessed && single) {
-                const double more = (each.rounds - guessedRounds) / (guessedRounds - 1.0);
-                stage.cycles += more * (guessed->cycles - single->cycles);
-                stage.latency += more * (guessed->latency - single->latency);
-                stage.loops -= each.loops;
+            const Group& own = groups_[i];
+            Round left{guessed->cycles - single->cycles, guessed->latency - single->latency};
+            for (std::size_t inner = i + 1; inner < groups_.size(); ++inner) {
+                if (isAround(own, groups_[inner])) {
+                    const double fewer = runsMore(groups_[inner]);
+                    left.cycles -= fewer * rounds[inner].cycles;
+                    left.latency -= fewer * rounds[inner].latency;
+                }
             }
+            rounds[i] = {left.cycles / runsMore(own), left.latency / runsMore(own)};
+            const double more = own.runs - guessedRuns(own.depth);
+            stage.cycles += more * rounds[i].cycles;
+            stage.latency += more * rounds[i].latency;
+            stage.loops -= static_cast<int>(own.loops.size());
         }
         stage.cycles = std::round(stage.cycles);
         stage.latency = std::round(stage.latency);
     }
 
   private:
-    /// Are loops of equally many rounds.
+    /// Is what one round of a loop takes, without those in it.
+    struct Round {
+        double cycles = 0.0;
+        double latency = 0.0;
+    };
+
+    /// Are loops of equally many rounds that the driver leaves.
     struct Group {
-        int rounds = 0;
-        int loops = 0;
+        std::vector<std::size_t> loops; ///< are places among the counted ones
         SpirvProgram once;
         std::optional<StageStatistics> single; ///< is `once` on the first device
+        std::size_t depth = 1;                 ///< counts the loops around that are left, and it
+        double runs = 1.0;                     ///< is how often it runs with those around it
     };
+
+    /// Returns how much oftener what is in loops runs than it would without one of them.
+    static double runsMore(const Group& group) {
+        return guessedRuns(group.depth) - guessedRuns(group.depth - 1);
+    }
+
+    bool isAround(const Group& outer, const Group& inner) const {
+        const std::vector<std::size_t>& around = loops_[inner.loops.front()].around;
+        return std::ranges::find(around, outer.loops.front()) != around.end();
+    }
+
+    /// Tells whether a loop has no other in or around it.
+    bool isAlone(std::size_t loop) const {
+        return loops_[loop].around.empty() && loops_[loop].othersAround == 0 &&
+               std::ranges::none_of(loops_, [loop](const CountedLoop& other) {
+                   return std::ranges::find(other.around, loop) != other.around.end();
+               });
+    }
+
+    std::size_t outermost(std::size_t loop) const {
+        return loops_[loop].around.empty() ? loop : loops_[loop].around.front();
+    }
 
     void group(const NullDevice& device) {
         isGrouped_ = true;
@@ -106,28 +153,95 @@ class KnownRounds {
             return;
         }
         guessed_ = fragmentOf(program_, device, true);
-        std::map<int, std::vector<CountedLoop>> byRounds;
-        for (const CountedLoop& loop : loops_) {
-            byRounds[loop.rounds].push_back(loop);
+        if (!guessed_) {
+            return;
         }
-        for (const auto& [rounds, loops] : byRounds) {
-            if (!isAdded(loops, device) && loops.size() > 1) {
-                for (const CountedLoop& loop : loops) {
-                    isAdded({&loop, 1}, device);
+        const auto once = fragmentOf(withOneRoundOf(everyLoop()), device, true);
+        int open = once ? guessed_->loops - once->loops : 0; // counts those that the driver leaves
+        std::set<std::size_t> unclear;
+        for (const std::vector<std::size_t>& loops : likelyLeft()) {
+            if (open <= 0) {
+                break;
+            }
+            if (isAdded(loops, device, open)) {
+                continue;
+            }
+            for (const std::size_t loop : loops) {
+                if ((loops.size() == 1 || !isAdded({loop}, device, open)) && !isAlone(loop)) {
+                    unclear.insert(outermost(loop));
                 }
             }
         }
+        std::erase_if(groups_, [&](const Group& each) {
+            return unclear.contains(outermost(each.loops.front()));
+        });
+        std::ranges::sort(groups_, {}, [](const Group& each) { return each.loops.front(); });
+        for (Group& each : groups_) {
+            const CountedLoop& loop = loops_[each.loops.front()];
+            each.depth += static_cast<std::size_t>(loop.othersAround);
+            each.runs = loop.rounds;
+            for (const Group& outer : groups_) {
+                if (isAround(outer, each)) {
+                    ++each.depth;
+                    each.runs *= loops_[outer.loops.front()].rounds;
+                }
+            }
+            each.runs *= guessedRuns(static_cast<std::size_t>(loop.othersAround));
+        }
     }
 
-    /// Adds loops that the driver leaves all: it may have counted the rounds itself, with no loop
-    /// left.
-    bool isAdded(std::span<const CountedLoop> loops, const NullDevice& device) {
-        Group made{loops.front().rounds, static_cast<int>(loops.size()), program_, std::nullopt};
-        made.once.fragment = withOneRound(program_.fragment, loops);
+    std::vector<std::size_t> everyLoop() const {
+        std::vector<std::size_t> all(loops_.size());
+        std::iota(all.begin(), all.end(), std::size_t(0));
+        return all;
+    }
+
+    /// Returns the loops, those with equally many rounds and no other in or around them together:
+    /// first those that are most to write out, which the driver rather leaves.
+    std::vector<std::vector<std::size_t>> likelyLeft() const {
+        std::map<int, std::vector<std::size_t>> alone;
+        std::vector<std::vector<std::size_t>> all;
+        for (const std::size_t loop : everyLoop()) {
+            if (isAlone(loop)) {
+                alone[loops_[loop].rounds].push_back(loop);
+            } else {
+                all.push_back({loop});
+            }
+        }
+        for (auto& [rounds, loops] : alone) {
+            all.push_back(std::move(loops));
+        }
+        std::ranges::stable_sort(all, std::ranges::greater(), [this](const auto& loops) {
+            const CountedLoop& loop = loops_[loops.front()];
+            return loop.instructions * static_cast<std::size_t>(loop.rounds);
+        });
+        return all;
+    }
+
+    SpirvProgram withOneRoundOf(const std::vector<std::size_t>& loops) const {
+        std::vector<CountedLoop> some;
+        for (const std::size_t loop : loops) {
+            some.push_back(loops_[loop]);
+        }
+        SpirvProgram made = program_;
+        made.fragment = withOneRound(program_.fragment, some);
+        return made;
+    }
+
+    /// Adds loops that the driver leaves all, and nothing where it has written them all out.
+    /// Returns false where it leaves some of them, or others in another program. Those that are
+    /// added are no longer open.
+    bool isAdded(const std::vector<std::size_t>& loops, const NullDevice& device, int& open) {
+        Group made{loops, withOneRoundOf(loops), std::nullopt};
         made.single = fragmentOf(made.once, device, true);
-        if (!guessed_ || !made.single || made.single->loops != guessed_->loops - made.loops) {
+        if (made.single && made.single->loops == guessed_->loops) {
+            return true;
+        }
+        const int left = guessed_->loops - static_cast<int>(loops.size());
+        if (!made.single || made.single->loops != left) {
             return false;
         }
+        open -= static_cast<int>(loops.size());
         groups_.push_back(std::move(made));
         return true;
     }
@@ -143,7 +257,7 @@ class KnownRounds {
     double cyclesOfLookUp_ = 0.0; ///< is of the device that is corrected for
     std::vector<CountedLoop> loops_;
     bool isGrouped_ = false;
-    std::vector<Group> groups_;
+    std::vector<Group> groups_;              ///< have those around before those within
     std::optional<StageStatistics> guessed_; ///< is the program on the first device
 };
 

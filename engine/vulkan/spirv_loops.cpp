@@ -67,8 +67,22 @@ class LoopFinder {
 
     std::vector<CountedLoop> loops() const {
         std::vector<CountedLoop> loops;
+        std::vector<std::size_t> counted; // are the merges of these loops
         for (const std::size_t merge : merges_) {
-            if (auto loop = isNested(merge) ? std::nullopt : loopAt(merge)) {
+            if (auto loop = holdsOthers(merge) ? std::nullopt : loopAt(merge)) {
+                for (const std::size_t other : merges_) {
+                    const auto place = std::ranges::find(counted, other);
+                    if (other >= merge || merge >= endOf(other)) {
+                        continue;
+                    }
+                    if (place != counted.end()) {
+                        loop->around.push_back(static_cast<std::size_t>(place - counted.begin()));
+                    } else {
+                        ++loop->othersAround;
+                    }
+                }
+                loop->instructions = endOf(merge) - merge;
+                counted.push_back(merge);
                 loops.push_back(std::move(*loop));
             }
         }
@@ -95,16 +109,21 @@ class LoopFinder {
         return found == byId_.end() ? all_.size() : found->second;
     }
 
-    bool isNested(std::size_t merge) const {
+    /// Tells whether there is a loop in it whose rounds are no constant.
+    bool holdsOthers(std::size_t merge) const {
         return std::ranges::any_of(merges_, [&](std::size_t other) {
-            const bool holdsOther = merge < other && other < endOf(merge);
-            const bool isWithin = other < merge && merge < endOf(other);
-            return holdsOther || isWithin;
+            return merge < other && other < endOf(merge) && !loopAt(other);
         });
     }
 
-    /// Returns where a counter begins that is one higher in each round; nothing for another value.
-    std::optional<std::int64_t> beginOf(std::uint32_t counter) const {
+    /// Says where a counter begins, and by how much it is higher in each round.
+    struct Count {
+        std::int64_t begin = 0;
+        std::int64_t step = 1;
+    };
+
+    /// Returns how a counter goes up; nothing for another value.
+    std::optional<Count> countOf(std::uint32_t counter) const {
         const Instruction* phi = find(counter, spv::OpPhi);
         if (phi == nullptr || phi->words.size() != 7) {
             return std::nullopt;
@@ -113,9 +132,10 @@ class LoopFinder {
              {std::pair(phi->words[3], phi->words[5]), std::pair(phi->words[5], phi->words[3])}) {
             const Instruction* sum = find(next, spv::OpIAdd);
             if (const auto begin = constant(first); begin && sum != nullptr) {
-                const bool isByOne = (sum->words[3] == counter && constant(sum->words[4]) == 1) ||
-                                     (sum->words[4] == counter && constant(sum->words[3]) == 1);
-                return isByOne ? begin : std::nullopt;
+                const auto step = sum->words[3] == counter   ? constant(sum->words[4])
+                                  : sum->words[4] == counter ? constant(sum->words[3])
+                                                             : std::nullopt;
+                return step && *step > 0 ? std::optional(Count{*begin, *step}) : std::nullopt;
             }
         }
         return std::nullopt;
@@ -139,15 +159,20 @@ class LoopFinder {
     /// `inclusive` is 1 where the loop's last number is the bound itself, else 0.
     std::optional<CountedLoop> counted(const Instruction& comparison,
                                        std::int64_t inclusive) const {
-        const auto begin = beginOf(comparison.words[3]);
+        const auto count = countOf(comparison.words[3]);
         const auto bound = constant(comparison.words[4]);
-        if (!begin || !bound || *bound + inclusive <= *begin) {
+        if (!count || !bound || *bound + inclusive <= count->begin) {
             return std::nullopt;
         }
         const Instruction& constant = *find(comparison.words[4], spv::OpConstant);
-        return CountedLoop{static_cast<int>(*bound + inclusive - *begin), comparison.at + 4,
-                           constant.at + constant.words.size(), constant.words[1],
-                           *begin + 1 - inclusive};
+        CountedLoop loop;
+        loop.rounds =
+            static_cast<int>((*bound + inclusive - count->begin + count->step - 1) / count->step);
+        loop.bound = comparison.at + 4;
+        loop.constantEnd = constant.at + constant.words.size();
+        loop.type = constant.words[1];
+        loop.onceBound = count->begin + 1 - inclusive;
+        return loop;
     }
 
     std::vector<Instruction> all_;

@@ -10,13 +10,17 @@
 
 namespace patina {
 
-/// Is a loop that counts by one from a constant to a constant, with no loop in it or around it.
+/// Is a loop that counts up by a constant from a constant to a constant, as do all loops in it. It
+/// may have a way out before.
 struct CountedLoop {
     int rounds = 0;
-    std::size_t bound = 0;       ///< is the word of the module that names its bound
-    std::size_t constantEnd = 0; ///< is the word behind the definition of that bound
-    std::uint32_t type = 0;      ///< is the bound's type
-    std::int64_t onceBound = 0;  ///< is the bound that would leave one round
+    std::size_t bound = 0;           ///< is the word of the module that names its bound
+    std::size_t constantEnd = 0;     ///< is the word behind the definition of that bound
+    std::uint32_t type = 0;          ///< is the bound's type
+    std::int64_t onceBound = 0;      ///< is the bound that would leave one round
+    std::vector<std::size_t> around; ///< are places of the counted loops around it among all
+    int othersAround = 0;            ///< counts the other loops around it
+    std::size_t instructions = 0;    ///< counts those in it
 };
 
 /// Tells whether a module has loops at all.
