@@ -216,8 +216,8 @@ std::string predictionLegend(const std::string& driver, Families families) {
         "its look-ups of texels take in texture units, as if nothing were computed meanwhile; "
         "latency: of one wave alone\n"
         "loops: those of which the compiler does not know how often they run; it takes 8 times, "
-        "and one within another 4 times for each of these; 0+12r: 12 rounds of loops that run for "
-        "each pixel as often as its series needs, counted as the mean of 256 pairs of directions\n"
+        "and one within another 4 times for each of these; 0+12r: 12 rounds of loops that run as "
+        "often as directions and values call for, on the mean of 256 pairs of directions\n"
         "left out: {}\n",
         driver, leftOutOfPrediction);
     if (hasMali(families)) {

@@ -322,6 +322,24 @@ TEST(VaryingLoops, RoundsOfASeries_AreFewerWhereItIsShortened) {
         varyingLoops(defaultMaterial(*catalog.find(kinds::models, "phong")), catalog).empty());
 }
 
+/// A grating's loops ask for its value of orders, which no compiler knows.
+TEST(VaryingLoops, RoundsOfAValue_CountEach) {
+    const auto cyclesWith = [](int orders) {
+        const nlohmann::json json = predicted(
+            {"cost", "--model", "grating", "--set", "orders=" + std::to_string(orders), "--scene",
+             threeLights, "--set", "scene.ambient=0,0,0", "--gpu", "rdna2", "--as-it-is"});
+        const auto& stage = json.at("presets").at(0).at("ways").at(0).at("families").at("rdna2");
+        EXPECT_EQ(stage.at("loops"), 0);
+        EXPECT_EQ(stage.at("countedRounds"), 2.0 * orders) << "two loops";
+        return stage.at("cycles").get<double>();
+    };
+    const double one = cyclesWith(1);
+    const double three = cyclesWith(3);
+    const double seven = cyclesWith(7);
+    EXPECT_GT(three, 1.05 * one);
+    EXPECT_NEAR((seven - three) / (three - one), 2.0, 0.02);
+}
+
 /// All rounds are written out in the place of two and three of them.
 TEST(VaryingLoops, RoundsOfASeries_CostWhatTheyDoWrittenOut) {
     const auto catalog = std::make_shared<const Catalog>(

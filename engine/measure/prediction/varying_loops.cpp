@@ -35,7 +35,7 @@ class RoundsCounter {
         for (const ShaderStatement& statement : syntax.statements) {
             if (statement.kind == ShaderStatement::Kind::Loop && statement.expression >= 0 &&
                 statement.step >= 0) {
-                loops_.push_back({&statement, {}, {}, false});
+                loops_.push_back({&statement, {}, {}, readsField(statement.expression)});
             }
         }
     }
@@ -81,8 +81,8 @@ class RoundsCounter {
     struct Counted {
         const ShaderStatement* statement;
         LoopTally all;
-        LoopTally first; ///< is of the first case that ran it
-        bool isVarying = false;
+        LoopTally first;        ///< is of the first case that ran it
+        bool isVarying = false; ///< or of values, which the compiler does not know either
     };
 
     const ShaderExpression& expression(int index) const {
@@ -90,6 +90,15 @@ class RoundsCounter {
     }
     const ParsedFunction& functionAt(int index) const {
         return syntax_.functions[static_cast<std::size_t>(index)];
+    }
+
+    /// Tells whether an expression reads a field, as a block's value is one: a compiler does not
+    /// know it, even where it is the same in all cases.
+    bool readsField(int index) const {
+        const ShaderExpression& each = expression(index);
+        return each.kind == ShaderExpression::Kind::Field ||
+               std::ranges::any_of(each.operands,
+                                   [this](int operand) { return readsField(operand); });
     }
 
     bool hasText(const Counted& loop) const {

@@ -12,8 +12,8 @@
 
 namespace patina {
 
-/// Is a loop of a model's text that runs as often as the directions of light and viewer call for,
-/// or one around such a loop.
+/// Is a loop of a model's text that runs as often as the directions of light and viewer, or the
+/// model's values, call for, or one around such a loop.
 struct VaryingLoop {
     std::string function;  ///< is the name of the function that it stands in
     std::size_t place = 0; ///< counts the loops of that function before it
@@ -22,8 +22,8 @@ struct VaryingLoop {
 };
 
 /// Returns the loops of the model's function, and of those that it calls, whose rounds vary over
-/// pairs of directions above the surface, with the material's values and accuracy levels, and those
-/// around them. None where its text cannot be evaluated on the CPU.
+/// pairs of directions above the surface, with the material's values and accuracy levels, or that
+/// ask for a value, and those around them. None where its text cannot be evaluated on the CPU.
 std::vector<VaryingLoop> varyingLoops(const Material& material, const Catalog& catalog);
 
 /// Returns the GLSL text of a stage with `rounds` rounds of each of these loops, written out one
