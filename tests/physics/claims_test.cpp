@@ -110,7 +110,8 @@ INSTANTIATE_TEST_SUITE_P(EveryBlock, ClaimsOnTheGpu,
 /// Exemptions whose cases chance does not meet: a light along the ridges, a steep lobe that ends at
 /// the horizon, light below 3 degrees (on a smooth white base of glTF, too), a sharp glow, half of
 /// whose forms keep it, and files of surfaces: RareExemptions and MeasuredGrain have a case of
-/// each. A grating keeps its energy (grating_test.cpp), but coarse rules miss its lines or hit them.
+/// each. A grating keeps its energy (grating_test.cpp), but coarse rules miss its lines or hit
+/// them.
 bool isRare(const Block& block, const Claim& claim) {
     const std::string name = block.id + ' ' + claim.name;
     return name == "poulin-fournier continuous_at_horizon" ||
