@@ -9,6 +9,7 @@
 #include "parameters/color_picker.h"
 #include "parameters/color_swatch.h"
 #include "parameters/hex_box.h"
+#include "parameters/number_format.h"
 #include "parameters/parameter_section.h"
 #include "parameters/row_mark.h"
 #include "parameters/warning_mark.h"
@@ -18,6 +19,16 @@ namespace patina::tests::form_test {
 
 TEST_F(Form, FirstModel_HasARowForEachParameter) {
     EXPECT_EQ(form->rows().size(), document.block(fixture.model())->parameters.size());
+}
+
+TEST(ShownUnit, RaisesExponentsAndNoOtherDigits) {
+    EXPECT_EQ(shownUnit("1/m2"), "1/m\u00b2");
+    EXPECT_EQ(shownUnit("m3"), "m\u00b3");
+    EXPECT_EQ(shownUnit("kg/m3 K2"), "kg/m\u00b3 K\u00b2");
+    EXPECT_EQ(shownUnit("px/512"), "px/512");
+    EXPECT_EQ(shownUnit("px/32"), "px/32");
+    EXPECT_EQ(shownUnit("m25"), "m25");
+    EXPECT_EQ(shownUnit("deg"), "\u00b0");
 }
 
 TEST_F(Form, Backspace_ResetsUndoably) {

@@ -21,6 +21,19 @@ std::string withoutTrailingZeros(std::string text) {
     return text;
 }
 
+bool isLetter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+/// Tells whether a digit of a unit raises the letters before it, as in "1/m2"; the digits of
+/// "px/512" are a number.
+bool isExponent(std::string_view unit, std::size_t digit) {
+    const bool isRaised = digit > 0 && isLetter(unit[digit - 1]);
+    const bool isLast =
+        digit + 1 == unit.size() || std::string_view(" /*").find(unit[digit + 1]) != unit.npos;
+    return isRaised && isLast;
+}
+
 } // namespace
 
 std::string shownNumber(double value, int decimals) {
@@ -43,8 +56,9 @@ std::string shownUnit(std::string_view unit) {
         return "\u00b0";
     }
     std::string shown;
-    for (const char c : unit) {
-        shown += c == '2' ? "\u00b2" : c == '3' ? "\u00b3" : std::string(1, c);
+    for (std::size_t i = 0; i < unit.size(); ++i) {
+        const char c = isExponent(unit, i) ? unit[i] : ' ';
+        shown += c == '2' ? "\u00b2" : c == '3' ? "\u00b3" : std::string(1, unit[i]);
     }
     return shown;
 }
