@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/command.h"
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -19,6 +20,7 @@
 #include "cli/shader_mistakes.h"
 #include "material/measured_preset.h"
 #include "material/preset_file.h"
+#include "material/reading_rights.h"
 #include "measured/measured_reflectance.h"
 #include "scene/mesh_path.h"
 #include "scene/scene_file.h"
@@ -110,10 +112,70 @@ void addMeasuredMistake(Errors& errors, const LocatedJson& document, const std::
     }
 }
 
+/// Adds errors for the pictures that blocks of a scene name and that are missing.
+class MissingPictures {
+  public:
+    MissingPictures(Errors& errors, const LocatedJson& document, const Catalog& catalog,
+                    const OutsideFiles& outside)
+        : errors_(errors), document_(document), catalog_(catalog), outside_(outside) {}
+
+    void addOf(const Scene& scene) {
+        addOf(scene.parts, {});
+        for (std::size_t i = 0; i < scene.passes.size(); ++i) {
+            addOf(scene.passes[i], kinds::pass, fmt::format("/passes/{}", i));
+        }
+        for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+            const std::string place = fmt::format("/lights/{}", i);
+            addOf(scene.lights[i].block, kinds::lights, place);
+            addOf(scene.lights[i].parts, place);
+        }
+    }
+
+  private:
+    void addOf(const BlockParts& parts, const std::string& place) {
+        for (const auto& [kind, values] : parts) {
+            addOf(values, kind, fmt::format("{}/{}", place, findKind(kind)->singular));
+        }
+    }
+
+    void addOf(const BlockValues& values, std::string_view kind, const std::string& place) {
+        const Block* block = catalog_.find(kind, values.id);
+        for (std::size_t i = 0; block != nullptr && i < block->parameters.size(); ++i) {
+            const Parameter& parameter = block->parameters[i];
+            const auto value = values.parameters.find(parameter.id);
+            if (infoOf(parameter.type).isFile && value != values.parameters.end()) {
+                add(std::get<std::string>(value->second),
+                    fmt::format("{}/parameters/{}", place, escapedToken(parameter.id)));
+            }
+        }
+    }
+
+    void add(const std::string& picture, const std::string& place) {
+        std::error_code absent;
+        const fs::path path = referenceFolder(document_.file) / picture;
+        const bool isOutside = std::ranges::any_of(
+            outside_, [&](const OutsideFile& each) { return each.file == path.generic_string(); });
+        if (!picture.empty() && !isOutside && !fs::is_regular_file(path, absent)) {
+            errors_.push_back(document_.error(place,
+                                              fmt::format("there is no picture \"{}\"", picture),
+                                              "a path from the scene's folder"));
+        }
+    }
+
+    Errors& errors_;
+    const LocatedJson& document_;
+    const Catalog& catalog_;
+    const OutsideFiles& outside_; ///< are told as such
+};
+
 /// Returns an error for each file that a scene names and that is missing.
-Errors absentFiles(const fs::path& file, const Scene& scene, const Catalog& catalog) {
+Errors absentFiles(const fs::path& file, const SceneReading& reading, const Catalog& catalog) {
     const Result<LocatedJson> document = readJson(file, sceneLimits);
     Errors errors;
+    if (document) {
+        MissingPictures(errors, *document, catalog, reading.outside).addOf(reading.scene);
+    }
+    const Scene& scene = reading.scene;
     for (std::size_t i = 0; document && i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
         if (isMissing(object.mesh)) {
@@ -143,7 +205,7 @@ Errors sceneMistakesIn(const fs::path& file, const Catalog& catalog) {
     const auto reading = readScene(file, catalog);
     Errors errors = mistakesOf(reading);
     if (reading) {
-        const Errors absent = absentFiles(file, reading->scene, catalog);
+        const Errors absent = absentFiles(file, *reading, catalog);
         errors.insert(errors.end(), absent.begin(), absent.end());
     }
     return errors;
