@@ -42,7 +42,7 @@ Errors ShaderMistakes::of(const fs::path& descriptor) {
         catalog.blocks, [&](const Block& each) { return isSame(each.descriptorFile, file); });
     if (block != catalog.blocks.end()) {
         const auto program = trialProgram(*block, catalog);
-        return program ? compilerMistakes(program->fragment) : program.error();
+        return program ? compilerMistakes(*program) : program.error();
     }
     Errors mistakes; // as of a file that is missing
     for (const Error& error : catalog.errors) {

@@ -87,9 +87,9 @@ float surfaceBefore(MarkPoint m, vec2 slope, vec2 beside, float reach) {
     float facingThere = sqrt(1.0 - asideThere * asideThere);
     float risen = inward * (aside + asideThere) / (facing + facingThere);
     float slopeThere = asideThere / facingThere;
-    float shared = asideThere / max(aside, 1e-6);
-    shared = aside > 1e-6 ? shared : 1.0;
-    return risen - slopeThere * inward - shared / facingThere * dot(slope, beside);
+    float part = asideThere / max(aside, 1e-6);
+    part = aside > 1e-6 ? part : 1.0;
+    return risen - slopeThere * inward - part / facingThere * dot(slope, beside);
 }
 
 // The depth at the place `beside` a mark's point on the picture, in metres, in clip space. What

@@ -17,7 +17,7 @@ class NewBlock : public testing::Test {
     void SetUp() override {
         const std::string guide = readFile(shipped("CONTRIBUTING.md"));
         static const std::regex block(
-            "```(?:json|glsl) ((?:lights|fresnel|fog|pass)/\\S+)\n([^`]*)```");
+            "```(?:json|glsl) ((?:lights|fresnel|fog|pass|strokes|shells)/\\S+)\n([^`]*)```");
         for (std::sregex_iterator it(guide.begin(), guide.end(), block), end; it != end; ++it) {
             writeFile(data_ / ("patina/shaders/" + (*it)[1].str()), (*it)[2]);
             files_.push_back((*it)[1]);
@@ -45,10 +45,11 @@ class NewBlock : public testing::Test {
 };
 
 TEST_F(NewBlock, Guide_HasTwoFilesOfEachKind) {
-    EXPECT_EQ(files_, (std::vector<std::string>{"lights/warn.json", "lights/warn.glsl",
-                                                "fresnel/lazanyi.json", "fresnel/lazanyi.glsl",
-                                                "fog/haze.json", "fog/haze.glsl",
-                                                "pass/vignette.json", "pass/vignette.glsl"}));
+    EXPECT_EQ(files_, (std::vector<std::string>{
+                          "lights/warn.json", "lights/warn.glsl", "fresnel/lazanyi.json",
+                          "fresnel/lazanyi.glsl", "fog/haze.json", "fog/haze.glsl",
+                          "pass/vignette.json", "pass/vignette.glsl", "strokes/dash.json",
+                          "strokes/dash.glsl", "shells/bristle.json", "shells/bristle.glsl"}));
 }
 
 TEST_F(NewBlock, Descriptors_AreValid) {
@@ -81,6 +82,29 @@ TEST_F(NewBlock, Scene_IsDrawnWithThem) {
     EXPECT_EQ(drawn.exitCode, 0);
     EXPECT_EQ(drawn.err, "") << "the driver takes all shaders";
     EXPECT_TRUE(std::filesystem::exists(picture));
+}
+
+TEST_F(NewBlock, WhatStandsOnASurface_IsDrawn) {
+    Json scene = Json::parse(readFile(shipped("presets/three-lights.patina-scene.json")));
+    const auto drawn = [&](const std::string& kind, const std::string& id) {
+        Json preset =
+            Json::parse(readFile(shipped("presets/cook-torrance/red-plastic.patina.json")));
+        if (!kind.empty()) {
+            preset[kind] = {{"id", id}};
+        }
+        scene["objects"][0]["preset"] = preset;
+        const std::string file = data_ / "standing.patina-scene.json";
+        const std::string picture = data_ / (id + ".png");
+        writeFile(file, scene.dump());
+        const Outcome outcome =
+            patinaWithThem({"render", "--scene", file, "--size", "16x16", "-o", picture});
+        EXPECT_EQ(outcome.exitCode, 0);
+        EXPECT_EQ(outcome.err, "") << "the driver takes all shaders";
+        return readFile(picture);
+    };
+    const std::string bare = drawn("", "bare");
+    EXPECT_NE(drawn("strokes", "dash"), bare);
+    EXPECT_NE(drawn("shells", "bristle"), bare);
 }
 
 TEST_F(NewBlock, FresnelOnTheGpu_GivesItsFormula) {

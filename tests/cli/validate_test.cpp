@@ -129,6 +129,48 @@ TEST(ValidateCommand, MistakeInABlocksShader_IsToldWithItsLine) {
     EXPECT_NE(outcome.err.find("nm"), std::string::npos) << outcome.err;
 }
 
+std::string replacedAll(std::string text, const std::string& from, const std::string& to) {
+    for (std::size_t at = text.find(from); !from.empty() && at != std::string::npos;
+         at = text.find(from, at)) {
+        text.replace(at, from.size(), to);
+        at += to.size();
+    }
+    return text;
+}
+
+/// Validates a copy of a shipped block under the name "mine", with something of its GLSL replaced.
+/// `word` ends the names of the kind's functions.
+Outcome validateDamagedCopy(const std::string& file, const std::string& word,
+                            const std::string& from, const std::string& to) {
+    const TemporaryFolder folder;
+    const std::string kind = file.substr(0, file.find('/'));
+    const std::string id = file.substr(kind.size() + 1);
+    std::string capital = id;
+    capital.front() = static_cast<char>(capital.front() - 'a' + 'A');
+    std::string shader = readFile(shipped("shaders/" + file + ".glsl"));
+    shader =
+        replacedAll(replacedAll(shader, id + word, "mine" + word), capital + word, "Mine" + word);
+    const std::string descriptor = readFile(shipped("shaders/" + file + ".json"));
+    std::filesystem::create_directories(folder / kind);
+    writeFile(folder / (kind + "/mine.glsl"), replacedAll(shader, from, to));
+    writeFile(folder / (kind + "/mine.json"),
+              replacedAll(descriptor, "\"id\": \"" + id + "\"", "\"id\": \"mine\""));
+    return validate({(folder / (kind + "/mine.json")).string()});
+}
+
+/// Only the vertex stage asks how large a mark is, and where a layer of strands lies.
+TEST(ValidateCommand, MistakeInTheVertexStageOfABlock_IsToldWithItsLine) {
+    EXPECT_EQ(validateDamagedCopy("strokes/stipple", "Strokes", "", "").err, "");
+    const Outcome strokes =
+        validateDamagedCopy("strokes/stipple", "Strokes", "vec2(p.dotLength", "vec2(p.dotLangth");
+    EXPECT_EQ(strokes.exitCode, 1);
+    EXPECT_NE(strokes.err.find("mine.glsl:15:"), std::string::npos) << strokes.err;
+    const Outcome shells = validateDamagedCopy("shells/fur", "Shells", "s.height * (up * s.n",
+                                               "s.height * (up * s.normal");
+    EXPECT_EQ(shells.exitCode, 1);
+    EXPECT_NE(shells.err.find("mine.glsl:28:"), std::string::npos) << shells.err;
+}
+
 TEST(ValidateCommand, BlockWithoutAShader_IsNotValid) {
     const TemporaryFolder folder;
     const std::string model = modelWithASlot(folder, "vec3(d.nl)");
@@ -164,6 +206,25 @@ TEST(ValidateCommand, PresetWithAMissingImage_IsNotValid) {
     EXPECT_NE(outcome.err.find("a.patina.json:2:27: "), std::string::npos) << outcome.err;
     writeFile(folder / "gone.png", "");
     EXPECT_EQ(validate({(folder / "a.patina.json").string()}).exitCode, 0);
+}
+
+/// What each part of a scene names is looked for, in the scene's folder.
+TEST(ValidateCommand, SceneWithMissingPictures_IsNotValid) {
+    const TemporaryFolder folder;
+    writeFile(folder / "a.patina-scene.json", R"({"format": "patina.scene", "version": 1,
+"passes": [{"id": "screen", "version": 1, "parameters": {
+"mark": "image", "threshold": "dots.png"}}],
+"environment": {"id": "image", "version": 1, "parameters": {
+"image": "sky.hdr"}}})");
+    const std::string scene = (folder / "a.patina-scene.json").string();
+    const Outcome outcome = validate({scene});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.err.find(":3:31: there is no picture"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("dots.png"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find(":5:10: there is no picture"), std::string::npos) << outcome.err;
+    writeFile(folder / "dots.png", "");
+    writeFile(folder / "sky.hdr", "");
+    EXPECT_EQ(validate({scene}).err, "");
 }
 
 TEST(ValidateCommand, SceneWithAnUnknownBuiltinMesh_IsNotValid) {

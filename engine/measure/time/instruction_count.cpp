@@ -29,11 +29,11 @@ struct GlslangProcess {
     GlslangProcess& operator=(const GlslangProcess&) = delete;
 };
 
-Result<std::vector<std::uint32_t>> compiled(const std::string& fragment) {
+Result<std::vector<std::uint32_t>> compiled(const std::string& source,
+                                            EShLanguage stage = EShLangFragment) {
     static const GlslangProcess process;
-    constexpr EShLanguage stage = EShLangFragment;
     constexpr auto messages = static_cast<EShMessages>(EShMsgSpvRules);
-    const char* text = fragment.c_str();
+    const char* text = source.c_str();
     glslang::TShader shader(stage);
     shader.setStrings(&text, 1);
     shader.setEnvInput(glslang::EShSourceGlsl, stage, glslang::EShClientOpenGL, 100);
@@ -170,6 +170,15 @@ class Counter {
     std::unordered_map<std::uint32_t, std::uint32_t> typeOf_; ///< maps a value to its type
 };
 
+Errors stageMistakes(const ShaderSource& source, EShLanguage stage) {
+    const Result<std::vector<std::uint32_t>> module = compiled(source.text, stage);
+    if (module) {
+        return {};
+    }
+    const std::string& log = module.error().problem;
+    return compileErrors(log.substr(std::min(log.find("ERROR:"), log.size())), source);
+}
+
 } // namespace
 
 InstructionCount countInstructions(std::span<const std::uint32_t> module) {
@@ -191,12 +200,16 @@ Result<InstructionCount> countInstructions(const std::string& fragment) {
 }
 
 Errors compilerMistakes(const ShaderSource& fragment) {
-    const Result<std::vector<std::uint32_t>> module = compiled(fragment.text);
-    if (module) {
-        return {};
+    return stageMistakes(fragment, EShLangFragment);
+}
+
+Errors compilerMistakes(const ProgramSource& program) {
+    Errors all = stageMistakes(program.vertex, EShLangVertex);
+    if (program.geometry) {
+        addNew(all, stageMistakes(*program.geometry, EShLangGeometry));
     }
-    const std::string& log = module.error().problem;
-    return compileErrors(log.substr(std::min(log.find("ERROR:"), log.size())), fragment);
+    addNew(all, stageMistakes(program.fragment, EShLangFragment));
+    return all;
 }
 
 } // namespace patina

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/error.h"
-#include "shading/glsl/shader_source.h"
+#include "shading/program/program_source.h"
 
 namespace patina {
 
@@ -32,6 +32,9 @@ Result<InstructionCount> countInstructions(const std::string& fragment);
 /// Returns the mistakes that glslang finds in a fragment stage, each with its file, line and
 /// column.
 Errors compilerMistakes(const ShaderSource& fragment);
+
+/// Returns the mistakes that glslang finds in all stages of a program, each once.
+Errors compilerMistakes(const ProgramSource& program);
 
 /// Counts the instructions of a SPIR-V module.
 InstructionCount countInstructions(std::span<const std::uint32_t> module);
