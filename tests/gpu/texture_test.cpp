@@ -318,5 +318,34 @@ TEST_F(TextureTest, Inspection_FindsNothingWrong) {
     EXPECT_EQ(middle(*image).y, 0.0f);
 }
 
+/// Returns the largest difference between a pixel and the mean of those on its left and right, in
+/// the middle of the picture.
+float largestSpeck(const Image& image) {
+    float largest = 0.0f;
+    for (int y = image.height / 4; y < 3 * image.height / 4; ++y) {
+        for (int x = image.width / 4; x < 3 * image.width / 4; ++x) {
+            const auto at = [&](int i) {
+                return image.pixels[std::size_t(image.channels * (y * image.width + i))];
+            };
+            largest = std::max(largest, std::abs(at(x) - 0.5f * (at(x - 1) + at(x + 1))));
+        }
+    }
+    return largest;
+}
+
+/// Ridges from the left to the right, on a plate whose triangles have an edge across the picture.
+TEST_F(TextureTest, RidgesAcrossTheEdgesOfTriangles_HaveNoSpecks) {
+    Scene ridges = plate();
+    ridges.lights = {sun({0.0, 0.8, -0.6})};
+    ridges.objects[0].material.model = block("models", "seen-ridges");
+    ridges.objects[0].material.model.parameters["ridge.width"] = 0.04;
+    View view = viewOf(ridges, 128);
+    view.camera.distance = 2.0;
+    view.samples = 4;
+    const auto image = renderer->capture(ridges, view, meshSource(), false);
+    ASSERT_TRUE(image) << image.error().text();
+    EXPECT_LT(largestSpeck(*image), 0.01f);
+}
+
 } // namespace
 } // namespace patina::texture_test

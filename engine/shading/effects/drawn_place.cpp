@@ -104,7 +104,8 @@ std::string DrawnPlaceEffect::writeVertex(SourceBuilder& vertex) const {
     }
     if (readsCoordinates(*drawing)) {
         vertex.addFile("passes/texture.vert");
-        statements += "    placeImages();\n";
+        vertex.addFile("passes/drawn_coordinates.vert");
+        statements += "    placeImages();\n    placePattern();\n";
     }
     return statements;
 }
