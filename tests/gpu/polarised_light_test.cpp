@@ -140,6 +140,25 @@ TEST_F(PolarisedLight, OnAnEmpiricalTerm_IsThatOfAClearMaterialAndItsRowSaysSo) 
                 right.p.y / right.s.y, 4e-3);
 }
 
+TEST_F(PolarisedLight, OnAModelWithoutAFresnelTerm_CountsAsOrdinaryAndARowSaysSo) {
+    const auto reason = [this](const Scene& scene) {
+        for (const EffectRow& row : effectRows(scene, 0, *catalog)) {
+            if (row.line.effect == "polarised light") {
+                return row.in ? "in" : row.line.reason;
+            }
+        }
+        return std::string();
+    };
+    Scene scene = mirror("dielectric", 50.0);
+    EXPECT_EQ(reason(polarised(scene, along)), "");
+    scene.objects[0].material = object("phong").material;
+    EXPECT_EQ(reason(scene), "");
+    EXPECT_EQ(seen(polarised(scene, along)), seen(scene));
+    EXPECT_EQ(reason(polarised(scene, along)),
+              "The model has no Fresnel term in its slot, which alone would answer to it: it "
+              "counts as ordinary light.");
+}
+
 /// Where a term reflects nothing facing it the index is 1, and what is reflected along is to what
 /// is across as the square of the cosine of twice the angle: the limit of Fresnel's equations.
 TEST_F(PolarisedLight, OnTermsThatMirrorNothingFacingThem_IsTheLimitOfFresnels) {

@@ -95,8 +95,8 @@ void callLights(SurfaceText& text, std::size_t index, const std::string& call, i
         nextLine += group.vec4s();
     }
     if (lines == 0) {
-        const std::string place = fmt::format("int(sceneData[{}].y) + i * {}", group.light.first,
-                                              group.vec4s());
+        const std::string place =
+            fmt::format("int(sceneData[{}].y) + i * {}", group.light.first, group.vec4s());
         text.main += fmt::format("    for (int i = 0; i < int(sceneData[{}].x); ++i) {{\n"
                                  "        shaded += {};\n"
                                  "    }}\n",
@@ -335,8 +335,8 @@ void LightsEffect::list(EffectListing& listing, const EffectSet& set) const {
         }
         const bool isInColors = std::ranges::any_of(groups, &LightGroup::isInColors);
         const bool hasAmbient = std::ranges::any_of(groups, &LightGroup::hasAmbient);
-        const bool isPolarised = answersPolarisedLight(set) &&
-                                 std::ranges::any_of(groups, &LightGroup::isPolarised);
+        const bool isPolarised =
+            answersPolarisedLight(set) && std::ranges::any_of(groups, &LightGroup::isPolarised);
         listing.add(
             effectName(*uses.front()),
             detailed(detailed(detailed(compiledText(uses), isInColors, "separate colours"),
@@ -358,6 +358,12 @@ void LightsEffect::listMissing(LeftOutListing& listing, const EffectSet& set) co
         } else if (takesOne && i != key) {
             listing.add(lightName(scene, i), drawingText(listing.subject()));
         }
+    }
+    const bool isPolarised = std::ranges::any_of(lights, &LightGroup::isPolarised);
+    if (set.model && isPolarised && !answersPolarisedLight(set)) {
+        listing.add("polarised light",
+                    "The model has no Fresnel term in its slot, which alone would answer to it: it "
+                    "counts as ordinary light.");
     }
 }
 
