@@ -284,5 +284,86 @@ TEST_F(Strokes, OfExtremeValues_EndInAPicture) {
     }
 }
 
+/// What stands on a surface: strokes and shells of every block, on meshes that give them little.
+class WhatStandsOnASurface : public Strokes {
+  protected:
+    void SetUp() override {
+        Strokes::SetUp();
+        Mesh triangle;
+        triangle.vertices = {{{-1.0f, -1.0f, 0.0f}}, {{1.0f, -1.0f, 0.0f}}, {{0.0f, 1.0f, 0.0f}}};
+        triangle.indices = {0, 1, 2};
+        triangle.bounds.add({-1.0f, -1.0f, 0.0f});
+        triangle.bounds.add({1.0f, 1.0f, 0.0f});
+        meshes["triangle"] = triangle;
+        for (Vertex& vertex : triangle.vertices) {
+            vertex.position = {0.3f, 0.2f, 0.0f};
+        }
+        meshes["point"] = triangle;
+        Mesh plain = *primitive("sphere");
+        for (Vertex& vertex : plain.vertices) {
+            vertex.uv = glm::vec2(0.0f);
+            vertex.tangent = glm::vec4(0.0f);
+        }
+        meshes["plain"] = plain;
+    }
+
+    std::vector<const Block*> blocks() const {
+        std::vector<const Block*> all = catalog->ofKind("strokes");
+        for (const Block* shells : catalog->ofKind("shells")) {
+            all.push_back(shells);
+        }
+        return all;
+    }
+
+    /// Makes a scene of one object with the block, one of whose numbers is given by its role.
+    Scene with(const Block& standing, const std::string& mesh, std::string_view role,
+               double number) const {
+        Scene scene = simpleScene();
+        scene.objects[0].mesh = "builtin:" + mesh;
+        BlockValues& part = scene.objects[0].material.parts[standing.kind];
+        part = block(standing.kind, standing.id);
+        part.parameters[standing.withRole(role)->id] = number;
+        for (const AccuracyChoice& choice : standing.accuracy) {
+            scene.objects[0].material.accuracy[choice.id] = choice.values.back().id;
+        }
+        return scene;
+    }
+
+    /// Draws it; the picture has no light that is not finite, and nobody is told anything.
+    std::vector<float> valid(const Scene& scene) {
+        const Image image = picture(scene, 24);
+        const bool isValid = std::ranges::all_of(
+            image.pixels, [](float x) { return std::isfinite(x) && x >= 0.0f; });
+        EXPECT_TRUE(isValid);
+        return image.pixels;
+    }
+};
+
+TEST_F(WhatStandsOnASurface, OfNoLengthOrDensity_IsTheSurfaceAlone) {
+    for (const Block* standing : blocks()) {
+        SCOPED_TRACE(standing->id);
+        const Scene usual = with(*standing, "sphere", roles::density, 100.0);
+        Scene bare = usual;
+        bare.objects[0].material.parts.clear();
+        const std::vector<float> surface = valid(bare);
+        EXPECT_NE(valid(usual), surface);
+        EXPECT_EQ(valid(with(*standing, "sphere", roles::length, 0.0)), surface);
+        EXPECT_EQ(valid(with(*standing, "sphere", roles::density, 0.0)), surface);
+    }
+}
+
+TEST_F(WhatStandsOnASurface, OnMeshesThatGiveLittle_EndsInAPicture) {
+    for (const Block* standing : blocks()) {
+        for (const char* mesh : {"triangle", "point", "plain"}) {
+            SCOPED_TRACE(standing->id + " on a " + mesh);
+            const double longest = standing->withRole(roles::length)->max;
+            const double densest = standing->withRole(roles::density)->max;
+            valid(with(*standing, mesh, roles::length, longest));
+            valid(with(*standing, mesh, roles::density, densest));
+            valid(with(*standing, mesh, roles::density, 1e-6));
+        }
+    }
+}
+
 } // namespace
 } // namespace patina::strokes_test
