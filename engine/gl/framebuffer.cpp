@@ -66,10 +66,10 @@ void Framebuffer::attachColor(const TargetTexture& texture, unsigned location) {
     glDrawBuffers(static_cast<GLsizei>(location + 1), locations.data());
 }
 
-void Framebuffer::attachDepth(const TargetTexture& texture) {
+void Framebuffer::attachDepth(const TargetTexture& texture, int level) {
     glBindFramebuffer(GL_FRAMEBUFFER, name());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, texture.target(), texture.name(),
-                           0);
+                           level);
 }
 
 void Framebuffer::attachColors(const TextureArray& texture) {

@@ -38,7 +38,7 @@ class Framebuffer {
     /// Attaches the texture for the colours that a program writes to `location` (0 or 1), and draws
     /// all locations from 0 to this one.
     void attachColor(const TargetTexture& texture, unsigned location);
-    void attachDepth(const TargetTexture& texture);
+    void attachDepth(const TargetTexture& texture, int level = 0);
     /// Attaches all layers, at most 8; a program writes layer i at location i.
     void attachColors(const TextureArray& texture);
     /// Attaches one layer of depths and turns off the drawing and reading of colours. It may be

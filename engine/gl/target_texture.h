@@ -18,6 +18,13 @@ class TargetTexture {
     /// colours, or GL_DEPTH_COMPONENT32F. The samples lie where those of a renderbuffer do.
     static TargetTexture create(glm::ivec2 size, unsigned internalFormat, int samples);
 
+    /// Allocates the same with one sample and the levels up to `lastLevel`, each half as large as
+    /// the one before it.
+    static TargetTexture createLevels(glm::ivec2 size, unsigned internalFormat, int lastLevel);
+
+    /// Lets programs read the levels up to this one, so that another may be drawn to.
+    void showLevels(int lastLevel) const;
+
     unsigned name() const { return name_.get(); }
 
     /// Returns GL_TEXTURE_2D, or GL_TEXTURE_2D_MULTISAMPLE where there are several samples.

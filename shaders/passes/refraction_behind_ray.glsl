@@ -4,8 +4,8 @@
 vec3 seenBehind(Surface s, Passage w, vec3 across, vec3 up) {
     vec4 leaves = placeInClip(vec4(w.x, 1.0));
     vec3 place;
-    if (meets(placeInClip(vec4(s.x, 1.0)), leaves, STEPS_INSIDE, place) ||
-        meets(leaves, placeInClip(vec4(w.leaving, 0.0)), STEPS_BEHIND, place)) {
+    if ((HAS_INSIDE && meets(placeInClip(vec4(s.x, 1.0)), leaves, place)) ||
+        meets(leaves, placeInClip(vec4(w.leaving, 0.0)), place)) {
         return colorBehind(place.xy);
     }
     return distantLight(w.leaving, across, up);

@@ -11,7 +11,7 @@ vec2 rayPlace(int ray) {
 
 // Moves a place of the picture in clip space by so many of the picture's pixels.
 vec4 movedInPicture(vec4 x, vec2 pixels) {
-    return x + vec4(2.0 * x.w * pixels / vec2(textureSize(behindDepth, 0)), 0.0, 0.0);
+    return x + vec4(2.0 * x.w * pixels / vec2(pictureSize()), 0.0, 0.0);
 }
 
 vec3 seenBehind(Surface s, Passage w, vec3 across, vec3 up) {
@@ -28,7 +28,7 @@ vec3 seenBehind(Surface s, Passage w, vec3 across, vec3 up) {
         vec4 leaves = movedInPicture(placeInClip(vec4(x, 1.0)), u.yx);
         vec4 ends = movedInPicture(placeInClip(vec4(d, 0.0)), u.yx);
         vec3 place;
-        if (meets(begins, leaves, STEPS_INSIDE, place) || meets(leaves, ends, STEPS_BEHIND, place)) {
+        if ((HAS_INSIDE && meets(begins, leaves, place)) || meets(leaves, ends, place)) {
             sum += colorBehind(place.xy);
         } else {
             ++missed;

@@ -5,6 +5,6 @@
 vec3 lightLeaving(vec3 x, vec3 d, int reflections) {
     vec3 place;
     bool isMet = reflections == 0 &&
-        meets(placeInClip(vec4(x, 1.0)), placeInClip(vec4(d, 0.0)), STEPS_BEHIND, place);
+        meets(placeInClip(vec4(x, 1.0)), placeInClip(vec4(d, 0.0)), place);
     return isMet ? colorBehind(place.xy) : lightFar(d);
 }

@@ -131,8 +131,10 @@ bool BlendedPass::drawRefracting(const PreparedFrame& frame, FrameGpu& gpu, cons
     }
     hasBack_ = true;
     if (pipeline.effects.isShownRefracted && drawer_.isAtStart()) {
+        gpu.data.forgetProgram();
         refraction_->takeBehind(gpu.target());
         gpu.target().bind();
+        gpu.data.feed(frame, batch);
     }
     refraction_->bind(*pipeline.program, placement.ball, gpu.target());
     if (followsFacets(*pipeline.object.refraction->block)) {

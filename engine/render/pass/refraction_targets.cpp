@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/pass/refraction_targets.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -28,14 +29,38 @@ glm::vec4 placed(const FacetPlane& plane, const Placement& placement, const glm:
     return {normal, glm::dot(normal, x - placement.ball.center)};
 }
 
+/// Returns the level of the depths whose texels are half as wide as tiles, of which about 32 cover
+/// a picture.
+int levelOfTiles(glm::ivec2 size) {
+    int level = 2;
+    while ((64 << level) < std::max(size.x, size.y)) {
+        ++level;
+    }
+    return level;
+}
+
+Result<std::shared_ptr<const gl::Program>> compiled(const Checked<ProgramSource>& source,
+                                                    ProgramCache& cache) {
+    if (!source) {
+        return tl::unexpected(source.error().front());
+    }
+    const ProgramCache::Found made = cache.get(*source);
+    if (!made.program) {
+        return tl::unexpected(made.errors.front());
+    }
+    return made.program;
+}
+
 } // namespace
 
 Result<void> RefractionTargets::begin(glm::ivec2 size, Needs needs, const Catalog& catalog,
                                       ProgramCache& cache) {
     if (size != size_ || built_.back != needs.back || built_.behind != needs.behind) {
-        std::shared_ptr<const gl::Program> program = std::move(backProgram_);
+        std::shared_ptr<const gl::Program> back = std::move(backProgram_);
+        std::shared_ptr<const gl::Program> reach = std::move(reachProgram_);
         *this = RefractionTargets();
-        backProgram_ = std::move(program);
+        backProgram_ = std::move(back);
+        reachProgram_ = std::move(reach);
         size_ = size;
         auto built = needs.back ? buildBack() : Result<void>();
         if (built && needs.behind) {
@@ -47,7 +72,7 @@ Result<void> RefractionTargets::begin(glm::ivec2 size, Needs needs, const Catalo
         }
         built_ = needs;
     }
-    return needs.back && !backProgram_ ? makeProgram(catalog, cache) : Result<void>();
+    return makePrograms(catalog, cache);
 }
 
 Result<void> RefractionTargets::buildBack() {
@@ -59,27 +84,41 @@ Result<void> RefractionTargets::buildBack() {
     return backTarget_.check();
 }
 
+/// The depths have whole tiles, so that the last ones along both sides have texels, too.
 Result<void> RefractionTargets::buildBehind() {
-    behindDepth_ = gl::TargetTexture::create(size_, GL_DEPTH_COMPONENT32F, 1);
+    reachLevel_ = levelOfTiles(size_);
+    const int tile = 2 << reachLevel_;
+    const glm::ivec2 whole = (size_ + tile - 1) / tile * tile;
+    behindDepth_ = gl::TargetTexture::createLevels(whole, GL_DEPTH_COMPONENT32F, reachLevel_);
     behindTarget_ = gl::Framebuffer::create();
     behindTarget_.attachDepth(behindDepth_);
     glDrawBuffer(GL_NONE);
     glReadBuffer(GL_NONE);
-    return behindTarget_.check();
+    reachTarget_ = gl::Framebuffer::create();
+    reachTarget_.attachDepth(behindDepth_, reachLevel_);
+    glDrawBuffer(GL_NONE);
+    glReadBuffer(GL_NONE);
+    return behindTarget_.check().and_then([this] { return reachTarget_.check(); });
 }
 
-Result<void> RefractionTargets::makeProgram(const Catalog& catalog, ProgramCache& cache) {
-    const auto source = bodyBackProgram(catalog);
-    if (!source) {
-        return tl::unexpected(source.error().front());
+Result<void> RefractionTargets::makePrograms(const Catalog& catalog, ProgramCache& cache) {
+    if (built_.back && !backProgram_) {
+        const auto made = compiled(bodyBackProgram(catalog), cache);
+        if (!made) {
+            return tl::unexpected(made.error());
+        }
+        backProgram_ = *made;
+        backProgram_->bindBlock("ViewBlock", binding::view);
+        backProgram_->bindBlock("ObjectBlock", binding::object);
     }
-    const ProgramCache::Found made = cache.get(*source);
-    if (!made.program) {
-        return tl::unexpected(made.errors.front());
+    if (built_.behind && !reachProgram_) {
+        const auto made = compiled(tileReachProgram(catalog), cache);
+        if (!made) {
+            return tl::unexpected(made.error());
+        }
+        reachProgram_ = *made;
+        reachProgram_->bindSampler("behindDepth", binding::behindDepth);
     }
-    backProgram_ = made.program;
-    backProgram_->bindBlock("ViewBlock", binding::view);
-    backProgram_->bindBlock("ObjectBlock", binding::object);
     return {};
 }
 
@@ -105,6 +144,25 @@ void RefractionTargets::takeBehind(const HdrTarget& target) const {
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, behindTarget_.name());
     glBlitFramebuffer(0, 0, drawn.x, drawn.y, 0, 0, size_.x, size_.y, GL_DEPTH_BUFFER_BIT,
                       GL_NEAREST);
+    drawReach();
+}
+
+void RefractionTargets::drawReach() const {
+    const int tile = 2 << reachLevel_;
+    const glm::ivec2 texels = (size_ + tile - 1) / tile * 2;
+    glBindFramebuffer(GL_FRAMEBUFFER, reachTarget_.name());
+    glViewport(0, 0, texels.x, texels.y);
+    behindDepth_.bind(binding::behindDepth);
+    behindDepth_.showLevels(0);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_ALWAYS);
+    reachProgram_->use();
+    glUniform2i(reachProgram_->uniform("behindSize"), size_.x, size_.y);
+    glUniform1i(reachProgram_->uniform("behindLevel"), reachLevel_);
+    noVertices_.bind();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    behindDepth_.showLevels(reachLevel_);
+    glDepthFunc(GL_LESS);
 }
 
 void RefractionTargets::bind(const gl::Program& program, const Ball& ball,
@@ -117,6 +175,7 @@ void RefractionTargets::bind(const gl::Program& program, const Ball& ball,
         glActiveTexture(GL_TEXTURE0 + binding::behindColor);
         glBindTexture(GL_TEXTURE_2D, target.averaged().name());
         behindDepth_.bind(binding::behindDepth);
+        glUniform1i(program.uniform("behindLevel"), reachLevel_);
     }
     glActiveTexture(GL_TEXTURE0);
 }

@@ -7,6 +7,7 @@
 #include "core/convex_facets.h"
 #include "gl/framebuffer.h"
 #include "gl/target_texture.h"
+#include "gl/vertex_array.h"
 #include "render/gpu/hdr_target.h"
 #include "render/lights/placement.h"
 #include "shading/program/program_cache.h"
@@ -14,7 +15,7 @@
 namespace patina {
 
 /// Draws what refracting objects read: the farthest surface of each, and the picture and the depths
-/// of what was drawn before. Its memory (at most 24 bytes for each pixel) exists only while it is
+/// of what was drawn before. Its memory (at most 26 bytes for each pixel) exists only while it is
 /// in use.
 class RefractionTargets {
   public:
@@ -32,7 +33,8 @@ class RefractionTargets {
     /// image first if `isNew`.
     void beginBack(const Ball& ball, bool isNew) const;
 
-    /// Copies the target's colour and depth as what is behind the next objects.
+    /// Copies the target's colour and depth as what is behind the next objects, with the depths
+    /// that its tiles reach. Neither the target nor a program that was in use is so any more.
     void takeBehind(const HdrTarget& target) const;
     bool needsSceneColor() const { return built_.behind; }
 
@@ -47,13 +49,17 @@ class RefractionTargets {
     /// Sets the texture units of the images in a linked program (binding.h).
     static void assignUnits(const gl::Program& program);
 
-    /// Drops the program, because the shader files may have changed.
-    void forget() { backProgram_.reset(); }
+    /// Drops the programs, because the shader files may have changed.
+    void forget() {
+        backProgram_.reset();
+        reachProgram_.reset();
+    }
 
   private:
     Result<void> buildBack();
     Result<void> buildBehind();
-    Result<void> makeProgram(const Catalog& catalog, ProgramCache& cache);
+    Result<void> makePrograms(const Catalog& catalog, ProgramCache& cache);
+    void drawReach() const;
 
     glm::ivec2 size_{0};
     Needs built_;
@@ -62,7 +68,11 @@ class RefractionTargets {
     gl::Framebuffer backTarget_;
     gl::TargetTexture behindDepth_;
     gl::Framebuffer behindTarget_;
+    int reachLevel_ = 0; ///< is the level of the depths that holds those of tiles
+    gl::Framebuffer reachTarget_;
+    gl::VertexArray noVertices_ = gl::VertexArray::create();
     std::shared_ptr<const gl::Program> backProgram_;
+    std::shared_ptr<const gl::Program> reachProgram_;
 };
 
 } // namespace patina

@@ -396,7 +396,7 @@ void RefractionEffect::write(SurfaceText& text) const {
         writeTerm(text, block, bendsApart);
     }
     // The way inside is looked along only where there is one.
-    text.out.add(isSheet(block) ? "#define STEPS_INSIDE 0\n" : "#define STEPS_INSIDE 8\n");
+    text.out.add(isSheet(block) ? "#define HAS_INSIDE false\n" : "#define HAS_INSIDE true\n");
     writeBehind(text, *refraction);
     writePassage(text, block);
     text.out.addFile(bendsApart ? "passes/refraction_colors.glsl" : "passes/refraction_color.glsl");

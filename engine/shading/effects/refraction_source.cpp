@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shading/effects/refraction_source.h"
 
+#include <array>
+#include <string>
 #include <string_view>
 
 #include "shading/program/source_builder.h"
@@ -21,6 +23,11 @@ Checked<ProgramSource> bodyBackProgram(const Catalog& catalog) {
             fragment.addFile("passes/surface.glsl");
             fragment.addFile("passes/refraction_back.glsl");
         });
+}
+
+Checked<ProgramSource> tileReachProgram(const Catalog& catalog) {
+    static const std::array<std::string, 1> files{"passes/behind_reach.frag"};
+    return passProgram(catalog, "passes/screen.vert", files);
 }
 
 } // namespace patina

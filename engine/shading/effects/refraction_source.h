@@ -9,4 +9,7 @@ namespace patina {
 /// with the uniform `refractionBody`, the middle and the radius of a ball around the body.
 Checked<ProgramSource> bodyBackProgram(const Catalog& catalog);
 
+/// Returns the program that fills a level of depths with those that tiles of the picture reach.
+Checked<ProgramSource> tileReachProgram(const Catalog& catalog);
+
 } // namespace patina
