@@ -19,7 +19,8 @@ constexpr double darkest = 1e-4; ///< is a colour that no picture shows
 /// Reads one material of a scene.
 class MaterialReader {
   public:
-    MaterialReader(const aiMaterial& from, MeshFolder& folder) : from_(from), folder_(folder) {}
+    MaterialReader(const aiMaterial& from, MeshFolder& folder, LeftOut& left)
+        : from_(from), folder_(folder), left_(left) {}
 
     MeshMaterial read() {
         material_.name = from_.GetName().C_Str();
@@ -93,27 +94,35 @@ class MaterialReader {
     }
 
     void addFirst(const char* word, std::initializer_list<aiTextureType> types) {
+        std::string missing;
         for (const aiTextureType type : types) {
             aiString path;
-            if (from_.GetTexture(type, 0, &path) == aiReturn_SUCCESS && path.length > 0 &&
-                path.C_Str()[0] != '*' && // is inside the file
-                addImage(material_, word, path.C_Str(), folder_)) {
+            if (from_.GetTexture(type, 0, &path) != aiReturn_SUCCESS || path.length == 0 ||
+                path.C_Str()[0] == '*') { // is inside the file
+                continue;
+            }
+            if (addImage(material_, word, path.C_Str(), folder_)) {
                 return;
             }
+            missing = fileNameIn(path.C_Str());
+        }
+        if (!missing.empty()) {
+            left_.add(LeftOut::What::MissingImage, missing);
         }
     }
 
     const aiMaterial& from_;
     MeshFolder& folder_;
+    LeftOut& left_;
     MeshMaterial material_;
 };
 
 } // namespace
 
-std::vector<MeshMaterial> materialsFrom(const aiScene& scene, MeshFolder& folder) {
+std::vector<MeshMaterial> materialsFrom(const aiScene& scene, MeshFolder& folder, LeftOut& left) {
     std::vector<MeshMaterial> materials;
     for (unsigned int i = 0; i < scene.mNumMaterials; ++i) {
-        materials.push_back(MaterialReader(*scene.mMaterials[i], folder).read());
+        materials.push_back(MaterialReader(*scene.mMaterials[i], folder, left).read());
     }
     nameUniquely(materials);
     return materials;

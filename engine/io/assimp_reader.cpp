@@ -17,6 +17,7 @@
 
 #include "io/assimp_files.h"
 #include "io/assimp_materials.h"
+#include "io/material_images.h"
 #include "io/mesh_limits.h"
 #include "io/polygon_cutter.h"
 
@@ -160,9 +161,7 @@ void addImages(LeftOut& left, const aiMaterial& material) {
     for (const auto& [type, use] : unread) {
         aiString path;
         if (material.GetTexture(type, 0, &path) == aiReturn_SUCCESS && path.length > 0) {
-            const std::string file(path.C_Str());
-            left.add(LeftOut::What::Image,
-                     use + (" of " + file.substr(file.find_last_of("/\\") + 1)));
+            left.add(LeftOut::What::Image, use + (" of " + fileNameIn(path.C_Str())));
         }
     }
 }
@@ -245,8 +244,8 @@ Result<RawMesh> meshFrom(const std::shared_ptr<MeshFolder>& folder, const Report
     if (!hasLinearColors(file)) {
         mesh.decodeColors();
     }
-    mesh.materials = materialsFrom(*scene, *folder);
     mesh.leftOut = leftOutOf(*scene);
+    mesh.materials = materialsFrom(*scene, *folder, mesh.leftOut);
     return mesh;
 }
 

@@ -101,10 +101,15 @@ void addTexture(MeshMaterial& material, const char* word, int index,
         return;
     }
     const std::string& uri = image.uri;
-    if (!uri.empty() && addImage(material, word, uri, folder)) {
-        addPlace(material, word, extensions, left);
-        addSampler(material, word, model.textures[std::size_t(index)].sampler, model, left);
+    if (uri.empty() || uri.starts_with("data:")) {
+        return;
     }
+    if (!addImage(material, word, uri, folder)) {
+        left.add(LeftOut::What::MissingImage, fileNameIn(uri));
+        return;
+    }
+    addPlace(material, word, extensions, left);
+    addSampler(material, word, model.textures[std::size_t(index)].sampler, model, left);
 }
 
 /// Returns a value of an extension of a material; null where it has none.

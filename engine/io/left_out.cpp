@@ -25,6 +25,7 @@ constexpr std::array<Words, LeftOut::whats> words{{
     {"mesh of points or lines", "meshes of points or lines"},
     {"extension", "extensions"},
     {"image", "images"},
+    {"image that is not in the folder", "images that are not in the folder"},
     {"shear of an image", "shears of images"},
     {"second edge of an image", "second edges of images"},
     {"set of vertex colours under an image", "sets of vertex colours under images"},

@@ -21,6 +21,7 @@ class LeftOut {
         PointsAndLines,
         Extension,
         Image,        ///< is of a material, as are the next ones
+        MissingImage, ///< is not in the folder of the mesh, or may not be read
         ShearedImage, ///< is turned and scaled in an order that ours are not
         ImageEdge,    ///< is a way to go on beyond it that differs along the two axes
         VertexColors,
@@ -28,7 +29,7 @@ class LeftOut {
         MaterialExtension,
         MaterialExtras ///< are what another program keeps for itself
     };
-    static constexpr std::size_t whats = 14;
+    static constexpr std::size_t whats = 15;
 
     /// Adds one. A name may be empty, and is cut where it is long.
     void add(What what, std::string_view name);

@@ -18,6 +18,10 @@ std::string placeOf(const fs::path& path, const MeshFolder& folder) {
 
 } // namespace
 
+std::string fileNameIn(const std::string& path) {
+    return path.substr(path.find_last_of("/\\") + 1);
+}
+
 bool addImage(MeshMaterial& material, const std::string& word, std::string path,
               MeshFolder& folder) {
     std::ranges::replace(path, '\\', '/');

@@ -14,4 +14,7 @@ namespace patina {
 bool addImage(MeshMaterial& material, const std::string& word, std::string path,
               MeshFolder& folder);
 
+/// Returns the last part of a path with slashes of any kind.
+std::string fileNameIn(const std::string& path);
+
 } // namespace patina

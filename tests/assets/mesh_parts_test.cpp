@@ -173,6 +173,23 @@ TEST_F(MeshInParts, Gltf_HasMetalsAndDielectricsUnderNamesOfTheirOwn) {
     EXPECT_TRUE(parts[2].material.look.empty());
 }
 
+TEST_F(MeshInParts, ImagesThatAreNotThere_AreToldByName) {
+    writeFile(at("look.mtl"), "newmtl paint\nKd 1 1 1\nmap_Kd art\\nope.png\n");
+    const auto mesh = load("two.obj", twoSquares);
+    ASSERT_TRUE(mesh) << mesh.error().text();
+    EXPECT_NE((*mesh)->remarks().find("1 image that is not in the folder (nope.png)"),
+              std::string::npos)
+        << (*mesh)->remarks();
+    const float corners[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    writeFile(at("triangle.bin"),
+              std::string(reinterpret_cast<const char*>(corners), sizeof corners));
+    const auto gltf = load("three.gltf", threeLooks); // names skin.png
+    ASSERT_TRUE(gltf) << gltf.error().text();
+    EXPECT_NE((*gltf)->remarks().find("1 image that is not in the folder (skin.png)"),
+              std::string::npos)
+        << (*gltf)->remarks();
+}
+
 /// Has one material whose image is turned by 30 degrees with two scales and goes on in two ways,
 /// and whose highlight is longer than ten times its width.
 constexpr const char* whatIsCut = R"({"asset": {"version": "2.0"},
