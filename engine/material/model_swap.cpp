@@ -145,6 +145,39 @@ Json lighten(Material& material, const Block& model) {
     return black;
 }
 
+/// Tells whether a material has no base beside its highlight, as metals have none.
+bool isBare(const Material& material, const Block& model) {
+    constexpr double darkest = 0.04; // is what plastics reflect without a base
+    const Parameter* base = model.withRole(roles::diffuse);
+    if (base == nullptr || !material.model.parameters.contains(base->id)) {
+        return false;
+    }
+    const auto* color = std::get_if<glm::dvec3>(&material.model.parameters.at(base->id));
+    return color != nullptr && std::max({color->x, color->y, color->z}) < darkest;
+}
+
+/// Lets the reflectance of what fills a new slot be 1 for a metal, which has no base and whose
+/// highlight has all of its colour: by the term's own, that of a plastic, hardly any were left.
+void keepMetal(Material& material, const Block& before, const Block& after, const Material& metal,
+               const Catalog& catalog) {
+    if (!isBare(metal, before)) {
+        return;
+    }
+    const Json resting = metal.parked.is_object() && metal.parked.contains(inSlotKey)
+                             ? metal.parked.at(inSlotKey)
+                             : Json::object();
+    for (const Slot& slot : after.slots) {
+        const Block* usual = catalog.find(slot.kind, slot.defaultBlock);
+        const Parameter* f0 = usual == nullptr ? nullptr : usual->withRole(roles::f0);
+        if (f0 != nullptr && material.part(slot.kind) == nullptr &&
+            before.slot(slot.kind) == nullptr && !resting.contains(slot.kind)) {
+            BlockValues values = defaultBlockValues(*usual);
+            values.parameters[f0->id] = glm::dvec3(1.0);
+            setPart(material.parts, slot.kind, std::move(values));
+        }
+    }
+}
+
 } // namespace
 
 bool hasPlaceFor(const Block& model, std::string_view kind) {
@@ -162,6 +195,7 @@ Material swappedModel(const Material& material, const Block& newModel, const Cat
     bringBack(take(current.parked, blackKey), current, *before);
     Material next = withModel(current, before, newModel);
     swapParts(next, *before, newModel, catalog);
+    keepMetal(next, *before, newModel, current, catalog);
     if (!wasDark && isDark(next, newModel)) {
         put(lighten(next, newModel), next.parked, blackKey);
     }

@@ -151,6 +151,45 @@ TEST_F(BlackColor, OfAMetal_IsTheMatteModelsOwn) {
     EXPECT_EQ(diffuse(swapped(metal(), "matte")), usual);
 }
 
+/// A metal of a model without a Fresnel term has its colour in the highlight.
+TEST(MetalsReflectance, WithASlot_IsAllThatItsHighlightHas) {
+    const auto color = [](const char* id, const json& role) {
+        json parameter{{"id", id}, {"label", id}, {"type", "color"}, {"default", {1, 1, 1}}};
+        parameter.update(role);
+        return parameter;
+    };
+    BlockFolder folder;
+    for (const char* id : {"lobe", "facets"}) {
+        json model = plainDescriptor(id);
+        model["parameters"] = {color("diffuse.color", {{"role", "diffuse"}}),
+                               color("specular.color", json::object())};
+        if (id == std::string("facets")) {
+            model["slots"] = {{{"kind", "fresnel"}, {"default", "coat"}}};
+        }
+        folder.add("models", model);
+    }
+    json coat = plainDescriptor("coat");
+    coat["parameters"] = {color("facing", {{"role", "f0"}, {"default", {0.04, 0.04, 0.04}}})};
+    folder.add("fresnel", coat);
+    const Catalog catalog = folder.load();
+    ASSERT_EQ(catalog.errors, Errors());
+    const auto facing = [&](const Material& material) {
+        return swappedModel(material, *catalog.find("models", "facets"), catalog)
+            .part("fresnel")
+            ->parameters.at("facing");
+    };
+    Material lobe = defaultMaterial(*catalog.find("models", "lobe"));
+    EXPECT_EQ(swappedModel(lobe, *catalog.find("models", "facets"), catalog).part("fresnel"),
+              nullptr)
+        << "a plastic has the usual one";
+    lobe.model.parameters["diffuse.color"] = glm::dvec3(0.01);
+    EXPECT_EQ(facing(lobe), Value(glm::dvec3(1.0)));
+    Material facets = swappedModel(lobe, *catalog.find("models", "facets"), catalog);
+    facets.parts.at("fresnel").parameters["facing"] = glm::dvec3(0.5);
+    const Material back = swappedModel(facets, *catalog.find("models", "lobe"), catalog);
+    EXPECT_EQ(facing(back), Value(glm::dvec3(0.5))) << "what was chosen comes back";
+}
+
 TEST_F(BlackColor, OfAMetal_ComesBackWithIt) {
     EXPECT_EQ(swapped(swapped(metal(), "matte"), "metal").model, metal().model);
 }
