@@ -153,6 +153,22 @@ TEST_F(PresetEditsTest, DetachedVariant_LooksAsBeforeAndFollowsNoParent) {
     EXPECT_EQ(parentOf(read("One-variant")), fileOf("One").generic_string());
 }
 
+TEST_F(PresetEditsTest, ParentOfVariants_StaysUnlessTheyGoWithIt) {
+    edits_.makeVariants({entry("One")});
+    const fs::path file = presets() / "One-variant.patina.json";
+    const auto variant = [&] { return library().find(QString::fromStdString(file.string())); };
+    ASSERT_TRUE(QTest::qWaitFor([&] { return variant() != nullptr; }, 20000));
+    edits_.moveToTrash({entry("One")});
+    ASSERT_EQ(outcomes_.size(), 1u);
+    EXPECT_NE(outcomes_[0].problem.find("it is the parent of " + variant()->name.toStdString()),
+              std::string::npos)
+        << outcomes_[0].problem;
+    EXPECT_TRUE(fs::exists(fileOf("One")));
+    edits_.moveToTrash({entry("One"), variant()});
+    EXPECT_FALSE(fs::exists(fileOf("One")));
+    EXPECT_FALSE(fs::exists(file));
+}
+
 TEST_F(PresetEditsTest, ImportThatIsUndone_LiesInTheTrashAndComesBack) {
     const fs::path folder = presets() / "bundle";
     fs::create_directories(folder);

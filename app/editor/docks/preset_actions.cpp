@@ -46,8 +46,9 @@ void PresetActions::addAll() {
         &PresetActions::makeVariants);
     detach_ = add(tr("Detach from parent"), {}, &PresetActions::detach);
     detach_->setToolTip(tr("Make it a preset of its own, which looks as it does now"));
-    tags_ = add(tr("Tags…"), QKeySequence(QStringLiteral("Ctrl+T")), &PresetActions::editTags);
-    favourite_ = add(tr("Favourite"), QKeySequence(QStringLiteral("Ctrl+B")),
+    tags_ =
+        add(tr("Tags…"), QKeySequence(QStringLiteral("Ctrl+Shift+T")), &PresetActions::editTags);
+    favourite_ = add(tr("Favourite"), QKeySequence(QStringLiteral("Ctrl+Shift+F")),
                      &PresetActions::toggleFavourites);
     favourite_->setCheckable(true);
     trash_ = add(tr("Move to trash"), Qt::Key_Delete, &PresetActions::moveToTrash);

@@ -299,6 +299,21 @@ void PresetEdits::addCopies(const std::vector<PresetPtr>& entries, const QString
     }
 }
 
+/// Returns the names of the variants of a preset that are not among others; empty for none.
+std::string PresetEdits::variantsBeside(const PresetEntry& parent,
+                                        const std::vector<PresetPtr>& others) const {
+    std::string names;
+    for (const PresetPtr& each : presets_.entries()) {
+        const std::filesystem::path file = parentOf(each->material);
+        if (file == parent.file && std::ranges::none_of(others, [&each](const PresetPtr& other) {
+                return other->file == each->file;
+            })) {
+            names += (names.empty() ? "" : ", ") + each->name.toStdString();
+        }
+    }
+    return names;
+}
+
 void PresetEdits::moveToTrash(const std::vector<PresetPtr>& entries) {
     Prepared prepared;
     for (const PresetPtr& entry : entries) {
@@ -307,6 +322,11 @@ void PresetEdits::moveToTrash(const std::vector<PresetPtr>& entries) {
             prepared.refused.push_back({entry, shippedProblem});
         } else if (!before) {
             prepared.refused.push_back({entry, "its file is gone"});
+        } else if (const std::string variants = variantsBeside(*entry, entries);
+                   !variants.empty()) {
+            prepared.refused.push_back(
+                {entry, "it is the parent of " + variants +
+                            ": move these to the trash with it, or detach them before"});
         } else {
             prepared.changes.push_back({entry, entry->file, before, std::nullopt});
         }

@@ -62,6 +62,8 @@ class PresetEdits : public QObject {
 
     void addCopies(const std::vector<PresetPtr>& entries, const QString& what, const QString& name,
                    bool asVariants);
+    std::string variantsBeside(const PresetEntry& parent,
+                               const std::vector<PresetPtr>& others) const;
     void push(const QString& what, std::vector<PresetOutcome> refused,
               std::vector<PresetFileChange> changes);
 
