@@ -13,6 +13,7 @@
 #include <QKeySequenceEdit>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QTabWidget>
@@ -120,6 +121,23 @@ TEST_F(Commands, CtrlK_BringsUpThePanelThatHasWhatIsSearched) {
     QTest::keyClicks(search, "picture passes");
     key(search, Qt::Key_Return);
     EXPECT_TRUE(QTest::qWaitFor([scene] { return !scene->visibleRegion().isEmpty(); }));
+}
+
+/// A word is looked for at the beginnings of words first.
+TEST_F(Commands, WordThatBeginsAName_ComesBeforeOneWithinANother) {
+    for (const auto& [words, first] : {std::pair("tone", "View \u203a Panels"),
+                                       {"dark f", "Lighting: Dark field"},
+                                       {"halft", "Model: Halftone"}}) {
+        key(&view(), Qt::Key_K, Qt::ControlModifier);
+        QDialog* palette = dialog("commandPalette");
+        ASSERT_NE(palette, nullptr);
+        auto* search = palette->findChild<QLineEdit*>();
+        QTest::keyClicks(search, words);
+        const QString shown = palette->findChild<QListWidget*>()->item(0)->text();
+        EXPECT_TRUE(shown.startsWith(first)) << words << ": " << shown.toStdString();
+        key(search, Qt::Key_Escape);
+        EXPECT_TRUE(QTest::qWaitFor([this] { return dialog("commandPalette") == nullptr; }));
+    }
 }
 
 TEST_F(Commands, TabOfAPanel_IsFoundByItsName) {

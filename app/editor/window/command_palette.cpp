@@ -21,43 +21,78 @@ namespace {
 constexpr QSize paletteSize(460, 320);
 constexpr std::size_t maxChoices = 100; ///< more words find fewer
 
-/// Returns the places of the choices that have all words, the one that is called so first.
-std::vector<std::size_t> found(const std::vector<NamedChoice>& choices, const QString& words) {
-    std::vector<std::size_t> places;
-    for (std::size_t i = 0; i < choices.size() && !words.isEmpty(); ++i) {
-        if (hasAllWords(choices[i].kind + ' ' + choices[i].name, words)) {
-            places.push_back(i);
-        }
-    }
-    std::ranges::stable_partition(places, [&](std::size_t place) {
-        return choices[place].name.compare(words, Qt::CaseInsensitive) == 0;
-    });
-    places.resize(std::min(places.size(), maxChoices));
-    return places;
+/// Tells whether each of the words begins a word of a text, or is in it somewhere.
+enum class Fit { Begins, Within, None };
+
+Fit fitOf(const QString& text, const QString& words) {
+    return hasAllWords(text, words, Words::Begun)    ? Fit::Begins
+           : hasAllWords(text, words, Words::Within) ? Fit::Within
+                                                     : Fit::None;
 }
 
-/// Returns the places of what has all words: commands that have them in their own name first, then
-/// those that have them in the names of their menus, then choices, whose places follow those of the
-/// commands, then panels that have them in what they hold.
-std::vector<std::size_t> found(const std::vector<Command>& commands,
-                               const std::vector<NamedChoice>& choices, const QString& words) {
-    std::vector<std::size_t> ranks[3];
-    for (std::size_t i = 0; i < commands.size(); ++i) {
-        const Command& command = commands[i];
-        const QString texts[] = {command.id.section('/', -1), command.id,
-                                 command.id + ' ' + command.action->whatsThis()};
-        const auto* const text = std::ranges::find_if(
-            texts, [&words](const QString& each) { return hasAllWords(each, words); });
-        if (command.action->isEnabled() && text != std::end(texts)) {
-            ranks[text - std::begin(texts)].push_back(i);
+/// Gathers the places of what fits, better ones first.
+class Ranking {
+  public:
+    /// Adds a place with a rank, 0 for the best, among those that fit as well.
+    void add(std::size_t place, Fit fit, std::size_t rank) {
+        if (fit != Fit::None) {
+            places_.push_back({{static_cast<std::size_t>(fit), rank}, place});
         }
     }
-    ranks[0].insert(ranks[0].end(), ranks[1].begin(), ranks[1].end());
-    for (const std::size_t place : found(choices, words.trimmed())) {
-        ranks[0].push_back(commands.size() + place);
+
+    std::vector<std::size_t> places() {
+        std::ranges::stable_sort(places_, {}, &Placed::order);
+        std::vector<std::size_t> all;
+        for (const Placed& each : places_) {
+            all.push_back(each.place);
+        }
+        return all;
     }
-    ranks[0].insert(ranks[0].end(), ranks[2].begin(), ranks[2].end());
-    return ranks[0];
+
+  private:
+    struct Placed {
+        std::pair<std::size_t, std::size_t> order;
+        std::size_t place = 0;
+    };
+
+    std::vector<Placed> places_;
+};
+
+/// Returns the places of what has all words, those before the rest whose words begin with them:
+/// commands that have them in their own name, then those that have them in the names of their
+/// menus, then choices, whose places follow those of the commands, then panels that have them in
+/// what they hold.
+std::vector<std::size_t> found(const std::vector<Command>& commands,
+                               const std::vector<NamedChoice>& choices, const QString& words) {
+    constexpr std::size_t sameName = 2;
+    constexpr std::size_t choiceRank = 3;
+    constexpr std::size_t contentRank = 4;
+    Ranking ranking;
+    for (std::size_t i = 0; i < commands.size(); ++i) {
+        const Command& command = commands[i];
+        const std::pair<QString, std::size_t> texts[] = {
+            {command.id.section('/', -1), 0},
+            {command.id, 1},
+            {command.id + ' ' + command.action->whatsThis(), contentRank}};
+        const auto better = [&](const auto& a, const auto& b) {
+            return fitOf(a.first, words) < fitOf(b.first, words);
+        };
+        const auto& best = *std::ranges::min_element(texts, better);
+        if (command.action->isEnabled()) {
+            ranking.add(i, fitOf(best.first, words), best.second);
+        }
+    }
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < choices.size() && !words.trimmed().isEmpty(); ++i) {
+        const NamedChoice& choice = choices[i];
+        const bool isCalledSo = choice.name.compare(words.trimmed(), Qt::CaseInsensitive) == 0;
+        const Fit fit = fitOf(choice.kind + ' ' + choice.name, words);
+        count += fit != Fit::None ? 1 : 0;
+        if (count <= maxChoices || isCalledSo) {
+            ranking.add(commands.size() + i, fit, isCalledSo ? sameName : choiceRank);
+        }
+    }
+    return ranking.places();
 }
 
 } // namespace
@@ -66,7 +101,7 @@ CommandPalette::CommandPalette(const CommandKeys& keys, std::vector<NamedChoice>
                                QWidget* parent)
     : QDialog(parent), keys_(keys), choices_(std::move(choices)), search_(new QLineEdit(this)),
       list_(new QListWidget(this)),
-      none_(new QLabel(tr("No command, panel, model or preset has these words."), this)) {
+      none_(new QLabel(tr("No command, panel, model, preset or lighting has these words."), this)) {
     setAttribute(Qt::WA_DeleteOnClose);
     setObjectName("commandPalette");
     setWindowTitle(tr("Run a Command"));
@@ -144,10 +179,14 @@ bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
     return QDialog::eventFilter(watched, event);
 }
 
-bool hasAllWords(const QString& text, const QString& words) {
+bool hasAllWords(const QString& text, const QString& words, Words how) {
     static const QRegularExpression between(QStringLiteral("[\\s:/\u203a]+"));
     return std::ranges::all_of(words.split(between, Qt::SkipEmptyParts), [&](const QString& word) {
-        return text.contains(word, Qt::CaseInsensitive);
+        qsizetype at = text.indexOf(word, 0, Qt::CaseInsensitive);
+        while (how == Words::Begun && at > 0 && text[at - 1].isLetterOrNumber()) {
+            at = text.indexOf(word, at + 1, Qt::CaseInsensitive);
+        }
+        return at >= 0;
     });
 }
 

@@ -40,7 +40,10 @@ class CommandPalette : public QDialog {
     QLabel* none_; ///< says that nothing matches
 };
 
+/// Says where words are looked for: at the beginnings of words, or anywhere.
+enum class Words { Begun, Within };
+
 /// Tells whether a text has all words of another one in it, in any order and case.
-bool hasAllWords(const QString& text, const QString& words);
+bool hasAllWords(const QString& text, const QString& words, Words how = Words::Within);
 
 } // namespace patina

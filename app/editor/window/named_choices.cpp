@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/named_choices.h"
 
+#include <filesystem>
+
 #include <QCoreApplication>
 
 #include "document/document.h"
+#include "document/scene_edits.h"
 #include "files/file_actions.h"
 #include "library/preset_library.h"
+#include "scene/scene_file.h"
 
 namespace patina {
 namespace {
@@ -33,6 +37,13 @@ std::vector<NamedChoice> namedChoices(Document& document, const PresetLibrary& p
         choices.push_back({preset, entry->name, [&document, &files, path = entry->path] {
                                files.applyPreset(path, document.selection().side());
                            }});
+    }
+    const QString lighting = QCoreApplication::translate("patina::CommandPalette", "Lighting");
+    for (const std::filesystem::path& file : shippedScenes()) {
+        if (const auto read = readScene(file, document.catalog())) {
+            choices.push_back({lighting, QString::fromStdString(read->scene.name),
+                               [&document, scene = read->scene] { setLighting(document, scene); }});
+        }
     }
     return choices;
 }

@@ -19,8 +19,8 @@ struct NamedChoice {
     std::function<void()> choose;
 };
 
-/// Returns the lighting models and then the presets, each chosen on the side that is worked on as
-/// one undo step. What is passed outlives them.
+/// Returns the lighting models, then the presets, each chosen on the side that is worked on, and
+/// then the scenes whose light ships; each is one undo step. What is passed outlives them.
 std::vector<NamedChoice> namedChoices(Document& document, const PresetLibrary& presets,
                                       FileActions& files);
 
