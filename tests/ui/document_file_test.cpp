@@ -194,6 +194,18 @@ TEST_F(DocumentFile_, SavedPresetOfAChangedScene_StaysModified) {
     EXPECT_TRUE(document.isModified());
 }
 
+/// Its lights stay, and closing must ask about them.
+TEST_F(DocumentFile_, PresetOpenedInAChangedScene_LeavesThatModified) {
+    ASSERT_TRUE(fixture.files.savePreset(folder / "a.patina.json", Side::A));
+    document.setValue(fixture.model(), "roughness", 0.75);
+    ASSERT_TRUE(fixture.files.openPreset(folder / "a.patina.json"));
+    EXPECT_FALSE(document.isModified());
+    document.setValue(document.selection().currentPath(kinds::lights), "intensity", 5.0);
+    ASSERT_TRUE(fixture.files.openPreset(folder / "a.patina.json"));
+    EXPECT_TRUE(document.isModified());
+    EXPECT_TRUE(fixture.files.outgrewPreset());
+}
+
 TEST_F(DocumentFile_, SecondSave_WritesTheSameFile) {
     fixture.files.saveScene(folder / "a.patina-scene.json");
     document.setValue(fixture.model(), "roughness", 0.75);

@@ -349,8 +349,15 @@ bool DocumentFiles::openPreset(const std::filesystem::path& path, const ReadingR
         state.scene.objects.emplace_back();
     }
     const int object = std::max(document_.selection().object(), 0);
+    const DocumentState saved = savedState_;
+    const bool keepsChanges = document_.isModified() && withoutMaterial(state, object).scene !=
+                                                            withoutMaterial(saved, object).scene;
     *materialAt(state, object, Side::A) = reading->material;
     start(std::move(state), {DocumentFile::Kind::Preset, path, reading->readOnly}, object);
+    if (keepsChanges) { // of the scene around it, which closing must still ask about
+        savedState_ = saved;
+        document_.undoStack().resetClean();
+    }
     report(reading->notes);
     return true;
 }
