@@ -13,6 +13,7 @@ uniform int behindLevel;
 
 const int STEPS_IN_TILE = 8;
 const int MAX_TILES = 256;
+const int MAX_EDGES = 16;
 const int BISECTIONS = 4;
 
 vec4 placeInClip(vec4 x) {
@@ -125,39 +126,55 @@ bool meets(vec4 a, vec4 b, out vec3 place) {
     ivec2 tile = ivec2(floor(begin));
     ivec2 onwards = ivec2(sign(way));
     vec3 last = from;
+    vec3 next = from;
     bool isBehind = depthBehind(from) > 0.0;
     float enters = 0.0;
-    for (int i = 0; i < MAX_TILES && enters < 1.0; ++i) {
-        float leaves = min(min(border.x, border.y), 1.0);
-        vec2 reach = reachOfTile(tile);
-        vec2 z = mix(vec2(from.z), vec2(to.z), vec2(enters, leaves));
-        bool isInFront = max(z.x, z.y) <= reach.x;
-        bool isAllBehind = min(z.x, z.y) > reach.y;
-        if (isInFront) {
-            isBehind = false;
-            last = mix(from, to, leaves);
-        } else if (!(isAllBehind && isBehind)) {
+    float at = 0.0;
+    int first = 0;
+    // What goes behind something is looked at closely outside of the loops that find it: a processor
+    // that computes many pixels at once takes both ways of every branch within them.
+    for (int edge = 0; edge < MAX_EDGES && enters < 1.0; ++edge) {
+        bool crosses = false;
+        for (int i = 0; i < MAX_TILES && enters < 1.0 && !crosses; ++i) {
+            float leaves = min(min(border.x, border.y), 1.0);
+            vec2 reach = reachOfTile(tile);
+            vec2 z = mix(vec2(from.z), vec2(to.z), vec2(enters, leaves));
+            bool isInFront = max(z.x, z.y) <= reach.x;
+            bool isAllBehind = min(z.x, z.y) > reach.y;
             float count = ceil((leaves - enters) / perLongTile * float(STEPS_IN_TILE));
             int steps = isAllBehind ? 1 : clamp(int(count), 1, STEPS_IN_TILE);
-            for (int j = 0; j < steps; ++j) {
-                float at = mix(enters, leaves, (float(j) + 0.99) / float(steps));
-                vec3 next = mix(from, to, at);
+            if (isInFront) {
+                isBehind = false;
+                last = mix(from, to, leaves);
+            }
+            if (isInFront || (isAllBehind && isBehind)) {
+                steps = 0;
+            }
+            for (int j = first; j < steps && !crosses; ++j) {
+                at = mix(enters, leaves, (float(j) + 0.99) / float(steps));
+                next = mix(from, to, at);
                 bool wasBehind = isBehind;
                 isBehind = depthBehind(next) > 0.0;
-                if (isBehind && !wasBehind) {
-                    vec3 before = mix(from, to, max(at - perLongTile, 0.0));
-                    isBehind = exactDepthBehind(next) > 0.0;
-                    if (isBehind && goesThrough(before, last, next, place)) {
-                        return true;
-                    }
-                }
-                last = next;
+                crosses = isBehind && !wasBehind;
+                last = crosses ? last : next;
+                first = j + 1;
+            }
+            if (!crosses) {
+                first = 0;
+                enters = leaves;
+                bool isAcross = border.x < border.y;
+                tile += onwards * (isAcross ? ivec2(1, 0) : ivec2(0, 1));
+                border += perTile * (isAcross ? vec2(1.0, 0.0) : vec2(0.0, 1.0));
             }
         }
-        enters = leaves;
-        bool isAcross = border.x < border.y;
-        tile += onwards * (isAcross ? ivec2(1, 0) : ivec2(0, 1));
-        border += perTile * (isAcross ? vec2(1.0, 0.0) : vec2(0.0, 1.0));
+        if (crosses) {
+            vec3 before = mix(from, to, max(at - perLongTile, 0.0));
+            isBehind = exactDepthBehind(next) > 0.0;
+            if (isBehind && goesThrough(before, last, next, place)) {
+                return true;
+            }
+            last = next;
+        }
     }
     return false;
 }
