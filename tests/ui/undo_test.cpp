@@ -301,6 +301,22 @@ TEST_F(NumberField, AutoBesideTheExposure_IsOneStep) {
     EXPECT_EQ(document().scene().exposure, 4.0);
 }
 
+TEST_F(NumberField, ExposureInTheToolBar_IsOneStepAndFollowsUndo) {
+    auto* bar = window().findChild<QWidget*>("exposureBar");
+    ASSERT_NE(bar, nullptr);
+    auto* stops = bar->findChild<NumberBox*>();
+    const double before = document().scene().exposure;
+    const int steps = document().undoStack().count();
+    stops->setFocus();
+    stops->selectAll();
+    QTest::keyClicks(stops, "1.5");
+    QTest::keyClick(stops, Qt::Key_Return);
+    EXPECT_EQ(document().scene().exposure, 1.5);
+    EXPECT_EQ(document().undoStack().count(), steps + 1);
+    document().undoStack().undo();
+    EXPECT_EQ(stops->value(), before);
+}
+
 TEST_F(NumberField, EscapeInIt_TakesTypingBackAndNothingElse) {
     const DocumentState before = document().state();
     NumberBox& exposure = box("exposure");

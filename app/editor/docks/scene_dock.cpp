@@ -10,19 +10,19 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "core/auto_exposure.h"
+#include "docks/auto_exposure_button.h"
 #include "docks/block_chooser.h"
 #include "docks/check_list.h"
 #include "docks/object_actions.h"
 #include "docks/panel.h"
 #include "docks/part_panel.h"
 #include "docks/passes_panel.h"
+#include "document/own_view.h"
 #include "document/scene_edits.h"
 #include "files/file_actions.h"
 #include "parameters/document_form.h"
 #include "parameters/parameter_row.h"
 #include "scene/primitives.h"
-#include "viewport/compare_area.h"
 
 namespace patina {
 namespace {
@@ -72,7 +72,9 @@ SceneDock::SceneDock(const DockContext& context)
         titled(tr("Object"), new DocumentForm(document_, context.textures, settings::object)));
     auto* scene = new DocumentForm(document_, context.textures, settings::scene);
     layout->addWidget(titled(tr("Scene"), scene));
-    addAutoExposure(*scene, context.views);
+    if (ParameterRow* exposure = scene->row(exposureSetting)) {
+        exposure->addButton(autoExposureButton(document_, context.views, exposure));
+    }
     layout->addWidget(titled(tr("Display"), display(context)));
     layout->addWidget(titled(tr("Picture Passes"), new PassesPanel(document_, context.textures)));
     addPartPanels(*layout, BlockOwner::Scene, document_, context.textures);
@@ -92,25 +94,6 @@ SceneDock::SceneDock(const DockContext& context)
         }
     });
     update();
-}
-
-void SceneDock::addAutoExposure(ParameterForm& form, CompareArea& views) {
-    ParameterRow* row = form.row(exposureSetting);
-    if (row == nullptr) {
-        return;
-    }
-    auto* button = textButton(tr("Auto"),
-                              tr("Set the exposure so that the mean brightness of the picture "
-                                 "(the mean of its pixels' logarithms, without black ones) becomes "
-                                 "middle grey, 18 %"),
-                              row);
-    button->setAccessibleName(tr("Automatic exposure"));
-    row->addButton(button);
-    connect(button, &QToolButton::clicked, this, [this, &views] {
-        if (const auto stops = autoExposure(views.active().viewport().linearPicture())) {
-            document_.setValue(pathOf(settings::scene), exposureSetting, *stops);
-        }
-    });
 }
 
 /// Returns the widgets of the tone curve, which maps brightness into the range of a screen.

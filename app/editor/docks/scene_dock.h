@@ -15,7 +15,6 @@ namespace patina {
 
 class BlockChooser;
 class CheckList;
-class ParameterForm;
 
 /// Lists the scene's objects, and edits their transforms and the settings of the scene, the display
 /// and the camera.
@@ -29,7 +28,6 @@ class SceneDock : public QWidget {
     static std::vector<DockPage> pages();
 
   private:
-    void addAutoExposure(ParameterForm& form, CompareArea& views);
     QWidget* display(const DockContext& context);
     void connectList();
     void fillMenu();

@@ -7,7 +7,8 @@
 #include <QWidgetAction>
 
 #include "document/compare_edits.h"
-#include "parameters/editor_factory.h"
+#include "parameters/document_editor.h"
+#include "parameters/parameter_editor.h"
 #include "text/as_text.h"
 #include "text/display_number.h"
 #include "viewport/effect_switches.h"
@@ -76,11 +77,10 @@ void ViewLinks::makeExposure(QMenu& menu) {
     exposure_ = checkable(menu, tr("E&xposure of Its Own"),
                           tr("Expose this view by other stops than the scene"), "ownExposure");
     connect(exposure_, &QAction::triggered, this, &ViewLinks::cutExposure);
-    const Parameter& parameter = *document_.parameter({scenePath_, exposureSetting});
     auto* row = new QWidget(&menu);
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins(indent, 0, 8, 4);
-    stops_ = makeEditor(parameter, row);
+    stops_ = makeDocumentEditor(document_, {scenePath_, exposureSetting}, row);
     stops_->setMinimumWidth(stopsWidth);
     stops_->setToolTip(tr("Stops; each doubles the light"));
     stops_->setObjectName("ownStops");
@@ -88,13 +88,6 @@ void ViewLinks::makeExposure(QMenu& menu) {
     auto* action = new QWidgetAction(&menu);
     action->setDefaultWidget(row);
     menu.addAction(action);
-    connect(stops_, &ParameterEditor::interactionBegan, this, [this] {
-        interaction_ = document_.interaction().begin(ParameterTarget{scenePath_, exposureSetting});
-    });
-    connect(stops_, &ParameterEditor::interactionEnded, this,
-            [this] { document_.interaction().end(interaction_); });
-    connect(stops_, &ParameterEditor::edited, this,
-            [this](const Value& value) { document_.setValue(scenePath_, exposureSetting, value); });
 }
 
 void ViewLinks::makeEnvironment(QMenu& menu) {

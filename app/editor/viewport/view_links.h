@@ -44,7 +44,6 @@ class ViewLinks : public QToolButton {
     ParameterEditor* stops_;
     QMenu* environments_;
     QActionGroup* kinds_; ///< holds the actions of the environments' menu
-    int interaction_ = 0; ///< is the number of the interaction that drags the exposure
 };
 
 } // namespace patina

@@ -33,6 +33,7 @@
 #include "window/command_keys.h"
 #include "window/command_palette.h"
 #include "window/compare_bar.h"
+#include "window/exposure_bar.h"
 #include "window/help.h"
 #include "window/inspection_menu.h"
 #include "window/lighting_menu.h"
@@ -493,6 +494,7 @@ void Menus::makeToolBar() {
     lighting->setMenu(lighting_);
     lighting->setPopupMode(QToolButton::InstantPopup);
     bar->addWidget(lighting);
+    bar->addWidget(new ExposureBar(parts_.document, parts_.views, bar));
 }
 
 void Menus::exportTurntable() {
