@@ -25,7 +25,7 @@ PresetActions::PresetActions(const DockContext& context, PresetView& view, Prese
 
 void PresetActions::noteImport(const QString& folder, const QString& text) {
     edits_.noteImport(folder);
-    sayDone(text);
+    sayDone(text, true);
 }
 
 /// The keys are the view's own.
@@ -211,13 +211,14 @@ void PresetActions::report(const QString& what, const std::vector<PresetOutcome>
             context_.files.report({outcome.entry->file.string(), 0, 0, outcome.problem, {}});
         }
     }
-    sayDone(failed == 0
-                ? what
-                : tr("%1: not done for %2 of %3").arg(what).arg(failed).arg(outcomes.size()));
+    const auto all = static_cast<std::ptrdiff_t>(outcomes.size());
+    sayDone(failed == 0 ? what : tr("%1: not done for %2 of %3").arg(what).arg(failed).arg(all),
+            failed < all || outcomes.empty());
 }
 
-/// Says what was done, with a button that takes it back, or that does again what was undone.
-void PresetActions::sayDone(const QString& text) {
+/// Says what was done, with a button that takes it back, or that does again what was undone, where
+/// anything was.
+void PresetActions::sayDone(const QString& text, bool isAnyDone) {
     const auto button = [this](const QString& name, const QString& toolTip,
                                void (PresetActions::*act)()) {
         return NoticeBar::Action{name, toolTip, [this, act] {
@@ -225,10 +226,15 @@ void PresetActions::sayDone(const QString& text) {
                                      (this->*act)();
                                  }};
     };
-    notice_.say(text, {isUndoing_ ? button(tr("Redo"), tr("Do it again"), &PresetActions::redo)
-                                  : button(tr("Undo"), tr("Take it back (Ctrl+Z in the presets)"),
-                                           &PresetActions::undo),
-                       {tr("OK"), tr("Close this note"), [this] { notice_.clear(); }}});
+    std::vector<NoticeBar::Action> actions;
+    if (isAnyDone) {
+        actions.push_back(isUndoing_
+                              ? button(tr("Redo"), tr("Do it again"), &PresetActions::redo)
+                              : button(tr("Undo"), tr("Take it back (Ctrl+Z in the presets)"),
+                                       &PresetActions::undo));
+    }
+    actions.push_back({tr("OK"), tr("Close this note"), [this] { notice_.clear(); }});
+    notice_.say(text, actions);
 }
 
 } // namespace patina

@@ -49,7 +49,7 @@ class PresetActions : public QObject {
     void undo();
     void redo();
     void report(const QString& what, const std::vector<PresetOutcome>& outcomes);
-    void sayDone(const QString& text);
+    void sayDone(const QString& text, bool isAnyDone);
 
     DockContext context_;
     PresetView& view_;
