@@ -101,6 +101,9 @@ class EditingSession : public GpuTest {
         if (set.refraction) {
             passes.emplace_back("back of a body");
         }
+        if (set.isShownRefracted) {
+            passes.emplace_back("reach of what is behind a body");
+        }
         if (set.transparency && isVisiblyTransparent(set)) {
             passes.push_back("layers " + set.transparency->block().id);
             passes.push_back("their sum " + set.transparency->block().id);
