@@ -155,6 +155,7 @@ void MeshLibrary::setRights(const FileRights& rights) {
         return;
     }
     rights_ = rights;
+    ++rightsChanges_;
     client().setRights(rights);
     forgetFailures();
     for (const auto& [key, places] : std::exchange(missingLinks_, {})) {
@@ -208,7 +209,13 @@ void MeshLibrary::load(const MeshKey& key) {
         [key, &client = client()](const Worker::Control& control) {
             return read(client, key, control.progress());
         },
-        [this, key](const Answer& answer) { finish(key, answer); }, {}, fileName(key));
+        [this, key, begun = rightsChanges_](const Answer& answer) {
+            // What could not be read before the rights changed may be read now.
+            const bool isOutdated = begun != rightsChanges_ && !loading_.at(key)->cancelled;
+            loading_.erase(key);
+            !answer && isOutdated ? load(key) : finish(key, answer);
+        },
+        {}, fileName(key));
 }
 
 /// Runs in the worker's thread.
@@ -226,7 +233,6 @@ MeshLibrary::Answer MeshLibrary::read(AssetClient& client, const MeshKey& key, P
 }
 
 void MeshLibrary::finish(const MeshKey& key, const Answer& answer) {
-    loading_.erase(key);
     const QString file = QString::fromStdString(key.mesh);
     const std::vector<std::string> refused = client().refusedLinks(key.mesh);
     if (answer) {

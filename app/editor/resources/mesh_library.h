@@ -120,6 +120,7 @@ class MeshLibrary : public QObject {
     std::vector<std::shared_ptr<const Found>> outdatedOpenness_;
     std::map<MeshKey, std::shared_ptr<Progress>> finding_;
     FileRights rights_;
+    int rightsChanges_ = 0; ///< counts how often they changed
     bool wantsOpenness_ = false;
     Worker opennessWorker_;
     Worker worker_;
