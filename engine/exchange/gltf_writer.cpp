@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/content_hash.h"
 #include "core/exchange_keys.h"
 #include "core/grain_widths.h"
 #include "core/number_text.h"
@@ -104,8 +105,27 @@ class GltfFile {
         return json;
     }
 
-    /// Gives the images of a preset their paths in the export, or their numbers where they are
-    /// inside the file, and leaves out those that are not files there.
+    /// Returns what the image of a texture in a material is: its URI, or the hash of its content
+    /// inside the file; empty for none.
+    std::string imageOf(const Json& material, const Json::json_pointer& texture) const {
+        if (!material.contains(texture)) {
+            return {};
+        }
+        const std::size_t index = material.at(texture).at("index");
+        const std::size_t source = document_.at("textures").at(index).at("source");
+        const Json& image = document_.at("images").at(source);
+        if (image.contains("uri")) {
+            return image.at("uri");
+        }
+        const std::size_t viewIndex = image.at("bufferView");
+        const Json& view = document_.at("bufferViews").at(viewIndex);
+        const std::size_t offset = view.at("byteOffset");
+        const std::size_t length = view.at("byteLength");
+        return contentHash(std::string_view(buffer_).substr(offset, length));
+    }
+
+    /// Gives the images of a preset their paths in the export, or hashes where they are inside the
+    /// file, and leaves out those that are not files there.
     void nameImages(Json& textures) {
         const std::vector<std::string_view> inside{".png", ".jpg", ".jpeg"};
         Json named = Json::object();
@@ -114,9 +134,11 @@ class GltfFile {
                                           isBinary_ ? inside : std::vector<std::string_view>());
             if (path) {
                 named[key] = use;
-                named[key]["file"] = isBinary_ ? fmt::format("{}{}", imageNumberPrefix,
-                                                             imageIndex(*path, fileNameOf(*path)))
-                                               : *path;
+                named[key]["file"] = *path;
+                if (isBinary_) {
+                    imageIndex(*path, fileNameOf(*path));
+                    named[key]["file"] = insidePrefix + contentHash(images_.bytes(*path));
+                }
             }
         }
         textures = std::move(named);
@@ -297,7 +319,8 @@ class GltfMaterial {
                                       : look_.material.isMetal() ? "f0"
                                                                  : "diffuse";
         base["metallicFactor"] = look_.material.isMetal() ? 1.0 : 0.0; // unless it is mixed
-        const glm::dvec3 color = imageFactor(look_, colorWord);
+        const Json colors = file_.texture(look_, colorWord);
+        const glm::dvec3 color = factorOf(colorWord, colors);
         const double opacity =
             look_.isTransmissive() ? 1.0 : look_.value("opacity", glm::dvec3(1.0)).x;
         base["baseColorFactor"] = {color.x, color.y, color.z, opacity};
@@ -306,8 +329,8 @@ class GltfMaterial {
         look_.tellOf(colorWord, isDarkened ? Kept::Approximated : Kept::Exact,
                      isDarkened ? "baseColorFactor, darker where the highlight takes its light"
                                 : "baseColorFactor");
-        if (const Json texture = file_.texture(look_, colorWord); !texture.is_null()) {
-            base["baseColorTexture"] = texture;
+        if (!colors.is_null()) {
+            base["baseColorTexture"] = colors;
         }
         writeHighlight(base);
         writeTransmission();
@@ -321,6 +344,12 @@ class GltfMaterial {
     }
 
   private:
+    /// Returns what the image on a value is multiplied with; the value itself where it is not
+    /// written.
+    glm::dvec3 factorOf(const std::string& word, const Json& texture) const {
+        return texture.is_null() ? look_.value(word) : imageFactor(look_, word);
+    }
+
     void writeHighlight(Json& base) {
         if (look_.material.look == "matte") {
             base["roughnessFactor"] = 1.0;
@@ -358,23 +387,22 @@ class GltfMaterial {
             drop("metalness", "lies otherwise than that on the roughness, with which it is one");
             metalness.clear();
         }
-        const double roughness =
-            std::sqrt((widths.empty() ? look_.value("alpha") : imageFactor(look_, "alpha")).x);
+        Json texture;
+        if (!widths.empty() || !metalness.empty()) {
+            texture = file_.metallicRoughnessTexture(look_, widths, metalness);
+        }
+        const double roughness = std::sqrt(factorOf("alpha", widths.empty() ? Json() : texture).x);
         base["roughnessFactor"] = roughness;
         look_.tellOf("alpha", Kept::Exact,
                      fmt::format("roughnessFactor {}, its root", shortestFloatText(roughness)));
         if (look_.material.hasMetalness()) {
-            const double share =
-                metalness.empty() ? look_.value("metalness").x : imageFactor(look_, "metalness").x;
+            const double share = factorOf("metalness", metalness.empty() ? Json() : texture).x;
             base["metallicFactor"] = share;
             look_.tellOf("metalness", Kept::Exact,
                          fmt::format("metallicFactor {}", shortestFloatText(share)));
         }
-        if (!widths.empty() || !metalness.empty()) {
-            Json texture = file_.metallicRoughnessTexture(look_, widths, metalness);
-            if (!texture.is_null()) {
-                base["metallicRoughnessTexture"] = std::move(texture);
-            }
+        if (!texture.is_null()) {
+            base["metallicRoughnessTexture"] = std::move(texture);
         }
     }
 
@@ -546,8 +574,15 @@ class GltfMaterial {
         }
         written.push_back(base["metallicFactor"]);
         written.push_back(base["roughnessFactor"]);
+        Json images = Json::array();
+        for (const char* texture : {"/pbrMetallicRoughness/baseColorTexture",
+                                    "/pbrMetallicRoughness/metallicRoughnessTexture",
+                                    "/normalTexture", "/emissiveTexture"}) {
+            images.push_back(file_.imageOf(material_, Json::json_pointer(texture)));
+        }
         material_["extras"][ownExtras] = {{presetKey, std::move(preset)},
-                                          {writtenKey, std::move(written)}};
+                                          {writtenKey, std::move(written)},
+                                          {imagesKey, std::move(images)}};
     }
 
     void drop(const std::string& word, const std::string& why) {

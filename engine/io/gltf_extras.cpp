@@ -2,16 +2,15 @@
 #include "io/gltf_extras.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "core/content_hash.h"
 #include "core/exchange_keys.h"
 #include "io/gltf_embedded.h"
 #include "io/gltf_extensions.h"
@@ -38,8 +37,41 @@ std::vector<double> factorsOf(const tinygltf::Material& material) {
     return factors;
 }
 
-/// Tells whether a material still has the factors that were written with its preset.
-bool isUnchanged(const tinygltf::Material& material, const Json& own) {
+std::string hashOf(const tinygltf::Image& image) {
+    return contentHash({reinterpret_cast<const char*>(image.image.data()), image.image.size()});
+}
+
+/// Returns what the image of a texture is: its URI, or the hash of its content inside the file;
+/// empty for none.
+std::string imageOf(int texture, const tinygltf::Model& model) {
+    const int source = texture >= 0 && std::size_t(texture) < model.textures.size()
+                           ? model.textures[std::size_t(texture)].source
+                           : -1;
+    if (source < 0 || std::size_t(source) >= model.images.size()) {
+        return {};
+    }
+    const tinygltf::Image& image = model.images[std::size_t(source)];
+    return image.uri.empty() ? hashOf(image) : image.uri;
+}
+
+std::vector<std::string> imagesOf(const tinygltf::Material& material,
+                                  const tinygltf::Model& model) {
+    const tinygltf::PbrMetallicRoughness& look = material.pbrMetallicRoughness;
+    std::vector<std::string> images;
+    for (const int texture : {look.baseColorTexture.index, look.metallicRoughnessTexture.index,
+                              material.normalTexture.index, material.emissiveTexture.index}) {
+        images.push_back(imageOf(texture, model));
+    }
+    return images;
+}
+
+/// Tells whether a material still has the factors and the images that were written with its preset.
+bool isUnchanged(const tinygltf::Material& material, const tinygltf::Model& model,
+                 const Json& own) {
+    const auto images = own.find(imagesKey); // older files have none
+    if (images != own.end() && *images != Json(imagesOf(material, model))) {
+        return false;
+    }
     const auto written = own.find(writtenKey);
     const std::vector<double> factors = factorsOf(material);
     return written != own.end() && written->is_array() && written->size() == factors.size() &&
@@ -50,40 +82,33 @@ bool isUnchanged(const tinygltf::Material& material, const Json& own) {
                       });
 }
 
-/// Returns an image inside the file that a preset names by its number; nothing for other names and
+/// Returns an image inside the file that a preset names by its content; nothing for other names and
 /// where the file has none that can be read.
 std::optional<std::string> imageInside(const std::string& name, const tinygltf::Model& model) {
-    const std::string_view prefix = imageNumberPrefix;
-    std::size_t number = model.images.size();
-    if (name.starts_with(prefix)) {
-        std::from_chars(name.data() + prefix.size(), name.data() + name.size(), number);
-    }
-    return number < model.images.size() && isEmbeddedImage(model.images[number])
-               ? std::optional(embeddedImage(model.images[number]))
-               : std::nullopt;
+    const auto found = std::ranges::find_if(model.images, [&name](const tinygltf::Image& image) {
+        return isEmbeddedImage(image) && name == insidePrefix + hashOf(image);
+    });
+    return found == model.images.end() ? std::nullopt : std::optional(embeddedImage(*found));
 }
 
-/// Finds the images of a preset, and leaves out of it those that may not be read. Returns them by
-/// their keys.
-std::map<std::string, std::string> findImages(Json& preset, const tinygltf::Model& model,
-                                              MeshFolder& folder) {
+/// Finds the images of a preset and returns them by their keys; nothing where one may not be read
+/// or is not there.
+std::optional<std::map<std::string, std::string>>
+findImages(const Json& preset, const tinygltf::Model& model, MeshFolder& folder) {
     MeshMaterial place;
     const auto textures = preset.find("textures");
     if (textures == preset.end() || !textures->is_object()) {
-        return {};
+        return place.images;
     }
-    Json found = Json::object();
     for (const auto& [key, use] : textures->items()) {
         const bool hasFile = use.is_object() && use.contains("file") && use["file"].is_string();
         const std::string name = hasFile ? use["file"].get<std::string>() : std::string();
         if (const auto inside = imageInside(name, model)) {
             place.images[key] = *inside;
-            found[key] = use;
-        } else if (hasFile && addImage(place, key, name, folder)) {
-            found[key] = use;
+        } else if (!hasFile || !addImage(place, key, name, folder)) {
+            return std::nullopt;
         }
     }
-    *textures = std::move(found);
     return place.images;
 }
 
@@ -118,10 +143,12 @@ void addExtras(MeshMaterial& material, const tinygltf::Material& from, const tin
     Json extras = objectIn(from.extras_json_string);
     if (const auto own = extras.find(ownExtras);
         own != extras.end() && own->is_object() && own->contains(presetKey) &&
-        (*own)[presetKey].is_object() && isUnchanged(from, *own)) {
-        Json& preset = (*own)[presetKey];
-        material.presetImages = findImages(preset, model, folder);
-        material.preset = preset.dump(-1, ' ', false, Json::error_handler_t::replace);
+        (*own)[presetKey].is_object() && isUnchanged(from, model, *own)) {
+        const Json& preset = (*own)[presetKey];
+        if (auto images = findImages(preset, model, folder)) {
+            material.presetImages = *std::move(images);
+            material.preset = preset.dump(-1, ' ', false, Json::error_handler_t::replace);
+        }
     }
     const Json foreign = foreignIn(from);
     const std::string text = foreign.dump(-1, ' ', false, Json::error_handler_t::replace);

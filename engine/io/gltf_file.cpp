@@ -113,20 +113,6 @@ bool dropCompressedIndices(json& document) {
     return changed;
 }
 
-/// Decodes the percent escapes of a URI, as a library would: "%2e%2e" becomes "..".
-std::string withoutEscapes(std::string_view uri) {
-    std::string plain;
-    for (std::size_t i = 0; i < uri.size(); ++i) {
-        unsigned int code = 0;
-        const char* const digits = uri.data() + i + 1;
-        const bool isEscape = uri[i] == '%' && i + 2 < uri.size() &&
-                              std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2;
-        plain += isEscape ? static_cast<char>(code) : uri[i];
-        i += isEscape ? 2 : 0;
-    }
-    return plain;
-}
-
 /// Tells whether a path is relative, leads not upwards, and has nothing that a shell or another
 /// system reads otherwise.
 bool uriStaysInFolder(const std::string& uri) {
@@ -257,6 +243,19 @@ bool isVersionOne(const json& document) {
 }
 
 } // namespace
+
+std::string withoutEscapes(std::string_view uri) {
+    std::string plain;
+    for (std::size_t i = 0; i < uri.size(); ++i) {
+        unsigned int code = 0;
+        const char* const digits = uri.data() + i + 1;
+        const bool isEscape = uri[i] == '%' && i + 2 < uri.size() &&
+                              std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2;
+        plain += isEscape ? static_cast<char>(code) : uri[i];
+        i += isEscape ? 2 : 0;
+    }
+    return plain;
+}
 
 Result<std::optional<tinygltf::Model>> loadGltf(MeshFolder& folder) {
     auto bytes = folder.open(folder.file().string()).and_then([](const OrdinaryFile& file) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <string_view>
 
 #include <tiny_gltf.h>
 
@@ -15,5 +17,8 @@ namespace patina {
 /// glTF, when a buffer is missing, too short or outside of the folder, or when a required extension
 /// is not known here.
 Result<std::optional<tinygltf::Model>> loadGltf(MeshFolder& folder);
+
+/// Decodes the percent escapes of a URI: "%2e%2e" becomes "..".
+std::string withoutEscapes(std::string_view uri);
 
 } // namespace patina

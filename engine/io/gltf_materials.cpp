@@ -11,6 +11,7 @@
 #include "core/image_place.h"
 #include "io/gltf_embedded.h"
 #include "io/gltf_extras.h"
+#include "io/gltf_file.h"
 #include "io/material_images.h"
 #include "io/material_look.h"
 #include "io/mesh_parts.h"
@@ -100,11 +101,11 @@ void addTexture(MeshMaterial& material, const char* word, int index,
         addSampler(material, word, model.textures[std::size_t(index)].sampler, model, left);
         return;
     }
-    const std::string& uri = image.uri;
-    if (uri.empty() || uri.starts_with("data:")) {
+    if (image.uri.empty() || image.uri.starts_with("data:")) {
         return;
     }
-    if (!addImage(material, word, uri, folder)) {
+    const std::string uri = withoutEscapes(image.uri);
+    if (!addImage(material, word, uri, folder) && !addImage(material, word, image.uri, folder)) {
         left.add(LeftOut::What::MissingImage, fileNameIn(uri));
         return;
     }

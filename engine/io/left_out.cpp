@@ -53,10 +53,10 @@ std::string inOneLine(std::string_view name) {
 
 void LeftOut::add(What what, std::string_view name) {
     Found& found = found_[static_cast<std::size_t>(what)];
-    ++found.count;
     std::string shown = inOneLine(name);
-    if (!shown.empty() && found.names.size() <= maxNames &&
-        std::ranges::find(found.names, shown) == found.names.end()) {
+    const bool isNew = std::ranges::find(found.names, shown) == found.names.end();
+    found.count += isNew || what != What::MissingImage ? 1 : 0; // a file counts once
+    if (!shown.empty() && found.names.size() <= maxNames && isNew) {
         found.names.push_back(std::move(shown));
     }
 }

@@ -221,7 +221,8 @@ Result<void> addTransmission(Material& material, const MeshMaterial& from, const
 }
 
 /// Returns the material that was exported as this one; nothing where the file has none that can be
-/// read. Only images may be read for it that the reader of the file has found.
+/// read, or one of a model that is not here. Only images may be read for it that the reader of the
+/// file has found.
 std::optional<Material> ownMaterial(const MeshMaterial& from, const Catalog& catalog) {
     auto document = parseJson(from.preset, std::string());
     if (!document || !document->value.is_object()) {
@@ -238,7 +239,9 @@ std::optional<Material> ownMaterial(const MeshMaterial& from, const Catalog& cat
     }
     document->value["textures"] = std::move(textures);
     auto reading = materialFromJson(*document, {}, catalog, rights);
-    return reading ? std::optional(std::move(reading->material)) : std::nullopt;
+    const bool isKnown =
+        reading && catalog.find(kinds::models, reading->material.model.id) != nullptr;
+    return isKnown ? std::optional(std::move(reading->material)) : std::nullopt;
 }
 
 /// Keeps what only other programs know of a material, for an export to the same format.

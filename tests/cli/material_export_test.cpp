@@ -577,6 +577,35 @@ TEST_F(ExportedMaterial, PresetWhoseFactorsWereChanged_GivesWayToThem) {
     EXPECT_EQ(back.model.parameters.at("gloss"), Value(1.0));
 }
 
+TEST_F(ExportedMaterial, PresetWhoseImagesWereChanged_GivesWayToThem) {
+    for (const char* name : {"red.png", "blue.png"}) {
+        ASSERT_TRUE(client_.saveImage(folder_ / name, Image{1, 1, 3, {1, 1, 1}}));
+    }
+    Material wood = looking("dielectric", {"gloss=0.5"});
+    wood.textures["diffuse.color"] = textureUse("diffuse.color", folder_ / "red.png");
+    write(wood, "wood.gltf");
+    EXPECT_EQ(readOwn("wood.gltf").model.parameters.at("gloss"), Value(0.5));
+    auto document = nlohmann::json::parse(readFile(folder_ / "wood.gltf"));
+    document["images"][0]["uri"] = "blue%2epng";
+    writeFile(folder_ / "wood.gltf", document.dump());
+    const Material back = readOwn("wood.gltf");
+    EXPECT_EQ(back.model.parameters.at("gloss"), Value(1.0));
+    EXPECT_EQ(back.textures.at("diffuse.color").file, (folder_ / "blue.png").generic_string());
+}
+
+TEST_F(ExportedMaterial, ImageThatCannotBeWritten_LeavesTheValue) {
+    Material steel = looking("metallic-roughness", {"metalness=0.25", "roughness=0.25"});
+    for (const char* key : {"metalness", "roughness", "diffuse.color"}) {
+        steel.textures[key] = textureUse(key, folder_ / "not-there.png");
+    }
+    steel.model.parameters["diffuse.color"] = glm::dvec3(0.5);
+    write(steel, "steel.gltf");
+    const Material back = read("steel.gltf");
+    EXPECT_EQ(back.model.parameters.at("metalness"), Value(0.25));
+    EXPECT_EQ(back.model.parameters.at("roughness"), Value(0.25));
+    EXPECT_EQ(back.model.parameters.at("diffuse.color"), Value(glm::dvec3(0.5)));
+}
+
 /// But not where an extension names a texture, whose number is that of another file.
 TEST_F(ExportedMaterial, WhatOnlyOtherProgramsKnow_IsWrittenBack) {
     write(looking("metal", {"roughness=0.25"}), "gold.gltf");

@@ -19,7 +19,7 @@ namespace patina {
 namespace {
 
 constexpr QSize paletteSize(460, 320);
-constexpr std::size_t maxChoices = 100; ///< more words find fewer
+constexpr std::size_t maxPlaces = 100; ///< more words find fewer
 
 /// Tells whether each of the words begins a word of a text, or is in it somewhere.
 enum class Fit { Begins, Within, None };
@@ -82,17 +82,17 @@ std::vector<std::size_t> found(const std::vector<Command>& commands,
             ranking.add(i, fitOf(best.first, words), best.second);
         }
     }
-    std::size_t count = 0;
     for (std::size_t i = 0; i < choices.size() && !words.trimmed().isEmpty(); ++i) {
         const NamedChoice& choice = choices[i];
         const bool isCalledSo = choice.name.compare(words.trimmed(), Qt::CaseInsensitive) == 0;
-        const Fit fit = fitOf(choice.kind + ' ' + choice.name, words);
-        count += fit != Fit::None ? 1 : 0;
-        if (count <= maxChoices || isCalledSo) {
-            ranking.add(commands.size() + i, fit, isCalledSo ? sameName : choiceRank);
-        }
+        ranking.add(commands.size() + i, fitOf(choice.kind + ' ' + choice.name, words),
+                    isCalledSo ? sameName : choiceRank);
     }
-    return ranking.places();
+    std::vector<std::size_t> places = ranking.places();
+    if (!words.trimmed().isEmpty()) {
+        places.resize(std::min(places.size(), maxPlaces));
+    }
+    return places;
 }
 
 } // namespace
