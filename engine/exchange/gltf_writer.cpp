@@ -12,8 +12,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "core/content_hash.h"
 #include "core/exchange_keys.h"
+#include "core/fnv_hash.h"
 #include "core/grain_widths.h"
 #include "core/number_text.h"
 #include "exchange/dielectric_index.h"

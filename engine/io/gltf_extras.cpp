@@ -10,8 +10,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/content_hash.h"
 #include "core/exchange_keys.h"
+#include "core/fnv_hash.h"
 #include "io/gltf_embedded.h"
 #include "io/gltf_extensions.h"
 #include "io/material_images.h"

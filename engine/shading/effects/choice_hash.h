@@ -5,11 +5,12 @@
 #include <optional>
 #include <string_view>
 
+#include "core/fnv_hash.h"
 #include "shading/program/block_use.h"
 
 namespace patina {
 
-/// Hashes choices (FNV-1a, 64 bits), without any allocation.
+/// Hashes choices, without any allocation.
 class ChoiceHash {
   public:
     void add(std::string_view text) {
@@ -43,12 +44,12 @@ class ChoiceHash {
         }
     }
 
-    std::uint64_t value() const { return value_; }
+    std::uint64_t value() const { return hash_.value(); }
 
   private:
-    void addByte(unsigned char byte) { value_ = (value_ ^ byte) * 0x100000001b3u; }
+    void addByte(unsigned char byte) { hash_.add(byte); }
 
-    std::uint64_t value_ = 0xcbf29ce484222325u;
+    FnvHash hash_;
 };
 
 } // namespace patina
