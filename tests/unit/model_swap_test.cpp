@@ -169,7 +169,8 @@ TEST(MetalsReflectance, WithASlot_IsAllThatItsHighlightHas) {
         folder.add("models", model);
     }
     json coat = plainDescriptor("coat");
-    coat["parameters"] = {color("facing", {{"role", "f0"}, {"default", {0.04, 0.04, 0.04}}})};
+    coat["parameters"] =
+        json::array({color("facing", {{"role", "f0"}, {"default", {0.04, 0.04, 0.04}}})});
     folder.add("fresnel", coat);
     const Catalog catalog = folder.load();
     ASSERT_EQ(catalog.errors, Errors());
