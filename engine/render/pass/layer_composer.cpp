@@ -8,6 +8,7 @@
 
 #include "render/gpu/binding.h"
 #include "render/gpu/slow_allocation.h"
+#include "render/pass/found_program.h"
 #include "shading/effects/layer_source.h"
 #include "shading/effects/texture_writer.h"
 
@@ -27,18 +28,6 @@ void clearColor(int location, const std::array<float, 4>& value) {
 
 void maskColors(GLboolean written) {
     glColorMask(written, written, written, written);
-}
-
-Result<std::shared_ptr<const gl::Program>> found(const Checked<ProgramSource>& source,
-                                                 ProgramCache& cache) {
-    if (!source) {
-        return tl::unexpected(source.error().front());
-    }
-    const ProgramCache::Found made = cache.get(*source);
-    if (!made.program) {
-        return tl::unexpected(made.errors.front());
-    }
-    return made.program;
 }
 
 } // namespace
@@ -115,7 +104,7 @@ Result<void> LayerComposer::buildSide(Side& side) {
 }
 
 Result<void> LayerComposer::makeComposition(const Catalog& catalog, ProgramCache& cache) {
-    auto made = found(layerComposition(catalog, shape_.isPeeled, isMultisampled()), cache);
+    auto made = foundProgram(layerComposition(catalog, shape_.isPeeled, isMultisampled()), cache);
     if (!made) {
         return tl::unexpected(made.error());
     }
@@ -131,7 +120,7 @@ Result<void> LayerComposer::addPipeline(const std::shared_ptr<const Pipeline>& p
         return {};
     }
     const OpacityPart part = opacityPart(pipeline->effects, pipeline->object);
-    auto made = found(peelProgram(part, *pipeline->catalog, isMultisampled()), cache);
+    auto made = foundProgram(peelProgram(part, *pipeline->catalog, isMultisampled()), cache);
     if (!made) {
         return tl::unexpected(made.error());
     }

@@ -11,6 +11,7 @@
 #include <glm/matrix.hpp>
 
 #include "render/gpu/binding.h"
+#include "render/pass/found_program.h"
 #include "shading/effects/refraction_source.h"
 
 namespace patina {
@@ -37,18 +38,6 @@ int levelOfTiles(glm::ivec2 size) {
         ++level;
     }
     return level;
-}
-
-Result<std::shared_ptr<const gl::Program>> compiled(const Checked<ProgramSource>& source,
-                                                    ProgramCache& cache) {
-    if (!source) {
-        return tl::unexpected(source.error().front());
-    }
-    const ProgramCache::Found made = cache.get(*source);
-    if (!made.program) {
-        return tl::unexpected(made.errors.front());
-    }
-    return made.program;
 }
 
 } // namespace
@@ -103,7 +92,7 @@ Result<void> RefractionTargets::buildBehind() {
 
 Result<void> RefractionTargets::makePrograms(const Catalog& catalog, ProgramCache& cache) {
     if (built_.back && !backProgram_) {
-        const auto made = compiled(bodyBackProgram(catalog), cache);
+        const auto made = foundProgram(bodyBackProgram(catalog), cache);
         if (!made) {
             return tl::unexpected(made.error());
         }
@@ -112,7 +101,7 @@ Result<void> RefractionTargets::makePrograms(const Catalog& catalog, ProgramCach
         backProgram_->bindBlock("ObjectBlock", binding::object);
     }
     if (built_.behind && !reachProgram_) {
-        const auto made = compiled(tileReachProgram(catalog), cache);
+        const auto made = foundProgram(tileReachProgram(catalog), cache);
         if (!made) {
             return tl::unexpected(made.error());
         }
