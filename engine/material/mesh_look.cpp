@@ -71,7 +71,8 @@ void setNumbers(TextureUse& use, const MeshMaterial& from, const std::string& wo
                                   TextureChannel::Alpha};
     if (const auto channel = from.values.find(word + imageChannelWord);
         channel != from.values.end()) {
-        use.channel = channels.at(std::size_t(channel->second.x));
+        use.channel = channels[static_cast<std::size_t>(
+            glm::clamp(channel->second.x, 0.0, double(channels.size() - 1)))];
         use.colorSpace = from.values.contains(word + imageRootWord) ? TextureColorSpace::Roots
                                                                     : TextureColorSpace::Linear;
     }
